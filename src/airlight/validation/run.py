@@ -94,6 +94,12 @@ def _published(data: Path | None, *, progress: Progress | None, cancel: Cancel |
     return published(progress=progress, cancel=cancel)
 
 
+def _polarisation(data: Path | None, *, progress: Progress | None, cancel: Cancel | None) -> Suite:
+    from airlight.validation.polarised.light import polarisation
+
+    return polarisation(progress=progress, cancel=cancel)
+
+
 #: All suites, in the order of the report.
 SUITES: Final[dict[str, Entry]] = {
     "golden": Entry("Golden numbers", _golden),
@@ -109,6 +115,7 @@ SUITES: Final[dict[str, Entry]] = {
     "energy": Entry("Energy", _energy),
     "disort": Entry("Flat air against discrete ordinates", _disort),
     "published": Entry("Published light", _published),
+    "polarisation": Entry("Polarised light", _polarisation),
 }
 
 

@@ -1,0 +1,1 @@
+"""Polarised light beside published tables, another program and vector Monte Carlo."""

@@ -1,0 +1,139 @@
+"""Flat Rayleigh air against the corrected Coulson tables."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets.matter.phases import Rayleigh
+from airlight.planets.matter.profiles import Exponential
+from airlight.solvers import Solution
+from airlight.validation.energy_planets import VAST
+from airlight.validation.published.row import Solve
+from airlight.validation.suite import Bar, Part, ReportTable
+
+FloatArray = NDArray[np.float64]
+
+FILE: Final = "data/coulson-corrected.csv"
+#: Allowed difference of the radiance at fine quality [%], and of Q/I and U/I [1].
+RADIANCE_BAR, DEGREE_BAR = 0.1, 0.001
+#: Cosine of the star's zenith angle, and optical depth, of all values. [1]
+SUN, DEPTH = 0.2, 0.5
+_HEIGHT, _SCALE_HEIGHT = 100e3, 8e3
+_WAVELENGTH: Final = 550.0
+#: A line this far from the vertical has azimuths; its light is that of the vertical. [deg]
+_TILT: Final = 0.01
+
+
+class Values(NamedTuple):
+    """Rows of one albedo.
+
+    Attributes
+    ----------
+    mu : array, shape (n,)
+        Cosine of the angle between the light's direction and the zenith. [1]
+    azimuth : array, shape (n,)
+        Azimuth between line of sight and star. [deg]
+    stokes : array, shape (n, 3)
+        I, Q and U in the frame of ``solvers.stokes_frame``, per irradiance of the star. [sr⁻¹]
+    """
+
+    mu: FloatArray
+    azimuth: FloatArray
+    stokes: FloatArray
+
+
+@cache
+def coulson_values() -> dict[float, Values]:
+    """Values of the tables by albedo, with the signs and the star of this package."""
+    text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith("#")][1:]
+    table = np.array([[float(cell) for cell in line.split(",")] for line in lines])
+    signs = np.array([1.0, -1.0, -1.0]) / np.pi
+    return {
+        float(albedo): Values(rows[:, 1], rows[:, 2], rows[:, 3:] * signs)
+        for albedo in np.unique(table[:, 0])
+        for rows in (table[table[:, 0] == albedo],)
+    }
+
+
+def flat_rayleigh(albedo: float) -> Planet:
+    """Flat air of the tables under a point star of irradiance 1."""
+    bottom = VAST * 6360e3
+    column = _SCALE_HEIGHT * -np.expm1(-_HEIGHT / _SCALE_HEIGHT)
+    return Planet(
+        name="flat Rayleigh air",
+        bottom_radius=bottom,
+        top_radius=bottom + _HEIGHT,
+        ground=Ground(albedo=albedo),
+        star=Star(irradiance=1.0, angular_radius=0.0),
+        constituents=(
+            Constituent(
+                name="gas",
+                profile=Exponential(scale_height=_SCALE_HEIGHT),
+                scattering=DEPTH / column,
+                phase_function=Rayleigh(),
+            ),
+        ),
+    )
+
+
+def differences(solution: Solution, values: Values) -> tuple[FloatArray, FloatArray]:
+    """Differences from the tables, of I [%], shape (n,), and of Q/I and U/I [1], shape (n, 2)."""
+    zenith = 180.0 - np.degrees(np.arccos(values.mu))
+    got = solution.radiance(
+        altitude=solution.medium.thickness, sun_zenith=np.degrees(np.arccos(SUN)),
+        view_zenith=np.minimum(zenith, 180.0 - _TILT), azimuth=values.azimuth, stokes=True,
+    ).values[..., 0]  # fmt: skip
+    known = values.stokes
+    return 100.0 * (got[:, 0] / known[:, 0] - 1.0), got[:, 1:] / got[:, :1] - known[:, 1:] / known[
+        :, :1
+    ]
+
+
+def flat_air(solve: Solve) -> tuple[list[Bar], list[Part]]:
+    """Bars and table of the comparison.
+
+    Parameters
+    ----------
+    solve : callable
+        See ``published.row.Solve``.
+    """
+    bars, rows = [], []
+    for quality in ("default", "fine"):
+        light, degree = [], []
+        for albedo, values in coulson_values().items():
+            of_i, of_degree = differences(
+                solve(flat_rayleigh(albedo), (_WAVELENGTH,), quality), values
+            )
+            light.append(np.abs(of_i).max())
+            degree.append(np.abs(of_degree).max())
+            rows += [
+                (quality, f"{albedo:g}", f"{mu:g}", f"{azimuth:g}", f"{i:+.3f}", f"{q:+.5f}",
+                 f"{u:+.5f}")
+                for mu, azimuth, i, (q, u) in zip(
+                    values.mu, values.azimuth, of_i, of_degree, strict=True
+                )
+            ]  # fmt: skip
+        if quality == "fine":
+            source = "the aim; corrected Coulson tables"
+            bars += [
+                Bar(name="flat Rayleigh air, fine: I", got=float(max(light)),
+                    allowed=RADIANCE_BAR, unit="%", source=source),
+                Bar(name="flat Rayleigh air, fine: Q/I and U/I", got=float(max(degree)),
+                    allowed=DEGREE_BAR, source=source),
+            ]  # fmt: skip
+    return bars, [
+        ReportTable(
+            title="Flat Rayleigh air of depth 0.5 against the corrected Coulson tables",
+            columns=["quality", "albedo", "μ", "azimuth [°]", "I [%]", "Q/I", "U/I"],
+            rows=rows,
+            note="Differences, ours less theirs; light that leaves the top, star 78.5° from the "
+            "zenith. Natraj, Li & Yung (2009), Astrophysical Journal 691, 1909.",
+        )
+    ]

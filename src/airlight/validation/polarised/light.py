@@ -1,0 +1,49 @@
+"""The suite ``polarisation``: Stokes parameters against tables, another program and histories."""
+
+from __future__ import annotations
+
+from airlight.errors import Cancelled
+from airlight.validation.polarised.flat_air import flat_air
+from airlight.validation.polarised.histories import histories
+from airlight.validation.polarised.neutral_points import neutral_points
+from airlight.validation.polarised.round_air import round_air
+from airlight.validation.published.row import solver
+from airlight.validation.suite import Bar, Cancel, Part, Progress, Suite
+
+
+def polarisation(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
+    """Compare polarised light with what others computed, and with vector Monte Carlo.
+
+    Parameters
+    ----------
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+
+    Raises
+    ------
+    Cancelled
+        If ``cancel`` returned True.
+    """
+    solve = solver(progress, cancel)
+    bars: list[Bar] = []
+    parts: list[Part] = []
+    for section in (flat_air, round_air, neutral_points):
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        more, shown = section(solve)
+        bars += more
+        parts += shown
+    more, shown = histories(progress=progress, cancel=cancel)
+    return Suite(
+        name="polarisation",
+        title="Polarised light",
+        summary=(
+            "Radiance I and the Stokes parameters Q and U of skies: flat Rayleigh air against the "
+            "corrected Coulson tables, round Rayleigh air against SASKTRAN, air with particles "
+            "against vector Monte Carlo, and the neutral points of a clear sky. Energy is "
+            "conserved by polarised light in the suite `energy`."
+        ),
+        bars=[*bars, *more],
+        parts=[*parts, *shown],
+        settings=["point stars; frame and signs: docs/notation.md"],
+    )

@@ -1,0 +1,97 @@
+"""Neutral points of the clear sky: where light is not polarised, above and below the star."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.planets import load_planet
+from airlight.solvers import Solution
+from airlight.validation.published.row import Solve
+from airlight.validation.suite import Bar, Part, ReportTable
+
+FloatArray = NDArray[np.float64]
+
+#: Distances at which the points are found, from the star or from the point opposite. [deg]
+LOWEST, HIGHEST = 10.0, 25.0
+#: Preset whose gas is the sky, wavelength [nm] and zenith angles of the sun with the points looked
+#: for there.
+_PLANET, _WAVELENGTH = "earth-atmosphere-plus", 550.0
+_SUNS: Final = ((88.0, ("Arago", "Babinet")), (50.0, ("Babinet", "Brewster")))
+_STEP: Final = 0.25
+_SOURCE: Final = (
+    "AMS, Glossary of Meteorology: about 20°; Coulson (1988), Polarization and Intensity of Light "
+    "in the Atmosphere: 15° to 25°, nearer to a high sun"
+)
+
+
+def neutral_distances(solution: Solution, sun_zenith: float) -> dict[str, float]:
+    """Distances of the points above the horizon, from the star or the point opposite. [deg]
+
+    Parameters
+    ----------
+    solution : Solution
+        Solution of polarised light; its first wavelength counts.
+    sun_zenith : float
+        Zenith angle of the star. [deg]
+
+    Returns
+    -------
+    dict
+        ``"Babinet"`` (above the star), ``"Brewster"`` (below it), ``"Arago"`` (above the point
+        opposite), as far as they are above the horizon.
+    """
+    # along the star's meridian, positive to its side
+    angle = np.arange(-89.0, 89.0 + _STEP, _STEP)
+    q = solution.radiance(
+        altitude=0.0, sun_zenith=sun_zenith, view_zenith=np.abs(angle),
+        azimuth=np.where(angle < 0.0, 180.0, 0.0), stokes=True,
+    ).values[:, 1, 0]  # fmt: skip
+    at = np.flatnonzero(np.diff(np.signbit(q)))
+    crossings = angle[at] + _STEP * q[at] / (q[at] - q[at + 1])
+    found = {}
+    above = sun_zenith - crossings
+    for name, distances in (
+        ("Babinet", above[above > 0.0]),
+        ("Brewster", -above[above < 0.0]),
+        ("Arago", crossings - (sun_zenith - 180.0)),
+    ):
+        near = distances[(distances > 0.0) & (distances < 45.0)]
+        if near.size:
+            found[name] = float(near.min())
+    return found
+
+
+def neutral_points(solve: Solve) -> tuple[list[Bar], list[Part]]:
+    """Bars and table of the points of a clear sky.
+
+    Parameters
+    ----------
+    solve : callable
+        See ``published.row.Solve``.
+    """
+    solution = solve(load_planet(_PLANET), (_WAVELENGTH,), "default")
+    bars, rows = [], []
+    for sun, names in _SUNS:
+        found = neutral_distances(solution, sun)
+        for name in names:
+            distance = found.get(name, float("nan"))
+            middle, half = 0.5 * (LOWEST + HIGHEST), 0.5 * (HIGHEST - LOWEST)
+            bars.append(
+                Bar(
+                    name=f"{name}'s point, sun {sun:g}°: distance from {middle:g}°",
+                    got=abs(distance - middle), allowed=half, unit="°", source=_SOURCE,
+                )
+            )  # fmt: skip
+            rows.append((name, f"{sun:g}", f"{distance:.1f}", f"{LOWEST:g} to {HIGHEST:g}"))
+    return bars, [
+        ReportTable(
+            title="Neutral points of a clear sky",
+            columns=["point", "sun zenith [°]", "distance [°]", "published [°]"],
+            rows=rows,
+            note=f"{_PLANET} at {_WAVELENGTH:g} nm: where Q changes sign in the sun's meridian. "
+            "Babinet above the sun, Brewster below it, Arago above the point opposite.",
+        )
+    ]

@@ -1,0 +1,173 @@
+"""Round Rayleigh air against SASKTRAN; ``builders/polarised_sky.py`` made its values."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.planets import Constituent, Ground, Planet, Star
+from airlight.planets.matter.phases import Rayleigh
+from airlight.planets.matter.profiles import Layer, Layered
+from airlight.validation.metrics import summarise
+from airlight.validation.published.row import Solve
+from airlight.validation.suite import Bar, Part, ReportTable
+
+FloatArray = NDArray[np.float64]
+
+FILE: Final = "data/polarised-sky.csv"
+#: Altitudes between which the density is linear [m], and its scale height there [m].
+LEVELS: Final = np.concatenate(
+    [np.arange(0.0, 16e3, 1e3), np.arange(16e3, 40e3, 3e3), np.arange(40e3, 101e3, 12e3)]
+)
+SCALE_HEIGHT: Final = 8e3
+#: Radius of the ground [m], its albedo, optical depths of the air.
+BOTTOM, ALBEDO = 6360e3, 0.3
+DEPTHS: Final = (0.1, 0.5)
+#: Zenith angles of the star; zenith angle and azimuth of each line of sight. [deg]
+SUNS: Final = (30.0, 60.0, 80.0)
+LINES: Final = (
+    (1.0, 90.0), (30.0, 0.0), (30.0, 120.0), (55.0, 60.0), (55.0, 180.0), (75.0, 30.0),
+    (75.0, 90.0), (75.0, 150.0), (85.0, 60.0), (85.0, 180.0),
+)  # fmt: skip
+#: Allowed differences of I, median and 95 % [%], and of the degree of polarisation [1].
+MEDIAN_BAR, HIGH_BAR, DEGREE_BAR = 0.3, 1.0, 0.005
+
+
+class Sky(NamedTuple):
+    """Values of SASKTRAN, per irradiance of the star.
+
+    Attributes
+    ----------
+    depth, sun, zenith, azimuth : array, shape (n,)
+        Optical depth; zenith angle of the star, and of the line, and azimuth between them. [deg]
+    stokes, error : array, shape (n, 3)
+        I, Q and U; their change with coarser settings. [sr⁻¹]
+    """
+
+    depth: FloatArray
+    sun: FloatArray
+    zenith: FloatArray
+    azimuth: FloatArray
+    stokes: FloatArray
+    error: FloatArray
+
+
+@cache
+def reference_sky() -> Sky:
+    """Values of the file."""
+    text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith("#")][1:]
+    table = np.array([[float(cell) for cell in line.split(",")] for line in lines])
+    return Sky(*table[:, :4].T, table[:, 4:7], table[:, 7:10])
+
+
+def densities() -> FloatArray:
+    """Relative density at ``LEVELS``. [1]"""
+    return np.asarray(np.exp(-LEVELS / SCALE_HEIGHT))
+
+
+def round_rayleigh(depth: float) -> Planet:
+    """Round air of the values under a point star of irradiance 1.
+
+    Parameters
+    ----------
+    depth : float
+        Optical depth from the ground straight up. [1]
+    """
+    density = densities()
+    slopes = np.diff(density) / np.diff(LEVELS)
+    layers = [
+        Layer(width=width, linear_term=slope, constant_term=first - slope * low)
+        for width, slope, first, low in zip(
+            np.diff(LEVELS), slopes, density[:-1], LEVELS[:-1], strict=True
+        )
+    ]
+    layers[-1] = Layer(linear_term=layers[-1].linear_term, constant_term=layers[-1].constant_term)
+    return Planet(
+        name="round Rayleigh air",
+        bottom_radius=BOTTOM,
+        top_radius=BOTTOM + float(LEVELS[-1]),
+        ground=Ground(albedo=ALBEDO),
+        star=Star(irradiance=1.0, angular_radius=0.0),
+        constituents=(
+            Constituent(
+                name="gas",
+                profile=Layered(layers=tuple(layers)),
+                scattering=depth / float(np.trapezoid(density, LEVELS)),
+                phase_function=Rayleigh(),
+            ),
+        ),
+    )
+
+
+def round_air(solve: Solve, quality: object = "default") -> tuple[list[Bar], list[Part]]:
+    """Bars and table of the comparison.
+
+    Parameters
+    ----------
+    solve : callable
+        See ``published.row.Solve``.
+    quality : str or Settings
+        Quality of the moments solver.
+    """
+    sky = reference_sky()
+    got = np.empty_like(sky.stokes)
+    scalar = np.empty(sky.depth.size)
+    for depth in np.unique(sky.depth):
+        rows = sky.depth == depth
+        where = {
+            "altitude": 0.0, "sun_zenith": sky.sun[rows], "view_zenith": sky.zenith[rows],
+            "azimuth": sky.azimuth[rows],
+        }  # fmt: skip
+        planet = round_rayleigh(float(depth))
+        vector = solve(planet, (550.0,), quality)
+        got[rows] = vector.radiance(**where, stokes=True).values[..., 0]
+        without = solve(planet, (550.0,), quality, polarisation=False)
+        scalar[rows] = without.radiance(**where).values[:, 0]
+    light = got[:, 0] / sky.stokes[:, 0] - 1.0
+    degree = _degree(got) - _degree(sky.stokes)
+    of_light, of_degree = summarise(light), summarise(degree)
+    of_scalar = summarise(scalar / sky.stokes[:, 0] - 1.0)
+    noise = summarise(sky.error[:, 0] / sky.stokes[:, 0])
+    source = "the aim; SASKTRAN 2 with three Stokes parameters"
+    bars = [
+        Bar(name="round Rayleigh air: I, median", got=100.0 * of_light.median, allowed=MEDIAN_BAR,
+            unit="%", source=source),
+        Bar(name="round Rayleigh air: I, 95 %", got=100.0 * of_light.high, allowed=HIGH_BAR,
+            unit="%", source=source),
+        Bar(name="round Rayleigh air: degree of polarisation, largest", got=of_degree.largest,
+            allowed=DEGREE_BAR, source=source),
+    ]  # fmt: skip
+    rows = [
+        (f"{depth:g}", f"{sun:g}", f"{zenith:g}", f"{azimuth:g}", f"{100 * i:+.2f}",
+         f"{100 * e / s:.2f}", *(f"{(a / ours[0] - b / known[0]):+.4f}"
+                                 for a, b in zip(ours[1:], known[1:], strict=True)))
+        for depth, sun, zenith, azimuth, i, e, s, ours, known in zip(
+            sky.depth, sky.sun, sky.zenith, sky.azimuth, light, sky.error[:, 0], sky.stokes[:, 0],
+            got, sky.stokes, strict=True,
+        )
+    ]  # fmt: skip
+    note = (
+        f"Differences, ours less theirs, {quality} quality. Their own change with coarser settings "
+        f"has a median of {100 * noise.median:.2f} % of I. Without polarisation I differs by "
+        f"{100 * of_scalar.median:.2f} % (median) and {100 * of_scalar.high:.2f} % (95 %)."
+    )
+    return bars, [
+        ReportTable(
+            title="Round Rayleigh air against SASKTRAN",
+            columns=["depth", "sun [°]", "zenith angle [°]", "azimuth [°]", "I [%]",
+                     "their error [%]", "Q/I", "U/I"],
+            rows=rows,
+            note=note,
+            folded=True,
+        )
+    ]  # fmt: skip
+
+
+def _degree(stokes: FloatArray) -> FloatArray:
+    """Degree of linear polarisation, shape (n, 3) to (n,). [1]"""
+    return np.asarray(np.hypot(stokes[:, 1], stokes[:, 2]) / stokes[:, 0])
