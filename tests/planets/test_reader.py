@@ -91,6 +91,9 @@ def test_air_from_its_refractivity_matches_the_first_atmosphere_plus_notes(good)
     assert np.all(np.abs(1e6 * medium.scattering[0] - [6.55, 17.3, 23.0]) < [5e-3, 5e-2, 5e-2])
 
 
+EVEN_TABLE = (
+    '{ kind = "tabulated", angles = "0, 90, 180 deg", values = [0.0795775, 0.0795775, 0.0795775], '
+)
 WRONG = [
     # old text, new text, field named, something of the allowed range
     ('"6360 km"', '"-6360 km"', "shell.bottom_radius", "more than 0 m"),
@@ -251,6 +254,24 @@ WRONG = [
         "angles",
         "from 0 to 180 deg",
     ),
+    (
+        '{ kind = "cornette-shanks", asymmetry = 0.8 }',
+        EVEN_TABLE + "f12 = [0, -0.5] }",
+        "f12[0] is 2",
+        "as many numbers as angles, 3",
+    ),
+    (
+        '{ kind = "cornette-shanks", asymmetry = 0.8 }',
+        EVEN_TABLE + "f12 = [0, -1.5, 0] }",
+        "f12[0][1] is -1.5",
+        "-1 to 1",
+    ),
+    (
+        '{ kind = "cornette-shanks", asymmetry = 0.8 }',
+        EVEN_TABLE + "f12 = [0, -0.9, 0], f33 = [1, 0.9, -1] }",
+        "f12² + f33² + f34² is 1.62",
+        "at most 1 at every angle",
+    ),
 ]
 
 
@@ -314,6 +335,27 @@ def test_a_tabulated_phase_function_keeps_its_values_and_its_integral(good):
     assert_allclose(medium.phase_moments(3)[1, 0], g ** np.arange(4), rtol=0, atol=1e-4)
     nodes = np.cos(np.radians(angles[1:-1]))
     assert_allclose(medium.phase_function(nodes)[:, 1, 0], rows[1:-1], rtol=1e-9)
+
+
+def test_a_tabulated_phase_matrix_is_the_one_of_the_file(good):
+    # Rayleigh's law as a table, by F12 alone: its values at every cosine, and its closed form of
+    # degree 2, by which the moments couple; parabolas between 0.5° are straight to 1e-5.
+    angles = np.arange(0.0, 180.5, 0.5)
+    nu = np.cos(np.radians(angles))
+    values = 3.0 / (16.0 * np.pi) * (1.0 + nu**2)
+    f12 = -(1.0 - nu**2) / (1.0 + nu**2)
+    table = (
+        f'{{ kind = "tabulated", angles = {angles.tolist()}, values = {values.tolist()}, '
+        f"f12 = {f12.tolist()} }}"
+    )
+    phase = '{ kind = "cornette-shanks", asymmetry = 0.8 }'
+    medium = medium_of(replaced(good, phase, table), [550.0])
+    law = medium_of(replaced(good, phase, '{ kind = "rayleigh" }'), [550.0])
+    between = np.linspace(-0.99, 0.99, 40)
+    assert_allclose(medium.polarising(between)[:, 1], law.polarising(between)[:, 1], atol=2e-6)
+    assert_allclose(medium.polarising_moments()[1], law.polarising_moments()[1], atol=2e-5)
+    row = medium.constituents[1].phase_function_at(np.array([550.0])).sampled(550.0)[0]
+    assert_allclose(row.ratios[1], 2.0 * nu / (1.0 + nu**2), atol=1e-12)
 
 
 def test_tabulated_phase_functions_are_mixed_linearly_between_wavelengths(good):

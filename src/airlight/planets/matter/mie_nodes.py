@@ -210,12 +210,9 @@ def _load(key: str) -> bool:
         return False
     if arrays.get("numbers", np.empty(0)).shape != (3,):
         return False
-    numbers = arrays["numbers"].tolist()
-    extinction, scattering, asymmetry = numbers
-    _remember(
-        key,
-        Scattering(extinction, scattering, asymmetry, arrays["phase"], ratios=arrays["ratios"]),
-    )
+    extinction, scattering, asymmetry = arrays["numbers"].tolist()
+    found = Scattering(extinction, scattering, asymmetry, arrays["phase"], arrays["ratios"])
+    _remember(key, found)
     return True
 
 

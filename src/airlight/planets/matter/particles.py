@@ -304,6 +304,8 @@ def _phase(index: ParticleIndex, sizes: ParticleSizes, nodes: tuple[float, ...])
     return TabulatedPhase(
         angles=tuple(phase_angles(sizes).tolist()),
         rows=tuple(tuple(one.phase.tolist()) for one in found),
-        ratios=tuple(tuple(map(tuple, one.ratios.tolist())) for one in found),
+        f12=tuple(tuple(one.ratios[0].tolist()) for one in found),
+        f33=tuple(tuple(one.ratios[1].tolist()) for one in found),
+        f34=tuple(tuple(one.ratios[2].tolist()) for one in found),
         wavelengths=nodes,
     )

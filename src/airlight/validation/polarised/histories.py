@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,7 +83,7 @@ class Beside:
 
 
 def beside(
-    planet: Planet, wavelengths: tuple[float, ...] = WAVELENGTHS, quality: object = "default",
+    planet: Planet, wavelengths: tuple[float, ...] = WAVELENGTHS, quality: Any = "default",
     histories: Settings = HISTORIES, *, cases: tuple[Case, ...] = CASES,
     cancel: Cancel | None = None,
 ) -> Beside:  # fmt: skip

@@ -62,7 +62,8 @@ def reference_sky() -> Sky:
     text = files("airlight.validation").joinpath(FILE).read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")][1:]
     table = np.array([[float(cell) for cell in line.split(",")] for line in lines])
-    return Sky(*table[:, :4].T, table[:, 4:7], table[:, 7:10])
+    depth, sun, zenith, azimuth = table[:, :4].T
+    return Sky(depth, sun, zenith, azimuth, table[:, 4:7], table[:, 7:10])
 
 
 def densities() -> FloatArray:

@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Annotated, Any
+from typing import Annotated, Any, Final
 
 import numpy as np
 import numpy.typing as npt
 from pydantic import BeforeValidator
 
 from airlight.errors import ParameterError
+from airlight.kernel import vectorized
+from airlight.optics.phase_matrix import unpolarising_ratio
 from airlight.optics.phase_table import interpolated, moments
 from airlight.planets.matter.phases.phase_function import (
     INTEGRAL_TOLERANCE,
@@ -32,6 +34,9 @@ from airlight.planets.spectral import (
 
 FloatArray = npt.NDArray[np.float64]
 
+#: What f12² + f33² + f34² may exceed 1 by, as rounded in a file. [1]
+_ROUNDING: Final = 1e-3
+
 
 def _rows(value: Any) -> tuple[tuple[float, ...], ...]:
     if isinstance(value, np.ndarray):
@@ -41,26 +46,53 @@ def _rows(value: Any) -> tuple[tuple[float, ...], ...]:
     return tuple(numbers(row, f"values[{i}]", 0.0, 1e12, "/sr") for i, row in enumerate(value))
 
 
-def _matrices(value: Any) -> tuple[tuple[tuple[float, ...], ...], ...]:
-    if not isinstance(value, (list, tuple)) or not all(
-        isinstance(row, (list, tuple)) for row in value
-    ):
-        raise ParameterError("ratios", value, "for each row three lists of numbers")
-    return tuple(
-        tuple(numbers(one, f"ratios[{i}][{k}]", -1.0, 1.0) for k, one in enumerate(row))
-        for i, row in enumerate(value)
+def _ratio_rows(name: str) -> BeforeValidator:
+    def rows(value: Any) -> tuple[tuple[float, ...], ...]:
+        if isinstance(value, np.ndarray):
+            value = value.tolist()
+        if not isinstance(value, (list, tuple)):
+            raise ParameterError(name, value, "a list of lists of numbers")
+        return tuple(numbers(row, f"{name}[{i}]", -1.0, 1.0) for i, row in enumerate(value))
+
+    return BeforeValidator(rows)
+
+
+def _ratio_key(element: str, help: str, note: str) -> Key:
+    """Key of a ratio of elements of the phase matrix."""
+    return Key(
+        label=f"{element}/F₁₁",
+        help=help,
+        note=note,
+        read=_ratios,
+        slider=(-1.0, 1.0),
+        typed=(-1.0, 1.0),
+        per="angles",
+        per_unit="deg",
+        mode="advanced",
     )
+
+
+def _ratios(section: Section, name: str, wavelengths: Wavelengths) -> tuple[tuple[float, ...], ...]:
+    """Read one list of ratios, or one for each wavelength. [1]"""
+    return _listed(section, name, wavelengths, "1", "a list of numbers, or one list per wavelength")
 
 
 def _values(section: Section, name: str, wavelengths: Wavelengths) -> tuple[tuple[float, ...], ...]:
     """Read one list, or one for each wavelength. [sr⁻¹]"""
-    values = section.required(name, "a list of numbers in /sr, or one list per wavelength")
+    allowed = "a list of numbers in /sr, or one list per wavelength"
+    return _listed(section, name, wavelengths, "1/sr", allowed)
+
+
+def _listed(
+    section: Section, name: str, wavelengths: Wavelengths, unit: str, allowed: str
+) -> tuple[tuple[float, ...], ...]:
+    values = section.required(name, allowed)
     field = section.name_of(name)
     if isinstance(values, list) and values and all(isinstance(row, list) for row in values):
         if wavelengths is None:
             raise ParameterError(field, len(values), "one list, or wavelengths for the lists")
-        return tuple(quantity_list(row, "1/sr", f"{field}[{i}]") for i, row in enumerate(values))
-    return (quantity_list(values, "1/sr", field),)
+        return tuple(quantity_list(row, unit, f"{field}[{i}]") for i, row in enumerate(values))
+    return (quantity_list(values, unit, field),)
 
 
 @parameters
@@ -76,14 +108,16 @@ class TabulatedPhase(PhaseFunction):
         wavelength. [sr⁻¹]
     wavelengths : tuple of float
         Wavelengths, one per row; empty for a single row. Linear between them. [nm]
-    ratios : tuple, optional
-        For each row F₁₂, F₃₃ and F₃₄ of the phase matrix over the phase function, each as long as
-        ``angles``, -1 to 1; linear between angles. [1]
+    f12, f33, f34 : tuple of tuple of float, optional
+        Elements of the phase matrix over the phase function, rows like ``rows``; linear between
+        angles. Without F₃₃ it is that of Rayleigh's law, as far as F₁₂ leaves room; without F₃₄ it
+        is 0. [1]
 
     Raises
     ------
     ParameterError
-        If a row does not integrate to 1 within 0.001: the error shows its integral.
+        If a row does not integrate to 1 within 0.001: the error shows its integral; or if a matrix
+        would polarise light by more than all of it.
     """
 
     keyword = "tabulated"
@@ -124,7 +158,31 @@ class TabulatedPhase(PhaseFunction):
         ),
     ]
     wavelengths: Annotated[tuple[float, ...], all_between(SHORTEST, LONGEST, "nm")] = ()
-    ratios: Annotated[tuple[tuple[tuple[float, ...], ...], ...], BeforeValidator(_matrices)] = ()
+    f12: Annotated[
+        tuple[tuple[float, ...], ...],
+        _ratio_rows("f12"),
+        _ratio_key(
+            "F₁₂",
+            "Element F₁₂ of the phase matrix over the phase function: minus the degree to which"
+            " it polarises.",
+            "Rows like `values`, -1 to 1; negative where light swings across the scattering plane."
+            " Nothing is polarised without it.",
+        ),
+    ] = ()
+    f33: Annotated[
+        tuple[tuple[float, ...], ...],
+        _ratio_rows("f33"),
+        _ratio_key(
+            "F₃₃",
+            "Element F₃₃ over the phase function.",
+            "By default that of Rayleigh's law, as far as `f12` leaves room.",
+        ),
+    ] = ()
+    f34: Annotated[
+        tuple[tuple[float, ...], ...],
+        _ratio_rows("f34"),
+        _ratio_key("F₃₄", "Element F₃₄ over the phase function.", "0 by default."),
+    ] = ()
 
     def __post_init__(self) -> None:
         if not 3 <= len(self.angles) <= 10_000 or self.angles[0] != 0.0 or self.angles[-1] != 180.0:
@@ -140,11 +198,7 @@ class TabulatedPhase(PhaseFunction):
                 raise ParameterError(
                     f"values[{index}]", len(row), f"as many numbers as angles, {len(self.angles)}"
                 )
-        sizes = {(len(row), *{len(one) for one in row}) for row in self.ratios}
-        if self.ratios and (len(self.ratios) != rows or sizes != {(3, len(self.angles))}):
-            raise ParameterError(
-                "ratios", len(self.ratios), f"F12, F33 and F34 at {len(self.angles)} angles a row"
-            )
+        self._check_matrix(rows)
         integrals = self._row_moments(0)[:, 0]
         for index in range(rows):
             if not abs(integrals[index] - 1.0) <= INTEGRAL_TOLERANCE:
@@ -153,6 +207,35 @@ class TabulatedPhase(PhaseFunction):
                     float(integrals[index]),
                     f"1 within {INTEGRAL_TOLERANCE:g}: divide the values by it",
                 )
+
+    def _check_matrix(self, rows: int) -> None:
+        for name in ("f12", "f33", "f34"):
+            given: tuple[tuple[float, ...], ...] = getattr(self, name)
+            if given and len(given) != rows:
+                raise ParameterError(name, len(given), f"{rows} rows, one per row of values")
+            for index, row in enumerate(given):
+                if len(row) != len(self.angles):
+                    allowed = f"as many numbers as angles, {len(self.angles)}"
+                    raise ParameterError(f"{name}[{index}]", len(row), allowed)
+        if self.ratios is not None:
+            most = float(np.square(self.ratios).sum(axis=1).max())
+            if most > 1.0 + _ROUNDING:
+                raise ParameterError("f12² + f33² + f34²", most, "at most 1 at every angle")
+
+    @cached_property
+    def ratios(self) -> FloatArray | None:
+        """F₁₂, F₃₃ and F₃₄ over the phase function, (nr, 3, na); None if none is given. [1]"""
+        if not (self.f12 or self.f33 or self.f34):
+            return None
+        shape = max(1, len(self.wavelengths)), len(self.angles)
+        f12, f34 = (np.array(one) if one else np.zeros(shape) for one in (self.f12, self.f34))
+        if self.f33:
+            f33 = np.array(self.f33)
+        else:
+            law = vectorized(unpolarising_ratio)(np.cos(np.radians(self.angles)))
+            room = np.sqrt(np.maximum(1.0 - f12**2 - f34**2, 0.0))
+            f33 = np.clip(law, -room, room)
+        return np.stack([f12, f33, f34], axis=1)
 
     @classmethod
     def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
@@ -181,7 +264,7 @@ class TabulatedPhase(PhaseFunction):
 
     def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]"""
-        if not self.ratios:
+        if self.ratios is None:
             return super().polarising(nu, wavelengths)
         angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
         across = np.stack([np.interp(angle, self.angles, one[0]) for one in self.ratios], axis=-1)
@@ -208,8 +291,7 @@ class TabulatedPhase(PhaseFunction):
         """Rows between which a wavelength [nm] lies, one or two."""
         shares = self._weights([wavelength])[:, 0]
         angles, rows = self._table
-        ratios: list[FloatArray | None] = [np.array(one) for one in self.ratios]
-        ratios = ratios or [None] * len(rows)
+        ratios = [None] * len(rows) if self.ratios is None else self.ratios
         return tuple(
             PhaseRow(float(shares[i]), angles, rows[i], ratios[i]) for i in np.flatnonzero(shares)
         )
