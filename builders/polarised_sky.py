@@ -48,7 +48,7 @@ class Fineness(NamedTuple):
     halvings: int
 
 
-FINE, COARSE = Fineness(434, 3, 1), Fineness(194, 3, 1)
+FINE, COARSE = Fineness(434, 3, 0), Fineness(194, 3, 0)
 
 
 def altitudes(halvings: int) -> FloatArray:

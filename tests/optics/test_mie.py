@@ -162,3 +162,45 @@ def test_blocks_of_radii_do_not_change_the_sums():
     assert_allclose(whole.extinction, sum(one.extinction for one in halves), rtol=1e-13)
     scattered = sum(one.scattering * one.phase for one in halves)
     assert_allclose(whole.scattering * whole.phase, scattered, rtol=1e-12)
+
+
+def test_phase_matrices_of_spheres_obey_their_laws():
+    # Hovenier, van der Mee & Domke (2004), section 2.4: a single sphere loses no polarisation,
+    # F12² + F33² + F34² = F11², a mixture some of it; nothing is polarised forward and backward.
+    angles = np.linspace(0.0, 180.0, 91)
+    sphere = mie.scattering(single_size(0.3e-6), 550.0, 1.5 + 0.01j, angles).ratios
+    assert_allclose(np.square(sphere).sum(axis=0), 1.0, rtol=0, atol=1e-9)
+    mixed = mie.scattering(gamma_sizes(0.3e-6, 0.2, 200), 550.0, 1.5 + 0.01j, angles).ratios
+    assert (np.square(mixed).sum(axis=0) <= 1.0 + 1e-9).all()
+    assert np.square(mixed).sum(axis=0).min() < 0.95
+    for f12, f33, f34 in (sphere, mixed):
+        assert_allclose(f12[[0, -1]], 0.0, atol=1e-9)
+        assert_allclose(f34[[0, -1]], 0.0, atol=1e-9)
+        assert_allclose(f33[[0, -1]], [1.0, -1.0], atol=1e-9)
+        assert (np.abs(f12) <= 1.0).all()
+
+
+def test_phase_matrices_of_spheres_are_miepythons():
+    # A second method: its amplitudes S1 (across the plane) and S2 (along it), Bohren & Huffman
+    # (1983), eq. 4.77. Its index has the other sign of the imaginary part: so has its F34.
+    angles = np.array([5.0, 40.0, 90.0, 135.0, 170.0])
+    index, radius, nm = 1.5 + 0.01j, 0.3e-6, 550.0
+    ours = mie.scattering(single_size(radius), nm, index, angles).ratios
+    s1, s2 = miepython.S1_S2(
+        index.conjugate(), 2e9 * np.pi * radius / nm, np.cos(np.radians(angles)), norm="bohren"
+    )
+    whole = np.abs(s1) ** 2 + np.abs(s2) ** 2
+    across = (np.abs(s2) ** 2 - np.abs(s1) ** 2) / whole
+    both = 2.0 * s2 * s1.conjugate() / whole
+    assert_allclose(ours[:2], [across, both.real], rtol=0, atol=1e-8)
+    assert_allclose(np.abs(ours[2]), np.abs(both.imag), rtol=0, atol=1e-8)
+
+
+def test_tiny_spheres_polarise_as_molecules_do():
+    # The limit of small spheres: Rayleigh's matrix.
+    angles = np.linspace(0.0, 180.0, 19)
+    nu = np.cos(np.radians(angles))
+    f12, f33, f34 = mie.scattering(single_size(2e-9), 550.0, 1.5 + 0j, angles).ratios
+    assert_allclose(f12, -(1.0 - nu**2) / (1.0 + nu**2), atol=1e-3)
+    assert_allclose(f33, 2.0 * nu / (1.0 + nu**2), atol=1e-3)
+    assert_allclose(f34, 0.0, atol=1e-3)

@@ -224,9 +224,7 @@ def _limits(rows: Rows) -> ReportTable:
             ("largest bias of the others", f"{100 * np.abs(bias[kept]).max():.0f} %"),
             ("floor of a symmetric sky", f"{rows.floor:.2f}"),
         ],
-        note="Left out, with what it would change of the score: polarisation, up to 8.5 % of the "
-        "molecules' light at 360 nm, -0.2 (three Stokes components against one, by sasktran2); "
-        "absorption by oxygen and water, -0.1; the instrument's field of 1°, +0.005; the sun's way "
+        note="Left out, with what it would change of the score: absorption by oxygen and water, -0.1; the instrument's field of 1°, +0.005; the sun's way "
         "of about 1.3° during a scan, -0.1 to +0.8, by the moment that the axis stands for.",
     )
 
