@@ -1,7 +1,7 @@
 """Remake ``validation/data/polarised-sky.csv``: round Rayleigh skies by SASKTRAN 2, polarised.
 
 Run with ``python builders/polarised_sky.py`` where sasktran2 is installed (the extra
-``polarisation``). Spherical geometry, successive orders of scattering with three Stokes
+``dev``). Spherical geometry, successive orders of scattering with three Stokes
 parameters. Columns of errors are the change from coarser settings; the finer ones take minutes
 and some gigabytes.
 """

@@ -53,7 +53,6 @@ def test_neutral_points_are_where_they_were_found(sun: float, names: set[str]) -
     # sun (Coulson 1988); 10° to 25°.
     solution = solve(load_planet("earth-atmosphere-plus"), (550.0,), "preview")
     found = neutral_distances(solution, sun)
-    assert names <= set(found)
     for name in names:
         assert 10.0 < found[name] < 25.0
 

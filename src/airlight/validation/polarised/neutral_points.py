@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-import numpy as np
-from numpy.typing import NDArray
-
+from airlight.observables.neutral_points import NEUTRAL_POINTS
+from airlight.observables.neutral_points import neutral_points as zeros
 from airlight.planets import load_planet
 from airlight.solvers import Solution
 from airlight.validation.published.row import Solve
 from airlight.validation.suite import Bar, Part, ReportTable
-
-FloatArray = NDArray[np.float64]
 
 #: Distances at which the points are found, from the star or from the point opposite. [deg]
 LOWEST, HIGHEST = 10.0, 25.0
@@ -20,7 +17,6 @@ LOWEST, HIGHEST = 10.0, 25.0
 #: for there.
 _PLANET, _WAVELENGTH = "earth-atmosphere-plus", 550.0
 _SUNS: Final = ((88.0, ("Arago", "Babinet")), (50.0, ("Babinet", "Brewster")))
-_STEP: Final = 0.25
 _SOURCE: Final = (
     "AMS, Glossary of Meteorology: about 20°; Coulson (1988), Polarization and Intensity of Light "
     "in the Atmosphere: 15° to 25°, nearer to a high sun"
@@ -41,27 +37,15 @@ def neutral_distances(solution: Solution, sun_zenith: float) -> dict[str, float]
     -------
     dict
         ``"Babinet"`` (above the star), ``"Brewster"`` (below it), ``"Arago"`` (above the point
-        opposite), as far as they are above the horizon.
+        opposite); NaN where that is below the horizon.
     """
-    # along the star's meridian, positive to its side
-    angle = np.arange(-89.0, 89.0 + _STEP, _STEP)
-    q = solution.radiance(
-        altitude=0.0, sun_zenith=sun_zenith, view_zenith=np.abs(angle),
-        azimuth=np.where(angle < 0.0, 180.0, 0.0), stokes=True,
-    ).values[:, 1, 0]  # fmt: skip
-    at = np.flatnonzero(np.diff(np.signbit(q)))
-    crossings = angle[at] + _STEP * q[at] / (q[at] - q[at + 1])
-    found = {}
-    above = sun_zenith - crossings
-    for name, distances in (
-        ("Babinet", above[above > 0.0]),
-        ("Brewster", -above[above < 0.0]),
-        ("Arago", crossings - (sun_zenith - 180.0)),
-    ):
-        near = distances[(distances > 0.0) & (distances < 45.0)]
-        if near.size:
-            found[name] = float(near.min())
-    return found
+    found = zeros(solution, sun_zenith=sun_zenith)
+    babinet, brewster, arago = (float(found[name][0]) for name in NEUTRAL_POINTS[:3])
+    return {
+        "Babinet": sun_zenith - babinet,
+        "Brewster": brewster - sun_zenith,
+        "Arago": arago - (sun_zenith - 180.0),
+    }
 
 
 def neutral_points(solve: Solve) -> tuple[list[Bar], list[Part]]:
@@ -77,7 +61,7 @@ def neutral_points(solve: Solve) -> tuple[list[Bar], list[Part]]:
     for sun, names in _SUNS:
         found = neutral_distances(solution, sun)
         for name in names:
-            distance = found.get(name, float("nan"))
+            distance = found[name]
             middle, half = 0.5 * (LOWEST + HIGHEST), 0.5 * (HIGHEST - LOWEST)
             bars.append(
                 Bar(
