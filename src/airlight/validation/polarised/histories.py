@@ -27,6 +27,9 @@ PLANETS: Final = ("earth", "mars", "venus")
 ALLOWED: Final = 5.0
 #: Tolerances beyond the noise: of I [1], and of Q/I and U/I [1].
 TOLERANCE, DEGREE = 0.01, 0.01
+#: Cosine of the angle from the star below which a line is in the aureole, whose light is hardly
+#: polarised and a matter of the forward peak.
+AUREOLE: Final = float(np.cos(np.radians(10.0)))
 HISTORIES: Final = Settings(relative_error=0.003, most_histories=1_000_000)
 
 
@@ -40,18 +43,22 @@ class Beside:
         I, Q and U by the moments, and I without polarisation. [sr⁻¹]
     known, error : array, shape (n, 3, nl)
         I, Q and U by histories, and their standard errors. [sr⁻¹]
+    nu : array, shape (n,)
+        Cosine between line and star. [1]
     """
 
     ours: FloatArray
     scalar: FloatArray
     known: FloatArray
     error: FloatArray
+    nu: FloatArray
 
     @property
     def judged(self) -> NDArray[np.bool_]:
-        """Values bright enough to be judged, and known to 1 %, shape (n, nl)."""
+        """Values outside the aureole, bright enough, and known to 1 %, shape (n, nl)."""
         light = self.known[:, 0]
-        return np.asarray((light > LEAST_RADIANCE) & (self.error[:, 0] < 0.01 * light))
+        sure = (light > LEAST_RADIANCE) & (self.error[:, 0] < 0.01 * light)
+        return np.asarray(sure & (self.nu < AUREOLE)[:, None])
 
     @property
     def relative(self) -> FloatArray:
@@ -117,6 +124,7 @@ def beside(
         scalar=scalar.relative_radiance(sight),
         known=np.concatenate([got.total[:, None], got.polarised], axis=1),
         error=np.concatenate([got.total_error[:, None], got.polarised_error], axis=1),
+        nu=sight.nu,
     )
 
 
@@ -159,7 +167,8 @@ def histories(
             ],
             rows=rows,
             note=f"{len(cases)} lines of sight from the ground to space, {len(WAVELENGTHS)} "
-            f"wavelengths, default quality; {NOISE:g} standard errors count as noise.",
+            f"wavelengths, default quality; {NOISE:g} standard errors count as noise; "
+            "lines within 10° of the star are left out.",
         )
     ]  # fmt: skip
 
