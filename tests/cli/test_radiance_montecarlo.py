@@ -102,3 +102,32 @@ def test_impossible_options_are_one_line(
     assert captured.out == ""
     assert part in captured.err
     assert captured.err.count("\n") == 1
+
+
+def test_polarised_light_has_an_error_of_each_stokes_parameter(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # Against the moments solver, which is good to 0.3 % of I, and the errors that are printed.
+    header = "altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg"
+    (tmp_path / "in.csv").write_text(f"{header}\n0,60,30,90\n")
+    words = ["--input", str(tmp_path / "in.csv"), "--wavelengths", "550", "--stokes"]
+    found = []
+    for more in (SAMPLED, []):
+        assert main(["radiance", PLANET, *words, *more]) == 0
+        names, cells = csv.reader(capsys.readouterr().out.splitlines())
+        found.append(dict(zip(names, map(float, cells), strict=True)))
+    sampled, moments = found
+    whole = moments["I_550nm"]
+    for name in "IQU":
+        error = sampled[f"standard_error_{name}_550nm"]
+        assert 0.0 < error < 0.0051 * whole
+        assert (
+            abs(sampled[f"{name}_550nm"] - moments[f"{name}_550nm"]) < 3.0 * error + 0.003 * whole
+        )
+    assert_allclose(sampled["dolp_550nm"], moments["dolp_550nm"], atol=0.02)
+    assert main(["radiance", PLANET, *ONE, "--wavelengths", "550", "--stokes", *SAMPLED]) == 0
+    assert re.fullmatch(
+        r"550 nm  I \S+ ± \S+  Q \S+ ± \S+  U \S+ ± \S+ W m⁻² sr⁻¹ nm⁻¹  dolp \S+  aolp \S+°"
+        r"  \(\d+ histories\)\n",
+        capsys.readouterr().out,
+    )
