@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from spheres import HEIGHT, RADIUS, sphere
 
 from airlight.errors import Cancelled
-from airlight.observables.disc import disc_points, disc_reflectance, spherical_albedo
+from airlight.observables.disc import disc_points, disc_reflectance, disc_stokes, spherical_albedo
 from airlight.observables.distant_lines import disc_lines
 from airlight.observables.transit import transit
 from airlight.solvers.moments.solution import MomentsSolution
@@ -68,6 +68,17 @@ def test_thin_gas_over_black_ground_shines_by_rayleighs_phase_function(solved: S
     density = depth / HEIGHT * np.exp((RADIUS - r) / HEIGHT)
     number = np.trapezoid(density * seen, r) / RADIUS**2
     assert_allclose(values, number * 3.0 / (8.0 * np.pi), rtol=1e-3)
+
+
+def test_thin_gas_is_polarised_as_its_molecules_are(solved: Solved) -> None:
+    # single scattering: every point of the disc has the same degree and plane, sin²α/(1 + cos²α)
+    # of Rayleigh's matrix, across the plane of star, planet and observer
+    solution = solved(sphere(1e-6, 0.0), GREEN, "preview")
+    angles = np.array([0.0, 30.0, 60.0, 90.0, 120.0, 150.0])
+    values, _ = disc_stokes(solution, angles, RADIUS)
+    alpha = np.radians(angles)
+    law = np.sin(alpha) ** 2 / (1.0 + np.cos(alpha) ** 2)
+    assert_allclose(values[:, 1, 0] / values[:, 0, 0], law, atol=2e-4)
 
 
 def test_conservative_planets_send_all_light_back(

@@ -10,6 +10,9 @@ share of the light on the disc that leaves again,
 
 .. math:: A_s = 2 \int_0^\pi A(\alpha) \sin \alpha\, d\alpha .
 
+Where transfer is polarised the disc also has Q, in the frame of the plane of star, planet and
+observer; U of its two halves adds up to 0.
+
 References
 ----------
 Sobolev (1975), Light Scattering in Planetary Atmospheres, chapter 9; Seager (2010), Exoplanet
@@ -123,15 +126,21 @@ def disc_points(edge: float, top: float, phase: float, points: int = POINTS) -> 
 
 
 def _reflected(solution: Solution, phase: float, points: int) -> FloatArray:
-    """Integral of the relative radiance over the disc, shape (nl,). [m²]"""
+    """Integrals of I and Q over the disc, per irradiance of the star, shape (2, nl). [m²]"""
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     made = disc_points(ground_edge(solution.paths), top, phase, points)
     sight = disc_lines(made.impact, made.position, phase, bottom, top)
-    return np.asarray(made.area @ solution.relative_radiance(sight))
+    if not solution.polarised:
+        whole = made.area @ solution.relative_radiance(sight)
+        return np.stack([whole, np.zeros_like(whole)])
+    # a line's e_θ is opposite to its position angle's side, its e_φ ahead of that
+    i, q, u = np.moveaxis(solution.relative_stokes(sight), 1, 0)
+    turn = 2.0 * made.position[:, None]
+    return np.stack([made.area @ i, -(made.area @ (q * np.cos(turn) + u * np.sin(turn)))])
 
 
-def disc_reflectance(
+def disc_stokes(
     solution: Solution,
     phase_angles: FloatArray,
     radius: float,
@@ -139,7 +148,7 @@ def disc_reflectance(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Brightness of the disc over that of a white Lambert disc at full phase.
+    """I and Q of the disc over the brightness of a white Lambert disc at full phase.
 
     Parameters
     ----------
@@ -153,9 +162,9 @@ def disc_reflectance(
 
     Returns
     -------
-    values : array, shape (n, nl)
-        [1]
-    errors : array, shape (n, nl)
+    values : array, shape (n, 2, nl)
+        Q > 0 swings across the plane of star, planet and observer; 0 in scalar transfer. [1]
+    errors : array, shape (n, 2, nl)
         Error of the integration over the disc: difference from a rule with fewer points. [1]
     """
     values, errors = [], []
@@ -171,6 +180,19 @@ def disc_reflectance(
     if progress is not None:
         progress(len(phase_angles), len(phase_angles), "light of the disc")
     return np.array(values), np.array(errors)
+
+
+def disc_reflectance(
+    solution: Solution,
+    phase_angles: FloatArray,
+    radius: float,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> tuple[FloatArray, FloatArray]:
+    """Brightness of the disc alone: I of ``disc_stokes`` and its error, each shape (n, nl). [1]"""
+    values, errors = disc_stokes(solution, phase_angles, radius, progress=progress, cancel=cancel)
+    return values[:, 0], errors[:, 0]
 
 
 def spherical_albedo(

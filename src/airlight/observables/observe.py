@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.observables.disc import disc_reflectance, spherical_albedo
+from airlight.observables.disc import disc_reflectance, disc_stokes, spherical_albedo
 from airlight.observables.limb import limb_radiance
 from airlight.observables.transit import transit
 from airlight.solvers.solution import Solution
@@ -227,9 +227,10 @@ def _phase_curve(
     radius, line = _radius(solution, geometry)
     asked = PHASES if geometry.phase_angles is None else geometry.phase_angles
     angles = _inside("phase_angles", asked, 0.0, 180.0, "deg")
-    values, errors = disc_reflectance(
+    stokes, both_errors = disc_stokes(
         solution, np.append(angles, 0.0), radius, progress=progress, cancel=cancel
     )
+    values, errors = stokes[:, 0], both_errors[:, 0]
     full = values[-1]
     curve = np.divide(values[:-1], full, out=np.zeros_like(values[:-1]), where=full > 0.0)
     both = ("phase_angle", "wavelength")
@@ -238,7 +239,8 @@ def _phase_curve(
         "reflectance": (both, values[:-1], "1", "geometric albedo times phase function"),
         "error": (both, errors[:-1], "1", "error of the integral over the disc"),
         "phase_function": (both, curve, "1", "brightness over that at full phase"),
-    }, [line]
+        **_polarisation(solution, stokes[:-1], both_errors[:-1]),
+    }, [line, *_plane(solution)]
 
 
 def _disc(
@@ -247,7 +249,8 @@ def _disc(
     radius, line = _radius(solution, geometry)
     asked = 0.0 if geometry.phase_angles is None else geometry.phase_angles
     angles = _inside("phase_angles", asked, 0.0, 180.0, "deg")
-    values, errors = disc_reflectance(solution, angles, radius, progress=progress, cancel=cancel)
+    stokes, both_errors = disc_stokes(solution, angles, radius, progress=progress, cancel=cancel)
+    values, errors = stokes[:, 0], both_errors[:, 0]
     both = ("phase_angle", "wavelength")
     sun = solution.lights[0].irradiance
     variables: _Variables = {
@@ -258,13 +261,38 @@ def _disc(
             both, values * sun / math.pi, "W m-2 sr-1 nm-1", "mean radiance of the reference disc",
         ),
         "intensity": (both, values * sun * radius**2, "W sr-1 nm-1", "radiant intensity"),
+        **_polarisation(solution, stokes, both_errors),
     }  # fmt: skip
+    notes = [line, *_plane(solution)]
     distance = _distance(solution)
     if distance is None:
-        return variables, [line, _UNSEEN]
+        return variables, [*notes, _UNSEEN]
     contrast = values * (radius / distance) ** 2
     variables["contrast"] = (both, contrast, "1", "light of the planet over that of the star")
-    return variables, [line, f"star at {distance:.4g} m"]
+    return variables, [*notes, f"star at {distance:.4g} m"]
+
+
+def _polarisation(solution: Solution, stokes: FloatArray, errors: FloatArray) -> _Variables:
+    """Degree of linear polarisation of the disc with its sign; nothing in scalar transfer."""
+    if not solution.polarised:
+        return {}
+    i, q = np.moveaxis(stokes, 1, 0)
+    both = ("phase_angle", "wavelength")
+    nothing = np.zeros_like(i)
+    degree = np.divide(q, i, out=nothing.copy(), where=i > 0.0)
+    error = errors[:, 1] + np.abs(degree) * errors[:, 0]
+    error = np.divide(error, i, out=nothing, where=i > 0.0)
+    return {
+        "polarisation": (both, degree, "1", "degree of linear polarisation, Q/I"),
+        "polarisation_error": (both, error, "1", "error of the integrals over the disc"),
+    }
+
+
+def _plane(solution: Solution) -> list[str]:
+    """Note on the sign of the polarisation."""
+    if not solution.polarised:
+        return []
+    return ["polarisation is positive across the plane of star, planet and observer; U is 0"]
 
 
 def _transmission(
