@@ -400,6 +400,10 @@ WHOLE = {
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
         "bent_to_ground", "place_in_sky", "seen_line",
     ),
+    "test_pictures.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
+        "add_polarised_star", "add_polarised_light", "gathered_polarised", "polarised_between",
+        "filter_shares",
+    ),
     "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
         "sky_texel", "direction_of_texel",
     ),

@@ -277,8 +277,9 @@ def field_place(q, mu, mu_s, nu, light, work):
         Fractions of the steps to the next radius and to the next sun. [1]
     """
     spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
-    cosine = (nu - mu * mu_s) / sqrt(max(spread, 1e-24))
-    work.azimuth[0] = min(max(cosine, -1.0), 1.0)
+    work.azimuth[0] = 1.0  # that of a vertical line in ``stokes_frame``
+    if spread > 1e-24:
+        work.azimuth[0] = min(max((nu - mu * mu_s) / sqrt(spread), -1.0), 1.0)
     directed_functions(
         mu,
         work.azimuth[0],
