@@ -46,6 +46,20 @@ def test_a_picture_of_q_and_u_has_those_of_its_lines(solution: MomentsSolution) 
         assert abs(luminance(wanted[2])) > 0.05 * luminance(wanted[0])  # the sign of U is tested
 
 
+@pytest.mark.parametrize("azimuth", [0.0, 90.0, -40.0])
+@pytest.mark.parametrize("end", [0.0, 180.0])
+def test_a_vertical_line_is_the_limit_of_lines_around_it(
+    azimuth: float, end: float, solution: MomentsSolution
+) -> None:
+    # all orders; a vertical line has an azimuth by its frame alone
+    tilts = np.array([0.0, 1e-5, 1e-4, 1e-2])
+    lines = solution.radiance(
+        altitude=30e3, sun_zenith=70.0, view_zenith=np.abs(end - tilts), azimuth=azimuth,
+        stokes=True,
+    )  # fmt: skip
+    assert_allclose(lines.values, lines.values[3:].repeat(4, 0), rtol=2e-3, atol=1e-4)
+
+
 @pytest.mark.parametrize("exact", [False, True])
 def test_filters_at_right_angles_let_all_light_through(
     exact: bool, solution: MomentsSolution

@@ -27,8 +27,9 @@ FloatArray = NDArray[np.float64]
 
 #: Names of the Stokes parameters of a line of sight; V is left out.
 STOKES: Final = ("I", "Q", "U")
-#: Square of the sine of the zenith angle below which a line counts as vertical. [1]
-_VERTICAL: Final = 1e-24
+#: Square of the sine of the zenith angle below which a line counts as vertical: its azimuth is 0,
+#: which rounding would lose. [1]
+VERTICAL: Final = 1e-12
 
 
 @kernel
@@ -56,7 +57,7 @@ def star_plane(mu, mu_s, nu):
     across = 0.0 - sqrt(max(square, 0.0))
     whole = along * along + across * across
     cosine, sine = 1.0, 0.0
-    if whole > _VERTICAL and (1.0 - mu) * (1.0 + mu) > _VERTICAL:
+    if whole > 1e-24 and (1.0 - mu) * (1.0 + mu) > VERTICAL:
         cosine = (along * along - across * across) / whole
         sine = 2.0 * along * across / whole
     return cosine, sine
@@ -83,7 +84,7 @@ def to_meridian(stokes: FloatArray, view_zenith: FloatArray, azimuth: FloatArray
     out = stokes.copy()
     left = np.sin(around) < 0.0
     sine = np.sin(np.radians(view_zenith))
-    vertical = np.abs(sine) < 1e-9
+    vertical = sine**2 < VERTICAL
     turn = np.where(vertical, np.cos(np.radians(view_zenith)) * around, 0.0)
     q, u = stokes[:, 1], np.where((left & ~vertical)[:, None], -stokes[:, 2], stokes[:, 2])
     cosine, side = np.cos(2.0 * turn)[:, None], np.sin(2.0 * turn)[:, None]

@@ -29,7 +29,7 @@ from airlight.solvers.moments.source import (
     through_columns,
 )
 from airlight.solvers.moments.sweep import sun_index
-from airlight.solvers.stokes_frame import star_plane
+from airlight.solvers.stokes_frame import VERTICAL, star_plane
 from airlight.tables.column_ratios import columns_to_top
 
 #: By day, the light scattered before is left out at points that scatter less than this part of
@@ -278,7 +278,7 @@ def field_place(q, mu, mu_s, nu, light, work):
     """
     spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
     work.azimuth[0] = 1.0  # that of a vertical line in ``stokes_frame``
-    if spread > 1e-24:
+    if spread > 1e-24 and (1.0 - mu) * (1.0 + mu) > VERTICAL:
         work.azimuth[0] = min(max((nu - mu * mu_s) / sqrt(spread), -1.0), 1.0)
     directed_functions(
         mu,
