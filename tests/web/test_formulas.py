@@ -57,6 +57,7 @@ CASES: dict[str, tuple[Any, ...]] = {
     ),
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,
+    "filter_axis": (*(numbers(-1.0, 1.0) for _ in range(6)), ANGLES[0]),
     "ground_axes": ANGLES,
     "observer_numbers": (
         numbers(BOTTOM, TOP), BOTTOM, numbers(-1.0, 1.0), numbers(-1.0, 1.0), numbers(-1.0, 1.0),
