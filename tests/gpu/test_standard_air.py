@@ -10,6 +10,7 @@ from airlight import Camera, Scene, load_planet, solve
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import read_texture
 from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.uniforms import LAYERS
 from airlight.solvers.moments.solution import MomentsSolution
 
 NM = (440.0, 500.0, 560.0, 620.0)
@@ -52,7 +53,8 @@ def test_the_shader_fills_the_table_as_the_processor_does(
         pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
         pictures.show(solution)
         pictures.frame(Scene(altitude=200.0, sun_zenith=66.0, camera=CAMERA))
-        layers.append([read_texture(device, one) for one in pictures._skies[0].layers.values()])
+        sky = pictures._skies[0].layers
+        layers.append([read_texture(device, sky[name]) for name in LAYERS[:4]])
     for processor, shader in zip(*layers, strict=True):
         scale = processor.max()
         error = np.abs(shader - processor) / np.maximum(processor, 1e-3 * scale)

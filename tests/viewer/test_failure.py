@@ -54,7 +54,7 @@ class Read:
         nm, light = (440.0, 550.0, 680.0), (0.1, 0.2, 0.1)
         probe = Probe(
             view_zenith=90.0, azimuth=0.0, wavelengths=nm, radiance=light, luminance=10.0,
-            chromaticity=(0.3, 0.3), rgb=(1.0, 1.0, 1.0), names=("air",),
+            chromaticity=(0.3, 0.3), rgb=(1.0, 1.0, 1.0), polarised=(0.4, 30.0), names=("air",),
             optical_depth=((0.2, 0.1, 0.05),), transmittance=(0.8, 0.9, 0.95), distance=np.inf,
             latitude=None, longitude=None,
             parts=(Part(name="single scattering", radiance=light, luminance=10.0),),
