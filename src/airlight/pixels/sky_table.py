@@ -24,8 +24,8 @@ from airlight.solvers.moments.source import read_phase
 #: Position of the last row of the sky, seen from outside, in rows inside the top.
 INSIDE = 0.1
 #: Least sine of the zenith angle of a texel of Q and U, which refer to a vertical line's azimuth:
-#: all azimuths meet there. [1]
-UPRIGHT: Final = 1e-3
+#: all azimuths meet there, and single precision cannot tell them apart. [1]
+UPRIGHT: Final = 5e-3
 
 
 class Observer(NamedTuple):

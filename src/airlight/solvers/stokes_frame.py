@@ -52,12 +52,17 @@ def star_plane(mu, mu_s, nu):
     >>> star_plane(0.0, 0.0, 0.0)[0]  # both on the horizon: across the meridian
     -1.0
     """
-    along = mu * nu - mu_s
-    square = 1.0 - mu * mu - mu_s * mu_s - nu * nu + 2.0 * mu * mu_s * nu
-    across = 0.0 - sqrt(max(square, 0.0))
+    # Components of the star across the line, along e_θ with the other sign and along e_φ, over the
+    # sine of the zenith angle; from that azimuth, single precision keeps them next to the zenith.
+    sine_v = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    sine_s = sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
+    azimuth = (nu - mu * mu_s) / max(sine_v * sine_s, 1e-12)
+    azimuth = min(max(azimuth, -1.0), 1.0)
+    along = mu * sine_s * azimuth - sine_v * mu_s
+    across = 0.0 - sine_s * sqrt((1.0 - azimuth) * (1.0 + azimuth))
     whole = along * along + across * across
     cosine, sine = 1.0, 0.0
-    if whole > 1e-24 and (1.0 - mu) * (1.0 + mu) > VERTICAL:
+    if whole > 1e-24 and sine_v * sine_v > VERTICAL:
         cosine = (along * along - across * across) / whole
         sine = 2.0 * along * across / whole
     return cosine, sine

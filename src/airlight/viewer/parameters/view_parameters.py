@@ -223,8 +223,8 @@ def view_parameters(constituents: tuple[str, ...] = ()) -> tuple[Parameter, ...]
     Examples
     --------
     >>> [one.path for one in view_parameters(("air",)) if one.kind == "switch"]
-    ['view.clock', 'view.moon_by_date', 'display.automatic', 'display.locked', 'display.eye',
-     'light.constituents[0]']
+    ['view.filter', 'view.clock', 'view.moon_by_date', 'display.automatic', 'display.locked',
+     'display.eye', 'light.constituents[0]']
     """
     switches = tuple(
         Parameter(path=switch_path(index), label=name, group="light", kind="switch",
