@@ -267,3 +267,15 @@ def test_planet_of_particles_is_a_planet():
     planet = _planet(dust)
     assert isinstance(planet, Planet)
     assert planet.wavelength_limits == (430.0, 690.0)
+
+
+def test_a_call_keeps_what_it_uses_when_memory_forgets(monkeypatch):
+    # more nodes in one call than are remembered; the second call finds some on disk alone
+    monkeypatch.setattr(mie_nodes, "_MOST_KEPT", 2)
+    index, wavelengths = GivenIndex(real=1.5, imaginary=0.01), [440.0, 500.0, 550.0, 600.0, 680.0]
+    first = mie_nodes.mie_nodes(index, FINE, wavelengths)
+    again = mie_nodes.mie_nodes(index, FINE, wavelengths)
+    assert len(mie_nodes._kept) == 2
+    for one, other in zip(first, again, strict=True):
+        assert_array_equal(one.phase, other.phase)
+        assert one.extinction == other.extinction

@@ -159,15 +159,18 @@ def mie_nodes(
     """
     indices = [complex(value) for value in index.at(np.asarray(wavelengths))]
     keys = [_key(sizes, m, nm) for m, nm in zip(indices, wavelengths, strict=True)]
-    missing = [i for i, key in enumerate(keys) if not _load(key)]
+    # Held here: what is remembered early in a call may be forgotten before its end.
+    found = {key: node for key in keys if (node := _load(key)) is not None}
+    missing = [i for i, key in enumerate(keys) if key not in found]
 
     def one(block: int) -> None:
         i = missing[block]
-        _keep(keys[i], _computed(sizes, indices[i], wavelengths[i]))
+        found[keys[i]] = _computed(sizes, indices[i], wavelengths[i])
+        _keep(keys[i], found[keys[i]])
 
     if missing:
         run_blocks(one, len(missing), cancel=cancel, progress=progress, message="particles")
-    return [_kept[key] for key in keys]
+    return [found[key] for key in keys]
 
 
 def _computed(sizes: ParticleSizes, index: complex, wavelength: float) -> Scattering:
@@ -202,18 +205,19 @@ def _key(sizes: ParticleSizes, index: complex, wavelength: float) -> str:
     return "mie" + hashlib.sha256(particle.encode()).hexdigest()
 
 
-def _load(key: str) -> bool:
-    if key in _kept:
-        return True
+def _load(key: str) -> Scattering | None:
+    with _lock:
+        if key in _kept:
+            return _kept[key]
     arrays = disk.load(key)
     if arrays is None or not {"phase", "ratios"} <= set(arrays):
-        return False
+        return None
     if arrays.get("numbers", np.empty(0)).shape != (3,):
-        return False
+        return None
     extinction, scattering, asymmetry = arrays["numbers"].tolist()
     found = Scattering(extinction, scattering, asymmetry, arrays["phase"], arrays["ratios"])
     _remember(key, found)
-    return True
+    return found
 
 
 def _keep(key: str, found: Scattering) -> None:
