@@ -29,7 +29,7 @@ FloatArray = NDArray[np.float64]
 STOKES: Final = ("I", "Q", "U")
 #: Square of the sine of the zenith angle below which a line counts as vertical: its azimuth is 0,
 #: which rounding would lose. [1]
-VERTICAL: Final = 1e-12
+VERTICAL: Final = 1e-9
 
 
 @kernel
