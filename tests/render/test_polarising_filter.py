@@ -46,6 +46,29 @@ def test_a_picture_of_q_and_u_has_those_of_its_lines(solution: MomentsSolution) 
         assert abs(luminance(wanted[2])) > 0.05 * luminance(wanted[0])  # the sign of U is tested
 
 
+@pytest.mark.parametrize("azimuth", [100.0, -100.0])
+def test_a_filter_sees_the_stokes_parameters_of_its_line(
+    azimuth: float, solution: MomentsSolution
+) -> None:
+    # ½ (I + Q cos 2α + U sin 2α), where the camera's up lies in the meridian plane of its axis
+    lines = solution.radiance(
+        altitude=200.0, sun_zenith=65.0, view_zenith=70.0, azimuth=azimuth, stokes=True
+    )
+    weights = color_weights(solution) / solution.lights[0].irradiance[:, None]
+    i, q, u = lines.values @ weights
+    for angle in (0.0, 30.0, 75.0, 130.0):
+        camera = Camera(
+            width=3, height=3, field_of_view=0.01, look_zenith=70.0, look_azimuth=azimuth,
+            polariser=angle,
+        )  # fmt: skip
+        scene = Scene(altitude=200.0, sun_zenith=65.0, camera=camera)
+        seen = render(solution, scene, exact=True, disc=False).rgb[1, 1]
+        turn = 2.0 * np.radians(angle)
+        wanted = 0.5 * (i + q * np.cos(turn) + u * np.sin(turn))
+        assert_allclose(seen, wanted, atol=1e-3 * np.abs(i).max())
+    assert abs(luminance(u)) > 0.05 * luminance(i)  # a wrong sense of turning is 25 times the bound
+
+
 @pytest.mark.parametrize("azimuth", [0.0, 90.0, -40.0])
 @pytest.mark.parametrize("end", [0.0, 180.0])
 def test_a_vertical_line_is_the_limit_of_lines_around_it(

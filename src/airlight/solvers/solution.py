@@ -170,8 +170,13 @@ class Solution(ABC):
         """I, Q and U per irradiance of the star, shape (n, 3, nl), where ``polarised``. [sr⁻¹]
 
         Azimuths count as 0 to 180, see ``stokes_frame``.
+
+        Raises
+        ------
+        ParameterError
+            If transfer is scalar.
         """
-        raise NotImplementedError
+        raise ParameterError("stokes", True, "a solver of polarised light")
 
     @abstractmethod
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
