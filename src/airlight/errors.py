@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from airlight.plain_text import plain
+
 
 class AirlightError(Exception):
     """Base of every error that airlight raises on purpose, with a message of one line."""
+
+    def __str__(self) -> str:
+        return plain(super().__str__())
 
 
 class ParameterError(AirlightError, ValueError):
@@ -45,7 +50,7 @@ class ParameterError(AirlightError, ValueError):
         if len(shown) > 120:
             shown = shown[:117] + "..."
         where = "" if self.file is None else f"{self.file}: "
-        return f"{where}{self.field} is {shown}; allowed: {self.allowed}"
+        return plain(f"{where}{self.field} is {shown}; allowed: {self.allowed}")
 
     def in_file(self, file: str | Path) -> ParameterError:
         """Same error with the name of the file that holds the field."""
@@ -61,11 +66,15 @@ class FileError(AirlightError):
         super().__init__(file, reason)
 
     def __str__(self) -> str:
-        return f"{self.file}: {self.reason}"
+        return plain(f"{self.file}: {self.reason}")
 
 
 class ConvergenceError(AirlightError):
     """Iteration that did not reach its tolerance within the allowed number of sweeps."""
+
+
+class CostError(AirlightError):
+    """Work that needs more memory than this machine has, refused before it begins."""
 
 
 class WorkerError(AirlightError):

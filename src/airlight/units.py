@@ -58,19 +58,20 @@ def _registry() -> pint.UnitRegistry[Any]:
         return pint.UnitRegistry()
 
 
-def quantity(text: str | float, unit: str, field: str = "value") -> float:
+def quantity(text: str | float, unit: str, field: str = "value", *, bare: bool = False) -> float:
     """Convert one number with a unit to a float in the given unit.
-
-    A number without a unit is taken to be in ``unit``.
 
     Parameters
     ----------
     text : str or float
-        Number with a unit, such as ``"8 km"``, ``"5.802e-6 /m"``, ``"0.2678 deg"``, ``8000.0``.
+        Number with a unit, such as ``"8 km"``, ``"5.802e-6 /m"``, ``"0.2678 deg"``; without a unit
+        where ``unit`` is ``"1"``, and zero.
     unit : str
         Unit of the result, in pint's spelling: ``"m"``, ``"1/m"``, ``"deg"``, ``"1"``.
     field : str
         Field named in the error.
+    bare : bool
+        Whether a number without a unit is taken to be in ``unit``; otherwise it is refused.
 
     Returns
     -------
@@ -80,14 +81,17 @@ def quantity(text: str | float, unit: str, field: str = "value") -> float:
     Raises
     ------
     ParameterError
-        If the text is not a number, has a unit of another dimension, or is not finite.
+        If the text is not a number, has no unit, one that is unknown or of another dimension, or is
+        not finite.
 
     Examples
     --------
-    >>> quantity("8 km", "m")
-    8000.0
-    >>> quantity("5.802e-6 /m", "1/m")
-    5.802e-06
+    >>> quantity("8 km", "m"), quantity("5.802e-6 /m", "1/m"), quantity(0, "m")
+    (8000.0, 5.802e-06, 0.0)
+    >>> quantity(5, "Pa", "pressure")
+    Traceback (most recent call last):
+    ...
+    airlight.errors.ParameterError: pressure is 5; allowed: a number with its unit, such as '5 Pa'
     """
     allowed = "a finite number" if unit == "1" else f"a finite number with a unit such as {unit!r}"
     if isinstance(text, bool) or not isinstance(text, (int, float, str)):
@@ -97,35 +101,15 @@ def quantity(text: str | float, unit: str, field: str = "value") -> float:
             number = float(text)
         except OverflowError:
             number = math.inf
+        named = False
     else:
-        number = _parse(text, unit, field, allowed)
+        number, named = _parse(text, unit, field, allowed)
     if not math.isfinite(number):
         raise ParameterError(field, text, allowed)
+    if not (named or bare or unit == "1" or number == 0.0):
+        example = f"{str(text).strip()} {unit.removeprefix('1')}"
+        raise ParameterError(field, text, f"a number with its unit, such as {example!r}")
     return number
-
-
-def measured(text: str, unit: str, field: str = "value") -> float:
-    """Convert a text to a float in the given unit; the text must name a unit.
-
-    Raises
-    ------
-    ParameterError
-        As ``quantity``, and if the text is a bare number.
-
-    Examples
-    --------
-    >>> measured("400 km", "m")
-    400000.0
-    >>> measured("400", "m", "altitude")
-    Traceback (most recent call last):
-    ...
-    airlight.errors.ParameterError: altitude is '400'; allowed: a number, or text such as '400 m'
-    """
-    match = _FORM.fullmatch(text) if len(text) < 100 else None
-    if match is not None and match["unit"] is None and unit != "1":
-        example = f"{match['number']} {unit}"
-        raise ParameterError(field, text, f"a number, or text such as {example!r}")
-    return quantity(text, unit, field)
 
 
 _NAME = r"[A-Za-zµμ°%Å]+(?:(?:\^|\*\*)?-?[1-9])?"
@@ -139,27 +123,32 @@ _FORM = re.compile(
 
 #: A number and what follows it, of a text that ``_FORM`` does not read.
 _BEGUN: Final = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*(?P<rest>\D.*?)\s*")
+#: Signs with which no unit begins.
+_SIGNS: Final = ",.;:+-*/()[]{}'\""
 
 
-def _parse(text: str, unit: str, field: str, allowed: str) -> float:
+def _parse(text: str, unit: str, field: str, allowed: str) -> tuple[float, bool]:
+    """Number in the unit, and whether the text names one."""
     match = _FORM.fullmatch(text) if len(text) < 100 else None
     if match is None:
         begun = _BEGUN.fullmatch(text) if len(text) < 100 else None
-        if begun is not None and begun["rest"][0].isalpha():
+        if begun is not None and begun["rest"][0] not in _SIGNS:
             allowed = f"{allowed}; the unit {begun['rest']!r} is not known"
         raise ParameterError(field, text, allowed)
     number = float(match["number"])
     given = match["unit"]
     if given is None:
-        return number
+        return number, False
     try:
-        return number * _factor(given, unit)
+        return number * _factor(given, unit), True
     except Exception as error:  # pint raises many kinds, its tokenizer's own among them
         kind = type(error).__name__
         if kind == "UndefinedUnitError":
             allowed = f"{allowed}; the unit {given!r} is not known"
         elif kind == "DimensionalityError":
             allowed = f"{allowed}; {given!r} is a unit of something else"
+        else:  # a scale with an offset, such as degC
+            allowed = f"{allowed}; {given!r} is no multiple of it"
         raise ParameterError(field, text, allowed) from error
 
 
@@ -203,18 +192,23 @@ def _usual(text: str) -> tuple[float, _Dimension] | None:
 
 
 def quantities(
-    text: str | float | list[Any] | tuple[Any, ...], unit: str, field: str = "value"
+    text: str | float | list[Any] | tuple[Any, ...],
+    unit: str,
+    field: str = "value",
+    *,
+    bare: bool = False,
 ) -> list[float]:
     """Convert a list of numbers with units to floats in the given unit.
 
     Accepts a single quantity, a list of quantities, or one text with commas whose last
-    item carries the unit for all that have none: ``"680, 550, 440 nm"``.
+    item carries the unit for all that have none: ``"680, 550, 440 nm"``. ``bare`` as for
+    ``quantity``.
 
     Examples
     --------
     >>> quantities("680, 550, 440 nm", "nm")
     [680.0, 550.0, 440.0]
-    >>> quantities(["1 km", 500.0], "m")
+    >>> quantities(["1 km", 500.0], "m", bare=True)
     [1000.0, 500.0]
     """
     if isinstance(text, str):
@@ -229,7 +223,7 @@ def quantities(
     if not items:
         raise ParameterError(field, text, "at least one number")
     return [
-        quantity(item, unit, field if len(items) == 1 else f"{field}[{index}]")
+        quantity(item, unit, field if len(items) == 1 else f"{field}[{index}]", bare=bare)
         for index, item in enumerate(items)
     ]
 

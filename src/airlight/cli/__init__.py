@@ -2,6 +2,36 @@
 
 from __future__ import annotations
 
-from airlight.cli.app import main, run_process
+import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from airlight.cli.app import main
 
 __all__ = ["main", "run_process"]
+
+
+def run_process() -> int:
+    """Run the command line of a process of its own; its exit status as ``main`` gives it.
+
+    Only the version is said without the parser of commands, whose import takes longer.
+    """
+    if sys.argv[1:] == ["--version"]:
+        from airlight import __version__
+
+        print(f"airlight {__version__}")
+        return 0
+    from airlight.cli.interrupt import end_at_once
+
+    end_at_once()  # while the rest is imported
+    from airlight.cli import app
+
+    return app.run_process()
+
+
+def __getattr__(name: str) -> Any:
+    if name != "main":
+        raise AttributeError(f"module 'airlight.cli' has no attribute {name!r}")
+    from airlight.cli.app import main
+
+    return main

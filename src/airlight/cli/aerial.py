@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from airlight.cli import options, time_and_place
+from airlight.cli.console import say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 
@@ -106,7 +107,7 @@ def aerial(
         )
     about = {"planet": world.name, "changes": "; ".join(set_ or [])}
     manifest = write_aerial(output, made, {key: text for key, text in about.items() if text})
-    print(f"{manifest}  {time.perf_counter() - started:.1f} s  {_errors(made)}")
+    say(f"{manifest}  {time.perf_counter() - started:.1f} s  {_errors(made)}")
 
 
 def _errors(made: AerialPerspective) -> str:

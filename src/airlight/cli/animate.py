@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from airlight.cli import distribution_options, options
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError, WorkerError
@@ -22,7 +22,8 @@ EPILOG = examples(
     "airlight animate earth --frames 90 --key 'view.sun_zenith=84deg,97deg' -o frames/ "
     "-o sunset.mp4",
     "airlight animate earth --start '2026-06-21T19:00Z' --end '2026-06-21T21:00Z' "
-    "--set view.latitude=59.33 --set view.longitude=18.07 --set view.look_at=NW -o stockholm/",
+    "--set view.latitude=59.33deg --set view.longitude=18.07deg --set view.look_at=NW "
+    "-o stockholm/",
     "airlight animate earth --key 'view.altitude=2m,400km smooth-exponential' "
     "--set view.projection=fisheye --size 4096 --bits 16 -o dome/",
     "airlight animate lunar-eclipse --frames 60 --start 2025-03-14T05:00Z --end 2025-03-14T09:00Z "
@@ -171,25 +172,24 @@ def animate(
                 finish=Finish(suffix=f".{format_}", tone_map=tone_map, encoding=encoding,
                               primaries=primaries, bits=bits, glare=glare),
                 exposure=level, movie=movie, name=name, scheduler=scheduler, workers=workers,
-                told=lambda line: print(f"airlight: {line}", file=sys.stderr),
+                told=note,
                 progress=counted,
             )  # fmt: skip
     except (KeyboardInterrupt, WorkerError):
         if count[0]:
-            kept = f"airlight: {count[0]} frames were drawn; the same command draws the rest"
-            print(kept, file=sys.stderr)
+            note(f"{count[0]} frames were drawn; the same command draws the rest")
         raise
     _report(result, movie, columns, rows, time.perf_counter() - started)
 
 
 def _report(result: Animated, movie: Path | None, columns: int, rows: int, seconds: float) -> None:
     frames = result.frames
-    print(f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {columns}x{rows}  "
+    say(f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {columns}x{rows}  "
           f"{result.drawn} drawn, {result.kept} kept  {seconds:.1f} s"
           + ("  linear" if result.exposures is None else
              "  exposure {:+.2f} to {:+.2f} EV".format(*result.exposures)))  # fmt: skip
     if movie is not None:
-        print(f"{movie}  {movie.stat().st_size / 1e3:.0f} kB")
+        say(f"{movie}  {movie.stat().st_size / 1e3:.0f} kB")
 
 
 def _outputs(paths: list[Path]) -> tuple[Path, Path | None]:

@@ -9,60 +9,95 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
-from typing import Annotated, Any
+from importlib import import_module
+from typing import Annotated, Any, Final
 
 import typer
+from typer.core import TyperGroup
 
-from airlight.cli import (
-    aerial,
-    animate,
-    bake,
-    compose,
-    errata,
-    export_page,
-    fit,
-    planets,
-    plot,
-    radiance,
-    render,
-    show,
-    sky,
-    spectrum,
-    sweep,
-    validate,
-    view,
-)
+from airlight.cli.console import note
 from airlight.cli.examples import examples
+from airlight.cli.interrupt import INTERRUPTED, answered, end_when_interrupted
 from airlight.errors import AirlightError, Cancelled
 
-#: Exit status of an error, and of a command that was interrupted (128 + SIGINT).
-ERROR, INTERRUPTED = 2, 130
+#: Exit status of an error.
+ERROR = 2
 
+#: Commands in the order of the help, with the line that it has for each: that of the function of
+#: this name in the module of this name, which is not imported for it.
+COMMANDS: Final = {
+    "planets": "List the planets that ship with airlight.",
+    "show": "Show a planet: its parameters, optical depths, phase functions and sky colour.",
+    "render": "Compute a picture of a planet's air, or of a scene with several bodies and lights.",
+    "animate": "Draw the frames of a film: only those that are missing or have changed.",
+    "sky": "Write an observer's sky as an environment map, with a JSON that says where its sun "
+    "stands.",
+    "compose": "Lay a planet's air over a picture by its depth, and its sky behind.",
+    "aerial": "Fill textures with the air before every point around an observer, for a shader's "
+    "pass.",
+    "view": "Open a window on a planet: fly, turn the sun, edit every parameter and read the "
+    "light.",
+    "radiance": "Compute spectral radiance along a line of sight, in W m⁻² sr⁻¹ nm⁻¹.",
+    "spectrum": "Compute what a telescope measures of a planet: albedos, phase curve, transit, "
+    "limb, disc.",
+    "sweep": "Compute radiances on a grid, in W m⁻² sr⁻¹ nm⁻¹: only the blocks that are missing "
+    "or changed.",
+    "fit": "Fit parameters of a planet to measured radiances, or to a photograph of its sky.",
+    "plot": "Draw a figure of a planet: its star, its air, its light, its tables.",
+    "bake": "Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.",
+    "export-page": "Write a page to fly round a planet: one file that opens from disk, below 5 MB.",
+    "validate": "Check airlight against published numbers, independent codes and measured skies.",
+    "errata": "List what the source documents print otherwise, and compute what it changes.",
+}
+
+
+class Commands(TyperGroup):
+    """Group of commands, each imported when it is called or asked for its help."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Names of the commands, in the order of the help."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """Command of a name, or None."""
+        if cmd_name not in COMMANDS:
+            return None
+        name = cmd_name.replace("-", "_")
+        module = import_module(f"airlight.cli.{name}")
+        alone = typer.Typer(**_TYPER)
+        alone.command(cmd_name, epilog=module.EPILOG)(getattr(module, name))
+        return typer.main.get_command(alone)
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Write the list of commands."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+#: Without a markup the help is plain text: rich takes a tenth of a second to draw boxes round it.
+_TYPER: Final[dict[str, Any]] = {
+    "add_completion": False,
+    "pretty_exceptions_enable": False,
+    "rich_markup_mode": None,
+    "context_settings": {"help_option_names": ["-h", "--help"]},
+}
 app = typer.Typer(
+    **_TYPER,
     name="airlight",
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    cls=Commands,
     epilog=examples(
         "airlight planets",
         "airlight render earth -o earth.png",
         "airlight radiance earth --altitude 0m --sun-zenith 60 --view-zenith 30 --azimuth 90",
     ),
 )
-_COMMANDS = (
-    planets, show, render, animate, sky, compose, aerial, view, radiance, spectrum, sweep, fit,
-    plot, bake, export_page, validate, errata,
-)  # fmt: skip
-for command in _COMMANDS:
-    function = command.__name__.rpartition(".")[2]
-    app.command(function.replace("_", "-"), epilog=command.EPILOG)(getattr(command, function))
 
 
 def _print_version(asked: bool) -> None:
     if asked:
-        from importlib.metadata import version
+        from airlight import __version__
 
-        print(f"airlight {version('airlight')}")
+        print(f"airlight {__version__}")
         raise typer.Exit
 
 
@@ -87,6 +122,7 @@ def run_process() -> int:
     """
     gc.set_threshold(100_000, 50, 50)
     atexit.register(gc.freeze)
+    end_when_interrupted()
     return main()
 
 
@@ -119,13 +155,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except Exception as error:
-        if debug:
-            traceback.print_exc()
-        print(f"airlight: {_one_line(error)}", file=sys.stderr)
-        return ERROR
+        ended = _interruption(error)
+        if ended is None:
+            if debug:
+                traceback.print_exc()
+            note(_one_line(error))
+            return ERROR
+        status = ended.code if isinstance(ended, SystemExit) else INTERRUPTED
     if status == INTERRUPTED:
-        print("airlight: cancelled", file=sys.stderr)
+        answered.set()
+        note("cancelled")
     return status if isinstance(status, int) else 0
+
+
+def _interruption(error: BaseException | None) -> BaseException | None:
+    """Interruption that a library has made an error of its own of, as while a class is made."""
+    while error is not None and not isinstance(error, (KeyboardInterrupt, SystemExit)):
+        error = error.__cause__ or error.__context__
+    return error
 
 
 def _one_line(error: Exception) -> str:
@@ -136,6 +183,8 @@ def _one_line(error: Exception) -> str:
         text = str(error)
     elif isinstance(error, MemoryError):
         text = f"not enough memory: {error}".rstrip(": ")
+    elif isinstance(error, OSError) and error.filename is not None:
+        text = f"{error.filename}: {error.strerror}"
     else:
         text = f"internal error, {type(error).__name__}: {error} (--debug shows where)"
     return " ".join(text.split())

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -13,6 +12,7 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.bake_target import bake_target
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -170,7 +170,7 @@ def bake(
     check_folder(output, FORMAT)
     world = options.planet(planet, set_)
     if world.refraction != "none":
-        print("airlight: light is drawn straight in tables: refraction is 'none'", file=sys.stderr)
+        note("light is drawn straight in tables: refraction is 'none'")
         world = replace(world, refraction="none")
     nm = options.wavelengths(wavelengths, world)
 
@@ -202,7 +202,8 @@ def bake(
         )
         manifest = write_tables(output, baked)
     _print(manifest, baked)
-    print(f"\n{manifest}  {time.perf_counter() - started:.1f} s")
+    say()
+    say(f"{manifest}  {time.perf_counter() - started:.1f} s")
 
 
 def _packing(layout: str, packing: str | None, mie: str | None) -> str:
@@ -248,18 +249,19 @@ def _print(manifest: Path, baked: Baked) -> None:
     from airlight.exports.table_files import texture_size
 
     folder = manifest.parent
-    print(f"{'table':<24} {'texture':>14} {'channels':>8} {'stored':>7} {'NPZ':>9} {'EXR':>9}")
+    say(f"{'table':<24} {'texture':>14} {'channels':>8} {'stored':>7} {'NPZ':>9} {'EXR':>9}")
     for name, table in baked.tables.items():
         texture = "x".join(str(n) for n in texture_size(table) if n > 1)
         sizes = [
             f"{(folder / f'{name}.{kind}').stat().st_size / 1e3:.0f} kB" for kind in ("npz", "exr")
         ]
-        print(
+        say(
             f"{name:<24} {texture:>14} {len(table.channels):>8} {table.precision:>7} "
             f"{sizes[0]:>9} {sizes[1]:>9}"
         )
-    print(f"\n{'error against the solver':<30} {'median':>9} {'RMS':>9} {'95 %':>9} {'largest':>9}")
+    say()
+    say(f"{'error against the solver':<30} {'median':>9} {'RMS':>9} {'95 %':>9} {'largest':>9}")
     for name, error in baked.errors.items():
         kind = "absolute" if "absolute" in error.quantity else "relative"
         values = (error.median, error.rms, error.percentile_95, error.maximum)
-        print(f"{name:<30} " + " ".join(f"{value:>9.1e}" for value in values) + f"  {kind}")
+        say(f"{name:<30} " + " ".join(f"{value:>9.1e}" for value in values) + f"  {kind}")

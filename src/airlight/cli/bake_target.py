@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from airlight.cli import options
+from airlight.cli.console import note, say
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
@@ -63,7 +63,7 @@ def bake_target(
     check_folder(output, program.form)
     world = options.planet(planet, set_)
     if world.refraction != "none" and not program.bends_light:
-        print(f"airlight: {program.program} draws light straight", file=sys.stderr)
+        note(f"{program.program} draws light straight")
         world = replace(world, refraction="none")
     text = wavelengths or program.default_wavelengths
     nm = program.wavelengths or options.wavelengths(text, world)
@@ -77,27 +77,30 @@ def bake_target(
         )  # fmt: skip
         export = program.write(solution, output, progress=report, **chosen)
     print_export(program, export)
-    print(f"\n{export.folder}  {time.perf_counter() - started:.1f} s")
+    say()
+    say(f"{export.folder}  {time.perf_counter() - started:.1f} s")
 
 
 def print_export(program: Target, export: Export) -> None:
     """Print the files of a folder, their errors, what was fitted, and what is left out."""
-    print(f"for {program.program} {program.version}")
+    say(f"for {program.program} {program.version}")
     for name, size in export.files.items():
-        print(f"  {name:<32} {_bytes(size):>10}")
+        say(f"  {name:<32} {_bytes(size):>10}")
     if export.errors:
-        print(f"\n{'error against the solver':<40} {'median':>9} {'95 %':>9} {'largest':>9}")
+        say()
+        say(f"{'error against the solver':<40} {'median':>9} {'95 %':>9} {'largest':>9}")
         for row in export.errors:
-            print(f"  {row.name:<38} {_statistics(row)}  {row.measure}; {row.where}")
+            say(f"  {row.name:<38} {_statistics(row)}  {row.measure}; {row.where}")
     for fit in export.fitted:
         numbers = (f"{name} = {value:.4g}" for name, value in fit.parameters.items())
-        print(f"\nfitted: {fit.name}: {', '.join((fit.form, *numbers))}; {fit.where}")
+        say()
+        say(f"fitted: {fit.name}: {', '.join((fit.form, *numbers))}; {fit.where}")
         for name, value in fit.errors.items():
-            print(f"  {name:<38} {value:>9.1e}")
+            say(f"  {name:<38} {value:>9.1e}")
     if export.notes:
-        print()
-    for note in export.notes:
-        print(f"note: {note}")
+        say()
+    for line in export.notes:
+        say(f"note: {line}")
 
 
 def _statistics(row: ErrorRow) -> str:

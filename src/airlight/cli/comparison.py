@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from airlight.cli.console import console
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -31,23 +32,19 @@ def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
     cache : bool
         Whether solutions on disk are read and kept.
     """
-    from rich.console import Console
-
     from airlight.planets.comparison import compare
 
     rows = list(compare(first, second))
     skies = [_sky(planet, cache=cache) for planet in (first, second)]
     if skies[0] and skies[1]:
         rows += _sky_rows(skies[0], skies[1])
-    console = Console()
-    if not console.is_terminal:
-        console = Console(width=_WIDTH)
+    out = console(_WIDTH)
     if not rows:
-        console.print(f"{first.name} and {second.name} do not differ.")
+        out.print(f"{first.name} and {second.name} do not differ.")
         return
-    console.print(_table(first.name, second.name, rows))
+    out.print(_table(first.name, second.name, rows))
     if skies[0] and skies[1]:
-        console.print(_swatches(skies[0], skies[1]))
+        out.print(_swatches(skies[0], skies[1]))
 
 
 def _sky(planet: Planet, *, cache: bool) -> tuple[SkyColor, ...]:
@@ -99,7 +96,7 @@ def _table(first: str, second: str, rows: list[Difference]) -> Table:
             table.add_row()
         table.add_row(
             heading,
-            "" if (row.part, label) == before else label.replace("[", "\\["),
+            "" if (row.part, label) == before else label,
             "" if row.wavelength is None else f"{row.wavelength:.5g}",
             *values,
             "" if absolute is None else f"{absolute * _factor(row):+.3g}",

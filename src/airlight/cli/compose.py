@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from airlight.cli import options, time_and_place
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -202,9 +202,9 @@ def compose(
     how = f"{100.0 * composed.marched:.0f} % of the surfaces marched"
     if composed.error > 0.0:
         how += f", others within {100.0 * composed.error:.2f} %"
-    print(f"{output}  {width}x{height}  {seconds:.1f} s  depth {kind}  {how}")
+    say(f"{output}  {width}x{height}  {seconds:.1f} s  depth {kind}  {how}")
     if solution.report.ground:
-        print(f"airlight: {solution.report.ground}", file=sys.stderr)
+        note(solution.report.ground)
 
 
 def _surfaces(albedo: Path | None, normals: Path | None, shadow: Path | None) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from airlight.cli.console import console, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import FileError, ParameterError
@@ -61,17 +62,13 @@ def errata(
         return
     with whole_file(output) as part:
         part.write_text(markdown(rows), encoding="utf-8")
-    print(f"{output}  {len(rows)} rows")
+    say(f"{output}  {len(rows)} rows")
 
 
 def _print(rows: tuple[Erratum, ...]) -> None:
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
-    console = Console()
-    if not console.is_terminal:
-        console = Console(width=_WIDTH)
     table = Table(box=None, pad_edge=False, expand=False)
     table.add_column("source", style="bold", max_width=18)
     table.add_column("as printed", max_width=36)
@@ -81,4 +78,4 @@ def _print(rows: tuple[Erratum, ...]) -> None:
         cells = (row.source, row.printed, row.here, row.effect)
         table.add_row(*(Text(cell) for cell in cells), end_section=False)
         table.add_row()
-    console.print(table)
+    console(_WIDTH).print(table)

@@ -14,11 +14,11 @@ def examples(*lines: str) -> str:
     Returns
     -------
     str
-        Paragraphs, each printed by the help on its own line.
+        Paragraph whose lines the help does not wrap, which ``\b`` says.
 
     Examples
     --------
     >>> examples("airlight planets")
-    'Examples:\n\n$ airlight planets'
+    '\x08\nExamples:\n  $ airlight planets'
     """
-    return "\n\n".join(["Examples:", *(f"$ {line}" for line in lines)])
+    return "\n".join(["\b", "Examples:", *(f"  $ {line}" for line in lines)])

@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 import typer
 
 from airlight.cli import options
+from airlight.cli.console import say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -41,7 +42,7 @@ def export_page(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Write a page to fly round a planet: one file that opens from disk, below 3 MB.
+    """Write a page to fly round a planet: one file that opens from disk, below 5 MB.
 
     It draws with WebGPU, or WebGL2 where there is none, and loads nothing from a network.
     """
@@ -65,7 +66,7 @@ def export_page(
             progress=report,
         )
     seconds = time.perf_counter() - started
-    print(f"{page.path}  {page.size / 1e6:.2f} MB  quality {page.quality}  {seconds:.1f} s")
+    say(f"{page.path}  {page.size / 1e6:.2f} MB  quality {page.quality}  {seconds:.1f} s")
 
 
 def _view_value(text: str) -> tuple[str, float | str | bool]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from airlight.cli import options
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import FileError, ParameterError
@@ -166,15 +166,13 @@ def fit(
     with whole_file(output) as part:
         part.write_text(fitted_file(sky), encoding="utf-8")
     for line in result_lines(sky):
-        print(line)
-    print(
-        f"{output}  {sky.solves} solutions and {sky.rough_solves} coarse ones, {sky.seconds:.1f} s"
-    )
+        say(line)
+    say(f"{output}  {sky.solves} solutions and {sky.rough_solves} coarse ones, {sky.seconds:.1f} s")
     for line in warnings_of(sky):
-        print(f"airlight: {line}", file=sys.stderr)
+        note(line)
     if report is not None:
         _write_report(sky, report)
-        print(f"{report}  {report.stat().st_size / 1e3:.0f} kB")
+        say(f"{report}  {report.stat().st_size / 1e3:.0f} kB")
 
 
 class _named_options:

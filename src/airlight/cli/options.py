@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Final, Literal
 
 import typer
 
+from airlight.cli.console import note
 from airlight.errors import ParameterError
 from airlight.units import quantities, quantity
 
@@ -110,6 +111,8 @@ NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
 
+#: Units that a number of the command line may leave out, being the only ones that anybody means.
+UNDERSTOOD: Final = ("deg", "nm", "K", "s")
 #: Largest number of values that a range may have.
 MOST_VALUES = 100_000
 #: Wavelengths of the three-wavelength mode. [nm]
@@ -132,19 +135,27 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
     ------
     ParameterError
         If a path does not exist, or the changed file cannot be read.
+
+    Notes
+    -----
+    A constituent that a low top cuts off is named on the standard error stream.
     """
     from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
+    from airlight.planets.cut_air import cut_air
     from airlight.planets.reading.overrides import FIELD, parsed
 
     try:
         paths = dict(parsed(change) for change in changes or [])
         with shown_progress() as report:
-            return load_planet(name, paths, progress=report)
+            loaded = load_planet(name, paths, progress=report)
     except ParameterError as error:
         if error.field != FIELD:
             raise
         raise ParameterError("--set", error.value, error.allowed, error.file) from None
+    for line in cut_air(loaded):
+        note(line)
+    return loaded
 
 
 def with_ground_albedo(planet: Planet, text: str) -> Planet:
@@ -225,7 +236,7 @@ def with_solved_ground(
 
 
 def length(text: str, option: str) -> float:
-    """Parse a length such as ``400km`` or ``10 m``; metres without a unit. [m]
+    """Parse a length such as ``400km`` or ``10 m``; only 0 needs no unit. [m]
 
     Examples
     --------
@@ -243,7 +254,7 @@ def values(text: str, unit: str, option: str) -> list[float]:
     text : str
         Numbers with commas between them, or a range; the last one's unit is that of all.
     unit : str
-        Unit of the result, and of numbers without one.
+        Unit of the result; of ``UNDERSTOOD`` also that of numbers without one.
     option : str
         Name of the option, for errors.
 
@@ -258,10 +269,11 @@ def values(text: str, unit: str, option: str) -> list[float]:
     ([0.0, 20.0, 40.0, 60.0], [0.0, 2000.0])
     """
     if ":" not in text:
-        return list(quantities(text, unit, option))
+        return list(quantities(text, unit, option, bare=unit in UNDERSTOOD))
     form = "a list, or FROM:TO:STEP such as 0:90:5"
     try:
-        start, end, step = quantities(text.replace(":", ","), unit, option)
+        parts = quantities(text.replace(":", ","), unit, option, bare=unit in UNDERSTOOD)
+        start, end, step = parts
     except ValueError:
         raise ParameterError(option, text, form) from None
     if not step > 0.0 or end < start or (end - start) / step > MOST_VALUES:
@@ -278,7 +290,7 @@ def angle(text: str, option: str) -> float:
     >>> angle("85deg", "--sun-zenith")
     85.0
     """
-    return quantity(text, "deg", option)
+    return quantity(text, "deg", option, bare=True)
 
 
 def temperature(text: str, option: str) -> float:
@@ -289,7 +301,7 @@ def temperature(text: str, option: str) -> float:
     >>> temperature("3500K", "--second-star")
     3500.0
     """
-    return quantity(text, "K", option)
+    return quantity(text, "K", option, bare=True)
 
 
 def direction(text: str, option: str) -> tuple[float, float]:
@@ -300,7 +312,7 @@ def direction(text: str, option: str) -> tuple[float, float]:
     >>> direction("85,-30", "--look")
     (85.0, -30.0)
     """
-    parts = quantities(text, "deg", option)
+    parts = quantities(text, "deg", option, bare=True)
     if len(parts) != 2:
         raise ParameterError(option, text, "zenith,azimuth in degrees, such as 85,0")
     return parts[0], parts[1]
@@ -424,7 +436,7 @@ def camera(
 
     stop = quantity(aperture.strip().lower().removeprefix("f/"), "1", "--aperture")
     over, _, under = shutter.strip().rpartition("/")
-    seconds = quantity(under, "s", "--shutter")
+    seconds = quantity(under, "s", "--shutter", bare=True)
     open_for = quantity(over, "1", "--shutter") / seconds if over and seconds > 0.0 else seconds
     for name, value in (("--iso", iso), ("--aperture", stop), ("--shutter", open_for)):
         if not 0.0 < value < 1e9:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from airlight.cli.console import console
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 
@@ -10,7 +11,6 @@ EPILOG = examples("airlight planets", "airlight show earth")
 
 def planets() -> None:
     """List the planets that ship with airlight."""
-    from rich.console import Console
     from rich.table import Table
 
     from airlight.planets import load_planet, planet_names
@@ -29,4 +29,4 @@ def planets() -> None:
             f"{(planet.top_radius - planet.bottom_radius) / 1e3:.0f} km",
             ", ".join(constituent.name for constituent in planet.constituents),
         )
-    Console().print(table)
+    console().print(table)

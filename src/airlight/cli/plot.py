@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 import typer
 
 from airlight.cli import options
+from airlight.cli.console import console, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import FileError, ParameterError
@@ -37,7 +38,6 @@ _DPI = (20.0, 1200.0)
 def _print_kinds(asked: bool) -> None:
     if not asked:
         return
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(box=None, pad_edge=False)
@@ -45,7 +45,7 @@ def _print_kinds(asked: bool) -> None:
     table.add_column("what it shows")
     for name, kind in KINDS.items():
         table.add_row(name, kind.sentence)
-    Console().print(table)
+    console().print(table)
     raise typer.Exit
 
 
@@ -118,4 +118,4 @@ def plot(
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
     with whole_file(output) as part, part.open("wb") as file:
         write_figure(figure, file, suffix.removeprefix("."), dpi)
-    print(f"{output}  {kind} of {world.name}")
+    say(f"{output}  {kind} of {world.name}")

@@ -1,10 +1,13 @@
-"""Progress bar on the standard error stream, if that is a terminal."""
+"""Progress on the standard error stream: a line about long work, and a bar on a terminal."""
 
 from __future__ import annotations
 
 import contextlib
 import sys
 from collections.abc import Callable, Iterator
+
+from airlight.cli.console import note
+from airlight.plain_text import plain
 
 #: Called with the amount done, the total, and a description of the work.
 Report = Callable[[int, int, str], None]
@@ -18,8 +21,20 @@ def shown_progress() -> Iterator[Report]:
     ------
     callable
         Function ``report(done, total, message)``, which any thread may call. The bar is removed
-        when the block ends.
+        when the block ends. Work that is expected to take long is announced by a line before it.
     """
+    from airlight.kernel.cost import announce
+
+    before = announce.set(note)
+    try:
+        with _bar() as report:
+            yield report
+    finally:
+        announce.reset(before)
+
+
+@contextlib.contextmanager
+def _bar() -> Iterator[Report]:
     if not sys.stderr.isatty():
         yield lambda done, total, message: None
         return
@@ -33,7 +48,7 @@ def shown_progress() -> Iterator[Report]:
     )
 
     with Progress(
-        TextColumn("{task.description}"),
+        TextColumn("{task.description}", markup=False),
         BarColumn(),
         TextColumn("{task.completed:.0f}/{task.total:.0f}"),
         TimeElapsedColumn(),
@@ -45,6 +60,6 @@ def shown_progress() -> Iterator[Report]:
         task = bar.add_task("starting", total=1)
 
         def report(done: int, total: int, message: str) -> None:
-            bar.update(task, completed=done, total=max(total, 1), description=message)
+            bar.update(task, completed=done, total=max(total, 1), description=plain(message))
 
         yield report

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from airlight.cli import distribution_options, options
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -167,7 +167,7 @@ def radiance(
     from airlight.sweep.cases import error_columns, radiance_columns, write_cases
 
     for line in missing_bands(world, nm):
-        print(f"airlight: {line}", file=sys.stderr)
+        note(line)
     columns = radiance_columns(nm, stokes=stokes)
     columns += error_columns(nm, stokes=stokes) if sampled else []
     _warn_of_repeated(columns, cases.header)
@@ -196,12 +196,11 @@ def radiance(
         _print(nm, values, errors, histories)
     missed = _missed(solution, cases)
     if missed:
-        note = f"lines of sight that miss the planet's air, with 0: {missed} of {len(cases.values)}"
-        print(f"airlight: {note}", file=sys.stderr)
+        note(f"lines of sight that miss the planet's air, with 0: {missed} of {len(cases.values)}")
     if solution.report.ground:
-        print(f"airlight: {solution.report.ground}", file=sys.stderr)
+        note(solution.report.ground)
     if sampled and solution.report.unreached:
-        print(f"airlight: {solution.report}", file=sys.stderr)
+        note(solution.report)
 
 
 def _print(
@@ -214,9 +213,9 @@ def _print(
     for k, wavelength in enumerate(nm):
         text = f"{wavelength:.10g} nm  {values[0, k]:.8e}"
         if errors is None or histories is None:
-            print(f"{text} W m⁻² sr⁻¹ nm⁻¹")
+            say(f"{text} W m⁻² sr⁻¹ nm⁻¹")
         else:
-            print(f"{text} ± {errors[0, k]:.1e} W m⁻² sr⁻¹ nm⁻¹  ({histories[0, k]} histories)")
+            say(f"{text} ± {errors[0, k]:.1e} W m⁻² sr⁻¹ nm⁻¹  ({histories[0, k]} histories)")
 
 
 def _print_stokes(
@@ -235,7 +234,7 @@ def _print_stokes(
         line = f"{wavelength:.10g} nm  {'  '.join(texts)} W m⁻² sr⁻¹ nm⁻¹"
         seen = f"{angle:.3f}".replace("-90.000", "90.000")  # one angle
         line += f"  dolp {degree:.5f}  aolp {seen}°"
-        print(line if histories is None else f"{line}  ({histories[0, k]} histories)")
+        say(line if histories is None else f"{line}  ({histories[0, k]} histories)")
 
 
 def _long_table(
@@ -264,7 +263,7 @@ def _long_table(
             stokes=stokes, cache=cache, scheduler=scheduler, workers=alone, progress=report,
         )  # fmt: skip
     if kept:
-        print(f"airlight: {kept} rows had been computed before", file=sys.stderr)
+        note(f"{kept} rows had been computed before")
 
 
 def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
@@ -290,8 +289,7 @@ def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
     """Warn of columns that the input has already."""
     repeated = [column for column in columns if column in header]
     if repeated:
-        note = f"{', '.join(repeated)} stood in the input already; ours are the last columns"
-        print(f"airlight: {note}", file=sys.stderr)
+        note(f"{', '.join(repeated)} stood in the input already; ours are the last columns")
 
 
 def _settings(solver: str, quality: str, relative_error: float | None, seed: int | None) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli import options, scene_file, second_lights, time_and_place
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -195,6 +195,9 @@ def render(
     check_glare(glare)
     projection = options.projection(projection)
     if is_scene_file(planet):
+        for option, value in (("--show", show), ("--stokes", stokes or None)):
+            if value is not None:
+                raise ParameterError(option, value, "none of a scene file: a planet's picture")
         frame = scene_file.painted(
             planet, size, wavelengths, quality, samples if samples > 1 else None,
             cache=not no_cache,
@@ -206,7 +209,7 @@ def render(
                 "--zone": zone, "--exact": exact,
                 "--projection": projection if projection != "perspective" else None,
                 "--roll": roll if roll != "0deg" else None, "--polariser": polariser,
-                "--show": show, "--stokes": stokes, "--no-polarisation": no_polarisation,
+                "--no-polarisation": no_polarisation,
                 "--device": device if device == "gpu" else None,
                 "--ground": ground if ground != "detailed" else None,
                 "--moon": moon, "--second-star": second_star,
@@ -277,7 +280,7 @@ def render(
             primaries=primaries, bits=bits, glare=glare,
         )  # fmt: skip
     if placed.time is not None:
-        print(time_and_place.line(world, placed, sun_distance))
+        say(time_and_place.line(world, placed, sun_distance))
     _report(written, frame, started)
 
 
@@ -335,9 +338,7 @@ def _report(written: Written, frame: Frame, started: float) -> None:
     light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
     seconds = time.perf_counter() - started
     rows, columns = frame.rgb.shape[:2]
-    print(
-        f"{written.path}  {columns}x{rows}  {written.size / 1e3:.0f} kB  {seconds:.1f} s  {light}"
-    )
+    say(f"{written.path}  {columns}x{rows}  {written.size / 1e3:.0f} kB  {seconds:.1f} s  {light}")
 
 
 def _target(
@@ -394,7 +395,7 @@ def _painted(
         raise ParameterError("--wavelengths", wavelengths, allowed)
 
     def refused(reason: str) -> None:
-        print(f"airlight: the processor renders instead: {reason}", file=sys.stderr)
+        note(f"the processor renders instead: {reason}")
 
     with shown_progress() as report:
         return paint_scene(

@@ -9,6 +9,7 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.comparison import print_comparison
+from airlight.cli.console import console
 from airlight.cli.examples import examples
 from airlight.errors import ParameterError
 
@@ -49,8 +50,6 @@ def show(
 
     Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
     """
-    from rich.console import Console
-
     from airlight.planets import Medium
     from airlight.planets.parameter_values import made_of
 
@@ -60,13 +59,13 @@ def show(
         print_comparison(world, options.planet(compare), cache=not no_cache)
         return
     medium = Medium.from_planet(world, world.wavelengths)
-    console = Console()
-    console.print(_overview(world, medium, given=ground_albedo is not None), end="\n\n")
-    console.print(_constituents(world), end="\n\n")
+    out = console()
+    out.print(_overview(world, medium, given=ground_albedo is not None), end="\n\n")
+    out.print(_constituents(world), end="\n\n")
     if any(made_of(one) for one in world.constituents):
-        console.print(_composition(world), end="\n\n")
-    console.print(_optics(world, medium), end="\n\n")
-    console.print(_swatch(world, cache=not no_cache))
+        out.print(_composition(world), end="\n\n")
+    out.print(_optics(world, medium), end="\n\n")
+    out.print(_swatch(world, cache=not no_cache))
 
 
 def _table(*columns: str) -> Table:

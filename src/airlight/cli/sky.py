@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli import options, second_lights, time_and_place
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -181,7 +181,7 @@ def sky(
         raise ParameterError("--wavelengths", wavelengths, allowed)
 
     def refused(reason: str) -> None:
-        print(f"airlight: the processor renders instead: {reason}", file=sys.stderr)
+        note(f"the processor renders instead: {reason}")
 
     with shown_progress() as report:
         made = environment_map(
@@ -205,7 +205,7 @@ def sky(
             raise
         raise ParameterError("--scale", error.value, error.allowed) from None
     if placed.time is not None:
-        print(time_and_place.line(world, placed, sun_distance))
+        say(time_and_place.line(world, placed, sun_distance))
     _report(made, written, precision, time.perf_counter() - started)
 
 
@@ -253,25 +253,25 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
     if written.exposure is not None:
         kind = f"exposure {written.exposure:+.2f} EV"
     size = written.path.stat().st_size / 1e3
-    print(f"{written.path}  {columns}x{rows}  {size:.0f} kB  {seconds:.1f} s  {kind}")
+    say(f"{written.path}  {columns}x{rows}  {size:.0f} kB  {seconds:.1f} s  {kind}")
     words = {"include": "in the map", "exclude": "left out", "light": "a light of its own"}
     for one in made.discs:
         east, north, up = one.direction
         bearing = math.degrees(math.atan2(east, north)) % 360.0
-        print(
+        say(
             f"{one.name}: bearing {bearing:.2f}°, elevation {math.degrees(math.asin(up)):.2f}°, "
             f"{one.angular_diameter:.3g}° wide, {one.illuminance:.4g} lx, {words[made.sun]}"
             + _moved(one)
         )
     if not made.discs:
-        print("no disc of sun or moon is seen")
+        say("no disc of sun or moon is seen")
     if made.gamut.share > 0.0:
-        print(
+        say(
             f"outside sRGB: {100.0 * made.gamut.share:.3g} % of the sky's texels, moved to it at "
             f"their luminance, a channel by at most {made.gamut.largest:.3g} of that"
         )
     for path in written.beside:
-        print(path)
+        say(path)
 
 
 def _moved(disc: Disc) -> str:

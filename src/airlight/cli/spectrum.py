@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 import typer
 
 from airlight.cli import options
+from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import FileError, ParameterError
@@ -120,7 +120,7 @@ def spectrum(
     world = options.planet(planet, set_)
     nm = options.wavelengths(wavelengths, world) if wavelengths else _known(world)
     for line in missing_bands(world, nm):
-        print(f"airlight: {line}", file=sys.stderr)
+        note(line)
 
     from airlight.solvers import solve
 
@@ -141,10 +141,10 @@ def spectrum(
             raise ParameterError(option, error.value, error.allowed) from None
     for path in files:
         _write(path, data)
-        print(f"{path}  {of} of {world.name}  {time.perf_counter() - started:.1f} s")
+        say(f"{path}  {of} of {world.name}  {time.perf_counter() - started:.1f} s")
     if not files:
         _print(data)
-    print(f"airlight: {data.attrs['notes']}", file=sys.stderr)
+    note(data.attrs["notes"])
 
 
 def _checked(files: list[Path]) -> list[Path]:
@@ -197,11 +197,11 @@ def _print(data: xarray.Dataset) -> None:
     units = {name: f"[{data[name].attrs['units']}]" for name in texts}
     wide = {name: max(map(len, (name, units[name], *rows))) for name, rows in texts.items()}
     for cells in ({name: name for name in texts}, units):
-        print("  ".join(f"{cells[name]:>{wide[name]}}" for name in texts))
+        say("  ".join(f"{cells[name]:>{wide[name]}}" for name in texts))
     for k in shown:
-        print("  ".join(f"{rows[k]:>{wide[name]}}" for name, rows in texts.items()))
+        say("  ".join(f"{rows[k]:>{wide[name]}}" for name, rows in texts.items()))
     if whole.sizes["row"] > _ROWS:
-        print(f"… {whole.sizes['row'] - _ROWS} rows more: -o FILE.csv has all")
+        say(f"… {whole.sizes['row'] - _ROWS} rows more: -o FILE.csv has all")
     for label, one in data.data_vars.items():
         if not one.ndim:
-            print(f"{label} {one.item():.4f}: {one.attrs['long_name']}")
+            say(f"{label} {one.item():.4f}: {one.attrs['long_name']}")

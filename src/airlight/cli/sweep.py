@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from airlight.cli import distribution_options, options
+from airlight.cli.console import say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
@@ -19,6 +20,8 @@ EPILOG = examples(
     "--view-zenith 0:180:10 -o two.zarr",
     "airlight sweep mars --vary dust.particles.optical_depth=0.1,0.3,1,3 --sun-zenith 0:80:20 "
     "--view-zenith 0:80:20 --wavelengths 440,550,680 -o dust.zarr",
+    "airlight sweep earth --sun-zenith 60,90 --view-zenith 0:85:5 --azimuth 0:180:15 --stokes "
+    "-o pattern.zarr",
 )
 
 
@@ -57,6 +60,12 @@ def sweep(
     ] = None,
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,
+    stokes: Annotated[
+        bool,
+        typer.Option(
+            "--stokes", help="Q, U, degree and angle of polarisation beside the radiance."
+        ),
+    ] = False,
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,
 ) -> None:
@@ -70,6 +79,8 @@ def sweep(
     from airlight.sweep import sweep as computed
     from airlight.sweep.store import check_store
 
+    if stokes and no_polarisation:
+        raise ParameterError("--stokes", True, "without --no-polarisation")
     check_store(output, "--output")
     first = options.planet(planets[0])
     try:
@@ -92,11 +103,11 @@ def sweep(
         raise ParameterError(option, error.value, error.allowed) from None
     with shown_progress() as report, distribution_options.named():
         done = computed(
-            grid, output, quality=quality, polarisation=not no_polarisation, scheduler=scheduler,
-            workers=workers, progress=report,
+            grid, output, quality=quality, polarisation=not no_polarisation, stokes=stokes,
+            scheduler=scheduler, workers=workers, progress=report,
         )  # fmt: skip
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
-    print(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} kept  "
+    say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} kept  "
           f"{time.perf_counter() - started:.1f} s")  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from airlight.cli.console import say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import FileError, ParameterError
@@ -36,8 +37,8 @@ def validate(
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="golden, solvers, spherical, cie, measured, kider, energy, disort, published or "
-            "all (all); may be given several times.",
+            help="golden, solvers, spherical, cie, measured, kider, energy, disort, published, "
+            "polarisation or all (all); may be given several times.",
         ),
     ] = None,
     data: Annotated[
@@ -83,17 +84,17 @@ def validate(
         for one in run(names, data, progress=report):
             suites.append(one)
             met = sum(bar.passed for bar in one.bars)
-            print(
+            say(
                 f"{one.name:10s} {result_word(one):20s} {met} of {len(one.bars)} bars  "
                 f"{one.seconds:.1f} s",
                 flush=True,
             )
             for bar in one.bars:
                 if not bar.passed:
-                    print(f"  missed: {bar.name}: {bar.got:.4g}, allowed {bar.allowed:.4g}")
+                    say(f"  missed: {bar.name}: {bar.got:.4g}, allowed {bar.allowed:.4g}")
     whole = Report(suites=suites, provenance=provenance(), seconds=time.perf_counter() - started)
     _write(whole, output, pictures)
-    print(f"{output}  {output.stat().st_size / 1e3:.0f} kB  {whole.verdict}")
+    say(f"{output}  {output.stat().st_size / 1e3:.0f} kB  {whole.verdict}")
     if not whole.passed:
         raise typer.Exit(MISSED)
 

@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 import typer
 
 from airlight.cli import options
+from airlight.cli.console import say
 from airlight.cli.examples import examples
 from airlight.errors import ParameterError
 
@@ -138,7 +139,7 @@ def view(
     if screenshot is not None:
         size_kb = screenshot.stat().st_size / 1e3
         seconds = time.perf_counter() - started
-        print(f"{screenshot}  {width}x{height}  {size_kb:.0f} kB  {seconds:.1f} s")
+        say(f"{screenshot}  {width}x{height}  {size_kb:.0f} kB  {seconds:.1f} s")
 
 
 def _view_values(

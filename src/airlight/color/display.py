@@ -16,6 +16,7 @@ from airlight.color.glare import Glare
 from airlight.color.tone_maps import TONE_MAPS, tone_map_named
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop
+from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.threads import run_blocks
 
 #: Tone map of pictures, unless another is named.
@@ -202,13 +203,15 @@ def to_display(
     )
     lens = Glare(rgb, pixel_angle, glare)
     height, width = rgb.shape[:2]
-    picture = np.empty((height, width, 3), dtype=_TYPES[bits])
+    picture = zeros((height, width, 3), _TYPES[bits])
     rows = max(1, _BLOCK // max(1, width))
 
     def show(index: int) -> None:
         chosen = slice(index * rows, min((index + 1) * rows, height))
         light = lens.rows(chosen.start, chosen.stop)
         display_rows(light, picture[chosen], index * rows, most, display)
+        release(light)
+        release(picture[chosen])
 
     run_blocks(show, -(-height // rows))
     return picture

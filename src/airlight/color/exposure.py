@@ -13,6 +13,7 @@ from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.large_arrays import release
 
 #: Exposure suited to the sunlit Earth, where it is not measured. [EV]
 DEFAULT_EXPOSURE: Final = -4.0
@@ -44,6 +45,8 @@ _BRIGHTNESS: Final = 1.0 / 3.0
 _NIGHT: Final = 1e-4
 #: Approximate number of pixels sampled, every k-th row and column.
 SAMPLE: Final = 32_768
+#: Rows that are sampled before the memory of a large picture is released.
+_ROWS: Final = 8
 #: Exposure at which a sensor of ISO 1 saturates [lx s], and the light that passes a lens.
 _SATURATION: Final = 78.0
 _LENS: Final = 0.65
@@ -189,6 +192,30 @@ def sampling_step(height: int, width: int) -> int:
     return max(1, math.isqrt(height * width // SAMPLE))
 
 
+def sampled(rgb: NDArray[np.floating], step: int) -> NDArray[np.float64]:
+    """Every so many rows and columns of a picture.
+
+    Parameters
+    ----------
+    rgb : array, shape (height, width, 3)
+        Picture.
+    step : int
+        Step between them. [pixel]
+
+    Returns
+    -------
+    array, shape (ceil(height / step), ceil(width / step), 3)
+        Copy.
+    """
+    rows = rgb[::step, ::step]
+    out = np.empty(rows.shape)
+    for number, row in enumerate(rows):
+        out[number] = row
+        if number % _ROWS == 0:  # a row of a large picture brings its neighbours into memory
+            release(rgb)
+    return out
+
+
 def automatic_exposure(
     rgb: NDArray[np.floating], weights: NDArray[np.floating] | None = None
 ) -> float:
@@ -236,7 +263,7 @@ def automatic_exposure(
     """
     height, width = rgb.shape[:2]
     step = sampling_step(height, width)
-    bright = luminance(np.asarray(rgb[::step, ::step], dtype=np.float64)).ravel()
+    bright = luminance(sampled(rgb, step)).ravel()
     weight = np.ones(bright.size) if weights is None else weights[::step, ::step].ravel()
     counted = np.isfinite(bright) & (bright > 0.0) & (weight > 0.0)
     black = float(weight[np.isfinite(bright) & ~counted].sum())

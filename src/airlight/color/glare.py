@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop, inlined, kernel
+from airlight.kernel.large_arrays import bands, release, zeros
 from airlight.kernel.threads import run_blocks
 
 Float32Array = NDArray[np.float32]
@@ -309,6 +310,8 @@ class Glare:
             return self._picture[first:last]
         out = np.empty_like(self._picture[first:last])
         _glare(first, last, self._picture, self._coarser, self._amount, self._total, out)
+        release(self._picture[first:last])
+        release(self._coarser[first // 2 : last // 2])
         return out
 
 
@@ -333,9 +336,13 @@ def checked_amount(amount: float, field: str = "glare") -> float:
 
 
 def _finite(rgb: NDArray[np.floating[Any]]) -> NDArray[np.floating[Any]]:
-    if np.isfinite(rgb.sum()):
+    """The picture, or a copy with zeros for what is not finite."""
+    if all(np.isfinite(band.sum()) for band in bands(rgb)):
         return rgb
-    return np.asarray(np.nan_to_num(rgb, nan=0.0, posinf=0.0, neginf=0.0))
+    finite = zeros(rgb.shape, rgb.dtype)
+    for band, copy in zip(bands(rgb), bands(finite), strict=True):
+        copy[:] = np.nan_to_num(band, nan=0.0, posinf=0.0, neginf=0.0)
+    return finite
 
 
 def _spread_levels(rgb: NDArray[np.floating[Any]], shares: list[float]) -> Float32Array:
@@ -343,11 +350,11 @@ def _spread_levels(rgb: NDArray[np.floating[Any]], shares: list[float]) -> Float
     levels: list[Any] = [rgb]
     for _ in shares:
         height, width = levels[-1].shape[:2]
-        levels.append(np.empty((-(-height // 2), -(-width // 2), 3), np.float32))
+        levels.append(zeros((-(-height // 2), -(-width // 2), 3), np.float32))
         _in_blocks(_coarsen, levels[-1], levels[-2], levels[-1])
     coarser, more = levels[-1], False
     for level, share in zip(levels[:0:-1], shares[::-1], strict=True):
-        spread = np.empty_like(level)
+        spread = zeros(level.shape, np.float32)
         _in_blocks(_spread, spread, level, coarser, share, more, spread)
         coarser, more = spread, True
     return np.asarray(coarser)
@@ -357,6 +364,12 @@ def _in_blocks(loop: Any, out: Float32Array, *arguments: Any) -> None:
     """Run a loop over blocks of rows."""
     height, width = out.shape[:2]
     rows = max(1, _BLOCK // width)
-    run_blocks(
-        lambda k: loop(k * rows, min((k + 1) * rows, height), *arguments), -(-height // rows)
-    )
+
+    def block(k: int) -> None:
+        first, last = k * rows, min((k + 1) * rows, height)
+        loop(first, last, *arguments)
+        for array in (one for one in arguments if isinstance(one, np.ndarray)):
+            scale = len(array) / height
+            release(array[int(scale * first) : int(scale * last)])
+
+    run_blocks(block, -(-height // rows))

@@ -20,6 +20,7 @@ from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import vectorized
 from airlight.optics.reflection import leaving_cosine, sky_factors, star_factors
 from airlight.planets.medium import Medium
+from airlight.solvers.moments.many_stars import light_apart
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Solution
@@ -59,6 +60,9 @@ class AirLight:
         Number of scatterings or reflections; None for all light.
     cumulative : bool
         Whether all orders up to ``order`` are included.
+    peaks_once : bool
+        Whether what forward peaks scatter again counts as light scattered once where that is given
+        apart.
 
     Raises
     ------
@@ -67,10 +71,16 @@ class AirLight:
     """
 
     def __init__(
-        self, solution: Solution, order: int | None = None, *, cumulative: bool = False
+        self,
+        solution: Solution,
+        order: int | None = None,
+        *,
+        cumulative: bool = False,
+        peaks_once: bool = False,
     ) -> None:
         solution.check_order(order)
         self.solution = solution
+        self.peaks_once = peaks_once
         self.orders: tuple[int | None, ...] = (order,)
         if order is not None and cumulative:
             self.orders = tuple(range(1, order + 1))
@@ -95,9 +105,9 @@ class AirLight:
     def once_and_rest(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
         """Air's light in the solution's own parts, if it is a moments solution.
 
-        Where forward peaks count as unscattered, at a low sun in dusty air, the light scattered
-        once is many times that of single scattering proper, and follows the phase functions all
-        the same.
+        With all orders, the light scattered once is that of single scattering proper, and what
+        forward peaks scatter again is in the rest, unless it counts as scattered once. The first
+        order alone is the solution's own, in air thinned by its peaks.
 
         Returns
         -------
@@ -108,26 +118,40 @@ class AirLight:
         """
         solution = self.solution
         assert isinstance(solution, MomentsSolution)
-        medium = solution.medium
-        own = medium.phase_function(solution.paths.seen_nu(sight))
-        once = np.zeros_like(own)
-        for index in np.flatnonzero((medium.scattering > 0.0).any(axis=1)):
-            light = solution.marched(sight, 1, scatterers=[int(index)], ground=False)
-            np.divide(light, own[:, index], out=once[:, index], where=own[:, index] > 0.0)
-        if None in self.orders:
-            return once, solution.marched(sight, 0, ground=False)
-        return once, np.zeros_like(once[:, 0])
+        whole = None in self.orders
+        if whole and not self.peaks_once:
+            light, once = light_apart(solution, sight, 2, thinned=False)
+            own = solution.medium.phase_function(solution.paths.seen_nu(sight))
+            return once, np.maximum(light - (once * own).sum(axis=1), 0.0)
+        light, once = light_apart(solution, sight, 0 if whole else 1, thinned=True)
+        return once, light if whole else np.zeros_like(light)
 
     def __call__(self, sight: Sight) -> FloatArray:
         """Air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
         through = self._through(sight)
         return np.asarray(sum(self._of_order(sight, order, through) for order in self.orders))
 
-    def with_ground(self, sight: Sight) -> FloatArray:
-        """Light of the chosen orders, the ground's included, shape (n, nl). [sr⁻¹]"""
-        return np.asarray(
-            sum(self.solution.relative_radiance(sight, order=order) for order in self.orders)
-        )
+    def under_many_stars(self, sight: Sight) -> FloatArray:
+        """Same as a call, faster where neighbours differ in the place of the star alone. [sr⁻¹]"""
+        if not self.apart:
+            return self(sight)
+        assert isinstance(self.solution, MomentsSolution)
+        orders = 2 if None in self.orders else 1
+        return light_apart(self.solution, sight, orders, thinned=True)[0]
+
+    def before_the_ground(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
+        """Air's light, and all light of the same orders, the ground's included, (n, nl). [sr⁻¹]"""
+        if self.apart:
+            assert isinstance(self.solution, MomentsSolution)
+            own, whole = self.solution.before_the_ground(sight, 2 if None in self.orders else 1)
+            return own, np.maximum(whole, own)
+        own, rows = self(sight), sight.to_ground
+        whole = own.copy()
+        if rows.any():
+            down = Sight(*(values[rows] for values in vars(sight).values()))
+            light = sum(self.solution.relative_radiance(down, order=k) for k in self.orders)
+            whole[rows] = np.maximum(np.asarray(light), own[rows])
+        return own, whole
 
     def _through(self, sight: Sight) -> FloatArray:
         """Transmittance of the lines that end on the ground, one row for each, (rows, nl). [1]"""

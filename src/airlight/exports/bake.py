@@ -172,7 +172,9 @@ def bake(
         raise ParameterError("precision", precision, "single, half")
     if points < 1:
         raise ParameterError("points", points, "1 or more")
-    air = AirLight(solution, order, cumulative=cumulative)
+    # What peaks scatter again has the shape of the higher orders' light, which Rayleigh's phase
+    # function as divisor would lose.
+    air = AirLight(solution, order, cumulative=cumulative, peaks_once=smooth_phase == "rayleigh")
     step = _Steps(progress, cancel)
     medium = solution.medium
     parts = parts_of(medium, each=layout == "bruneton" and packing == "separate")
@@ -293,7 +295,9 @@ def _scattering(
     smooth_is = f"{_AIR}, divided by {_DIVISORS[phases.names[0]]}"
     dust_is = f"{_AIR}: the particles' part, divided by their phase function"
     if packing == "phase-included":
-        values = step.run(positions, lambda p: [air(lines_of_sight(p, medium))], "scattering")[0]
+        values = step.run(
+            positions, lambda p: [air.under_many_stars(lines_of_sight(p, medium))], "scattering"
+        )[0]
         return [("scattering", values, _AIR, "sr-1")]
     if isinstance(where, AtmospherePlusLayout):
         grey = packing == "rgba"
@@ -372,13 +376,6 @@ def _scattering(
     return out + apart_too
 
 
-def _air_and_all(air: AirLight, positions: Positions) -> list[FloatArray]:
-    """Air's light, and all light of the same orders, the ground's included."""
-    sight = lines_of_sight(positions, air.solution.medium)
-    own = air(sight)
-    return [own, np.maximum(air.with_ground(sight), own)]
-
-
 def _peaked(
     air: AirLight, light: ScatteredLight, points: int, seed: int, step: _Steps
 ) -> dict[str, Errors]:
@@ -387,7 +384,7 @@ def _peaked(
     shell = (medium.bottom_radius, medium.top_radius)
 
     def compared(where: Positions) -> list[FloatArray]:
-        own, whole = _air_and_all(air, where)
+        own, whole = air.before_the_ground(lines_of_sight(where, medium))
         return [light.relative_radiance(where), own, whole]
 
     def size(made: FloatArray, exact: FloatArray, whole: FloatArray) -> FloatArray:
@@ -439,7 +436,9 @@ def _errors(
         if name != "sky" and given is None:
             continue
         positions = table_errors.random_positions(medium, points, seed, given)
-        exact, whole = step.run(positions, lambda p: _air_and_all(air, p), "errors")
+        exact, whole = step.run(
+            positions, lambda p: [*air.before_the_ground(lines_of_sight(p, medium))], "errors"
+        )
         turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
         made = light.relative_radiance(positions)
         for of, rows, quantity in (

@@ -11,8 +11,11 @@ from numpy.typing import NDArray
 
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import FileError, ParameterError
+from airlight.exports.exr_bands import write_bands
 from airlight.exports.header import header
 from airlight.exports.whole_file import whole_file
+from airlight.kernel.large_arrays import LARGE, bands
+from airlight.kernel.memory import check_picture
 
 #: Chromaticities of red, green, blue and white. [ITU-R BT.709-6, item 1.3 and 1.4]
 REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
@@ -79,12 +82,11 @@ def write_exr(
         raise ParameterError("precision", precision, ", ".join(PRECISIONS))
     if compression not in COMPRESSIONS:
         raise ParameterError("compression", compression, ", ".join(COMPRESSIONS))
-    with np.errstate(over="ignore"):
-        pixels = {
-            name: np.ascontiguousarray(values.astype(PRECISIONS[precision], copy=False))
-            for name, values in _channels(rgb, layers).items()
-        }
-    largest = max(float(np.abs(one).max(initial=0.0)) for one in (rgb, *layers.values()))
+    largest = max(
+        float(np.abs(band).max(initial=0.0))
+        for one in (rgb, *layers.values())
+        for band in bands(one)
+    )
     if LARGEST_HALF < largest < np.inf and "half" in (precision, _KEPT.get(compression)):
         words = f"at most {LARGEST_HALF:g} in half floats: scale it"
         raise ParameterError("rgb", f"{largest:.4g}", words)
@@ -97,10 +99,18 @@ def write_exr(
         **header(metadata or {}),
         **(attributes or {}),
     }
+    channels, kind = _channels(rgb, layers), PRECISIONS[precision]
     with whole_file(path) as part:
         try:
-            image = OpenEXR.File(written, pixels)
-            image.write(str(part))
+            if rgb.nbytes >= LARGE:
+                write_bands(part, written, channels, kind)
+            else:
+                with np.errstate(over="ignore"):
+                    pixels = {
+                        name: np.ascontiguousarray(values.astype(kind, copy=False))
+                        for name, values in channels.items()
+                    }
+                OpenEXR.File(written, pixels).write(str(part))
         except (RuntimeError, ValueError, TypeError) as error:
             raise FileError(path, f"cannot be written: {error}") from error
 
@@ -170,6 +180,7 @@ def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
     """
     import OpenEXR
 
+    check_exr(path)
     try:
         with OpenEXR.File(str(path), separate_channels=True) as image:
             return {name: np.array(one.pixels) for name, one in image.channels().items()}
@@ -197,6 +208,7 @@ def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
     """
     import OpenEXR
 
+    check_exr(path)
     try:
         with OpenEXR.File(str(path)) as image:
             rgb = np.array(image.channels()["RGB"].pixels)
@@ -204,6 +216,26 @@ def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
     except (RuntimeError, ValueError, TypeError, KeyError) as error:
         raise FileError(path, f"cannot be read as RGB OpenEXR: {error}") from error
     return rgb, texts
+
+
+def check_exr(path: str | Path) -> None:
+    """Refuse a file by the sizes in its headers, before any of it is decoded.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read, or is larger than ``check_picture`` allows.
+    """
+    import OpenEXR
+
+    try:
+        with OpenEXR.File(str(path), header_only=True) as image:
+            windows = [part.header["dataWindow"] for part in image.parts]
+            sides = [np.asarray(last) - np.asarray(first) + 1 for first, last in windows]
+    except (RuntimeError, ValueError, TypeError, KeyError) as error:
+        raise FileError(path, f"cannot be read as OpenEXR: {error}") from error
+    for width, height in sides:
+        check_picture(path, int(width), int(height))
 
 
 def read_exr_header(path: str | Path) -> dict[str, str]:

@@ -239,7 +239,10 @@ def fit_azimuths(
     medium = air.solution.medium
     azimuths = 180.0 * (np.arange(FIT_AZIMUTHS) + 0.5) / FIT_AZIMUTHS
     around = [at_azimuth(positions, azimuth) for azimuth in azimuths]
-    light = np.stack([air(lines_of_sight(one, medium)) for one in around])
+    fields = ("r", "mu", "mu_s", "nu", "to_ground")
+    each = (np.stack([getattr(one, name) for one in around], axis=-1).ravel() for name in fields)
+    light = air.under_many_stars(lines_of_sight(Positions(*each), medium))
+    light = np.moveaxis(light.reshape(len(positions), FIT_AZIMUTHS, -1), 1, 0)
     p_gas = np.stack([parts.phases.at("gas", one.nu) for one in around])
     weight = 1.0 / np.maximum(light, _DIM * light.max(axis=0) + _TINY) ** 2
     gas_gas = (weight * p_gas * p_gas).sum(axis=0)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
+import struct
+import zlib
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, BinaryIO, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +15,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.exports.header import header
 from airlight.exports.whole_file import whole_file
+from airlight.kernel.large_arrays import LARGE, bands
 
 #: Chunks in front of the pixels, as type and data.
 Chunks = list[tuple[bytes, bytes]]
@@ -20,6 +23,9 @@ Chunks = list[tuple[bytes, bytes]]
 #: cICP of Display P3: its primaries, the curve of sRGB, no matrix, full range. [ITU-T H.273, 8.1 to
 #: 8.3; PNG specification, third edition (W3C 2025), section 11.3.2.6]
 _DISPLAY_P3: Final = bytes([12, 13, 0, 1])
+
+#: Effort of the compression, 0 to 9.
+_LEVEL: Final = 5
 
 #: The last chunk, IEND. [PNG specification, section 11.2.5]
 _END: Final = b"\0\0\0\0IEND\xaeB\x60\x82"
@@ -109,8 +115,8 @@ def write_png(
     texts = header(metadata or {})
     pixels = np.ascontiguousarray(pixels)
     with whole_file(path) as part, part.open("wb") as stream:
-        if pixels.dtype == np.uint16:
-            stream.write(_sixteen_bits(pixels, chunks, texts))
+        if pixels.dtype == np.uint16 or pixels.nbytes >= LARGE:
+            _write_bands(stream, pixels, chunks, texts)
         else:
             _write_eight_bits(stream, pixels, chunks, texts)
 
@@ -127,21 +133,61 @@ def _write_eight_bits(
     for name, text in texts.items():
         info.add_text(name, text)
     image: Any = Image.fromarray(pixels)
-    image.save(stream, format="png", pnginfo=info, compress_level=5)
+    image.save(stream, format="png", pnginfo=info, compress_level=_LEVEL)
 
 
-def _sixteen_bits(pixels: NDArray[np.uint16], chunks: Chunks, texts: Mapping[str, str]) -> bytes:
-    """File of 16 bits per channel, which Pillow does not write."""
+def _write_bands(
+    stream: BinaryIO, pixels: NDArray[Any], chunks: Chunks, texts: Mapping[str, str]
+) -> None:
+    """Write band by band: pictures of 16 bits per channel, which Pillow does not write, and large.
+
+    References
+    ----------
+    PNG specification, third edition (W3C 2025), sections 10.1 and 11.2.1.
+    """
     import png
 
     height, width = pixels.shape[:2]
-    plain, out = io.BytesIO(), io.BytesIO()
-    rows = pixels.astype(">u2").reshape(height, -1).view(np.uint8)
-    png.Writer(width, height, bitdepth=16, greyscale=False, compression=5).write_packed(plain, rows)
-    first, *rest = png.Reader(bytes=plain.getvalue()).chunks()
-    worded = [(b"iTXt", _worded(name, text)) for name, text in texts.items()]
-    png.write_chunks(out, [first, *chunks, *worded, *rest])
-    return out.getvalue()
+    bits, lines = (16, _plain_lines) if pixels.dtype == np.uint16 else (8, _filtered_lines)
+    stream.write(png.signature)
+    png.write_chunk(stream, b"IHDR", struct.pack(">IIBBBBB", width, height, bits, 2, 0, 0, 0))
+    for kind, data in chunks:
+        png.write_chunk(stream, kind, data)
+    for name, text in texts.items():
+        png.write_chunk(stream, b"iTXt", _worded(name, text))
+    packed = zlib.compressobj(_LEVEL)
+    for band in lines(pixels):
+        if data := packed.compress(band):
+            png.write_chunk(stream, b"IDAT", data)
+    png.write_chunk(stream, b"IDAT", packed.flush())
+    stream.write(_END)
+
+
+def _plain_lines(pixels: NDArray[np.uint16]) -> Iterator[bytes]:
+    """Lines of bands, each behind the number of its filter, none."""
+    for band in bands(pixels):
+        numbers = band.astype(">u2").reshape(len(band), -1).view(np.uint8)
+        yield np.pad(numbers, ((0, 0), (1, 0))).tobytes()
+
+
+def _filtered_lines(pixels: NDArray[np.uint8]) -> Iterator[bytes]:
+    """Lines of bands as Pillow filters them, each behind the number of its filter.
+
+    A filter reads the line above; so each band is filtered with the last line of the one before.
+    """
+    import png
+    from PIL import Image
+
+    first = 0
+    for band in bands(pixels):
+        above = min(first, 1)
+        plain = io.BytesIO()
+        image = Image.fromarray(pixels[first - above : first + len(band)])
+        image.save(plain, format="png", compress_level=0)
+        read = png.Reader(bytes=plain.getvalue()).chunks()
+        lines = zlib.decompress(b"".join(data for kind, data in read if kind == b"IDAT"))
+        yield lines[above * (1 + band[:1].nbytes) :]
+        first += len(band)
 
 
 def _worded(name: str, text: str) -> bytes:

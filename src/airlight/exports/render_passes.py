@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.exports.exr import check_exr
 
 Float32Array = NDArray[np.float32]
 
@@ -209,6 +210,7 @@ def read_render_passes(path: str | Path) -> RenderPasses:
 
     if not Path(path).is_file():
         raise FileError(path, "no such file")
+    check_exr(path)
     channels: dict[str, NDArray[Any]] = {}
     try:
         with OpenEXR.File(str(path), separate_channels=True) as image:

@@ -42,6 +42,7 @@ from airlight.exports.whole_folder import (
     whole_folder,
     write_manifest,
 )
+from airlight.kernel.threads import run_blocks
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
 from airlight.tables.table import Table, layout_of
 
@@ -93,14 +94,21 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
     """
     with whole_folder(folder, FORMAT) as part:
         manifest = _manifest(baked)
-        for name, table in baked.tables.items():
-            arrays = {f"{name}.npz": part / f"{name}.npz", f"{name}.exr": part / f"{name}.exr"}
-            with arrays[f"{name}.npz"].open("wb") as stream:
+        files = [part / f"{name}.{kind}" for name in baked.tables for kind in ("npz", "exr")]
+
+        def write(index: int) -> None:
+            path = files[index]
+            table = baked.tables[path.stem]
+            if path.suffix == ".exr":
+                write_exr_channels(path, exr_channels(table), _texts(baked, table))
+                return
+            with path.open("wb") as stream:
                 np.savez_compressed(stream, values=table.values)
-            write_exr_channels(arrays[f"{name}.exr"], exr_channels(table), _texts(baked, table))
-            manifest["tables"][name]["files"] = {
-                file: fingerprint(path) for file, path in arrays.items()
-            }
+
+        run_blocks(write, len(files))  # compressing lets other threads run
+        for path in files:
+            stored = manifest["tables"][path.stem].setdefault("files", {})
+            stored[path.name] = fingerprint(path)
         manifest["light"]["files"] = {}
         if has_look_up(baked):
             _write_look_up(part, baked, manifest)

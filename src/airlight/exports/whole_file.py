@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from airlight.errors import FileError
+from airlight.exports.beginnings import begun
 
 
 def check_target(path: str | Path) -> Path:
@@ -82,12 +83,10 @@ def whole_file(path: str | Path) -> Iterator[Path]:
     """
     target = check_target(path)
     part = target.with_name(f".{secrets.token_hex(8)}.part")
-    try:
-        part.touch(exist_ok=False)
-        yield part
-        part.replace(target)
-    except OSError as error:
-        raise FileError(path, f"cannot be written: {error.strerror or error}") from error
-    finally:
-        with contextlib.suppress(OSError):
-            part.unlink(missing_ok=True)
+    with begun(part):
+        try:
+            part.touch(exist_ok=False)
+            yield part
+            part.replace(target)
+        except OSError as error:
+            raise FileError(path, f"cannot be written: {error.strerror or error}") from error

@@ -6,12 +6,12 @@ import contextlib
 import hashlib
 import json
 import secrets
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import FileError
+from airlight.exports.beginnings import begun
 
 #: Name of the manifest in its folder.
 MANIFEST: Final = "manifest.json"
@@ -32,8 +32,8 @@ def check_folder(folder: str | Path, form: str) -> Path:
     FileError
         If it is a file, its parent is missing, or it holds files but no such manifest.
     """
-    target = Path(folder).resolve()
     try:
+        target = Path(folder).resolve()
         if target.exists() and not target.is_dir():
             raise FileError(folder, "is a file, not a folder")
         if not target.parent.is_dir():
@@ -42,7 +42,7 @@ def check_folder(folder: str | Path, form: str) -> Path:
             raise FileError(folder, f"holds files, but no {MANIFEST}: name a new or empty folder")
         if (target / MANIFEST).is_file():
             read_manifest(target / MANIFEST, form)
-    except OSError as error:
+    except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
         raise FileError(folder, str(error)) from error
     return target
 
@@ -65,14 +65,13 @@ def whole_folder(folder: str | Path, form: str) -> Iterator[Path]:
     """
     target = check_folder(folder, form)
     part = target.with_name(f".{secrets.token_hex(8)}.part")
-    try:
-        part.mkdir()
-        yield part
-        _put(part, target, form)
-    except OSError as error:
-        raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
+    with begun(part):
+        try:
+            part.mkdir()
+            yield part
+            _put(part, target, form)
+        except OSError as error:
+            raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
 
 
 def write_manifest(folder: Path, manifest: dict[str, Any]) -> None:

@@ -19,6 +19,7 @@ from airlight.film.frames_folder import FINGERPRINT, FramesFolder
 from airlight.film.movie import write_movie
 from airlight.film.still import Quality, Still, distinct_solutions
 from airlight.kernel import disk
+from airlight.kernel.cost import announce_all
 from airlight.scene.metering import METERED
 
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ FilmExposure = float | Literal["auto", "locked"]
 #: Frames that are prepared before another one has to be read: of a film whose planet changes, each
 #: has its own.
 _KEPT: Final = 512
+#: Frames by which the number of a film's solutions is estimated.
+_SAMPLED: Final = 32
 #: Source that draws frames.
 _SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("still.py", "finish.py"))
 
@@ -133,6 +136,7 @@ def animate(
                     opened_runner(tasks, scheduler=scheduler, workers=workers)
                 )
                 say(f"{tasks} frames to draw by {runner.description}")
+                job.announce(tasks)
                 job.prepare(runner)
             return runner
 
@@ -238,6 +242,22 @@ class _Job:
                 self.still(number), self._finish, self._exposure_of(number), self._eye,
                 self.fingerprint(number), _code(),
             )  # fmt: skip
+
+    def announce(self, frames: int) -> None:
+        """Announce frames that take long together, and solutions if they have several."""
+        count = self._film.plan.count
+        sampled = min(count, _SAMPLED)
+        some = [self.still(count * k // sampled) for k in range(sampled)]
+        changes = distinct_solutions(some)
+        cost = some[0].cost()
+        # A single solution announces itself, if it is not on disk.
+        solutions = 0.0 if changes == 1 else frames * changes / sampled
+        pictures = [(kind, frames * amount) for kind, amount in cost.items() if kind != "solve"]
+        columns, rows = self._size
+        announce_all(
+            f"{frames} frames of {columns}x{rows} pixels",
+            [*pictures, ("solve", solutions * cost["solve"])],
+        )
 
     def prepare(self, runner: Runner) -> None:
         """Solve once, here and on each other machine, what all frames share."""

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
 
 from airlight.distribution.fingerprint import digest
+from airlight.kernel.cost import LINES
 from airlight.paint.paint_system import paint_system
 from airlight.paint.solve_planet import solve_planet
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -19,12 +20,15 @@ from airlight.scene.frame import Frame
 from airlight.scene.ground_overlay import lights_file
 from airlight.scene.local_ground import local_ground
 from airlight.scene.surface_map import map_file, water_file
+from airlight.solvers.moments.solution import solve_work
 from airlight.system import System
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
     from airlight.solvers.moments.solution import MomentsSolution
 
+#: Work of a picture of any size, for its table of the sky, in wavelengths of pixels. [1]
+_TABLE: Final = 1.5e6
 #: Solution of the frame drawn last, which the next one mostly shares.
 _SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
 
@@ -65,6 +69,9 @@ class Still(Protocol):
 
     def prepare(self, progress: Progress | None = None) -> None:
         """Solve what the frame needs and keep it on disk."""
+
+    def cost(self) -> dict[str, float]:
+        """Amounts of work of its picture and of its solutions, by kinds of ``kernel.cost``."""
 
     @property
     def solved_for(self) -> object:
@@ -117,6 +124,14 @@ class PlanetStill:
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``Still``."""
         self._solution(progress)
+
+    def cost(self) -> dict[str, float]:
+        """See ``Still``."""
+        how, camera = self.how, self.scene.camera
+        nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
+        drawn = camera.width * camera.height * (how.samples or 1) ** 2 * len(nm)
+        kind = LINES if how.exact else "picture"
+        return {kind: float(drawn) + _TABLE, "solve": solve_work(how.quality, len(nm))}
 
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
         how, scene = self.how, self.scene
@@ -194,6 +209,17 @@ class SystemStill:
             self.system, width=width, height=height, wavelengths=how.wavelengths,
             quality=how.quality, samples=how.samples, progress=progress,
         )  # fmt: skip
+
+    def cost(self) -> dict[str, float]:
+        """See ``Still``; samples at the edges of bodies are not counted."""
+        how, planets = self.how, self.system.planets.values()
+        counts = [
+            len(picture_wavelengths(one) if how.wavelengths is None else how.wavelengths)
+            for one in planets
+        ]
+        solves = sum(solve_work(how.quality, count) for count in counts)
+        return {"picture": float(self.width * self.height * max(counts, default=3)),
+                "solve": solves}  # fmt: skip
 
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``Still``."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.nested_tables import Tables
+from airlight.planets.schema.measures import text_of
 from airlight.units import quantities
 
 FloatArray = NDArray[np.float64]
@@ -93,7 +94,7 @@ def tilted(
 
     Examples
     --------
-    >>> haze = {"wavelengths": [440.0, 550.0], "optical_depth": [0.2, 0.1]}
+    >>> haze = {"wavelengths": "440, 550 nm", "optical_depth": [0.2, 0.1]}
     >>> [round(x, 6) for x in tilted(haze, 1.0, np.array([500.0]), (300.0, 900.0))["optical_depth"]]
     [0.25, 0.1]
     """
@@ -102,7 +103,7 @@ def tilted(
         nm = np.array(quantities(table["wavelengths"], "nm", "wavelengths"))
     else:
         nm = _nodes(wavelengths, limits)
-        table["wavelengths"] = nm.tolist()
+        table["wavelengths"] = [text_of(one, "nm") for one in nm.tolist()]
     power = (nm / _PIVOT) ** -by
     keep = 1.0
     for key, unit in COEFFICIENTS.items():
@@ -111,7 +112,8 @@ def tilted(
         old = np.broadcast_to(quantities(table[key], unit, key), nm.shape)
         if keep == 1.0:
             keep = _at_pivot(nm, old) / _at_pivot(nm, old * power) if old.any() else 1.0
-        table[key] = (keep * power * old).tolist()
+        shown = unit.removeprefix("1") or "1"
+        table[key] = [text_of(one, shown) for one in (keep * power * old).tolist()]
     return table
 
 

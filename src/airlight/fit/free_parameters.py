@@ -297,7 +297,7 @@ def _plain(tables: Tables, path: str, default: float) -> float:
 
 def _times(listed: Any, share: float, unit: str) -> Any:
     numbers = quantities(listed, unit, "value")
-    found = [one * share for one in numbers]
+    found = [text_of(one * share, unit.removeprefix("1") or "1") for one in numbers]
     return found if isinstance(listed, list) else found[0]
 
 

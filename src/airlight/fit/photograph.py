@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.fit.measurements import angle_from_sun
+from airlight.kernel.memory import check_picture
 from airlight.scene.camera import Camera
 
 FloatArray = NDArray[np.float64]
@@ -217,7 +219,11 @@ def _encoded(path: Path) -> tuple[FloatArray, dict[str, str]]:
     from PIL import Image, UnidentifiedImageError
 
     try:
-        with Image.open(path) as image:
+        with warnings.catch_warnings():  # Pillow warns of large pictures when it opens them
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            opened = Image.open(path)
+        with opened as image:
+            check_picture(path, *image.size)
             image.load()
             texts = {str(k): str(v) for k, v in image.info.items() if isinstance(v, str)}
             sixteen = _sixteen_bits(path) if image.format == "PNG" else None

@@ -152,7 +152,7 @@ def seen_star(x, mu_s, bottom, top, lift):
 
 #: A star whose centre is more than this many of its radii above the horizon is sampled at its
 #: centre: the two points of a lower star differ by less than 1e-3 from it in clear air.
-_HIGH = 16.0
+HIGH = 16.0
 
 
 @inlined
@@ -177,7 +177,7 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
     """
     seen, squeeze, elevation = seen_star(x, mu_s, bottom, top, lift)
     received = squeeze * visible_fraction(elevation, star_radius)
-    if received <= 0.0 or star_radius <= 0.0 or elevation > _HIGH * star_radius:
+    if received <= 0.0 or star_radius <= 0.0 or elevation > HIGH * star_radius:
         return received, seen, seen
     mean, deviation = visible_spread(elevation, star_radius)
     middle = seen + squeeze * (bottom / x) * (mean - elevation)

@@ -9,9 +9,8 @@ from __future__ import annotations
 import contextlib
 import math
 import os
-import secrets
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any, Final
@@ -21,10 +20,18 @@ import numpy as np
 import platformdirs
 
 from airlight.kernel.fingerprints import fingerprint
+from airlight.kernel.lowering import CompiledKernel
 
 #: Fast-math flags that keep the meaning of NaN and infinity; inputs are checked at the public
 #: functions.
 FAST: Final = frozenset({"contract", "reassoc", "nsz", "arcp", "afn"})
+
+_OPTIONS: Final[dict[str, Any]] = {
+    "fastmath": set(FAST),
+    "error_model": "numpy",
+    "nogil": True,
+    "no_cfunc_wrapper": True,  # for calls from C, which nobody makes
+}
 
 #: Number of fingerprints per source file whose compiled code stays on disk.
 _KEPT_FINGERPRINTS: Final = 8
@@ -41,66 +48,32 @@ def cache_folder() -> Path:
 
 @cache
 def _compiled_folder(source: str) -> Path | None:
-    """Folder of the code compiled from a source file, or None if nothing can be written there."""
+    """Folder of the code compiled from a source file; None if it cannot be there."""
     try:
         key = fingerprint(Path(source))
-        kernels = cache_folder() / "kernels" / Path(source).stem
-        folder = kernels / key
+    except OSError:  # typed at a prompt
+        return None
+    kernels = cache_folder() / "kernels" / Path(source).stem
+    folder = kernels / key
+    with contextlib.suppress(OSError):  # what cannot be written may be there to read
         folder.mkdir(parents=True, exist_ok=True)
         folder.touch()
-        if not os.access(folder, os.W_OK):
-            return None
         others = sorted(kernels.iterdir(), key=lambda path: path.stat().st_mtime, reverse=True)
         for stale in others[_KEPT_FINGERPRINTS:]:
             shutil.rmtree(stale, ignore_errors=True)
-    except OSError:
-        return None
     return folder
 
 
-@contextlib.contextmanager
-def _numba_cache(folder: Path) -> Iterator[None]:
-    """Point Numba at the folder while a function is being declared, and only then."""
-    before = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(folder)
-    try:
-        yield
-    finally:
-        numba.config.CACHE_DIR = before
-
-
-def _declare(
-    make: Callable[..., Any], function: Callable[..., Any], kind: str, **options: Any
-) -> Any:
+def _declare(function: Callable[..., Any], kind: str, **options: Any) -> Any:
+    if numba.config.DISABLE_JIT:
+        return function
+    declared = CompiledKernel(function, **_OPTIONS, **options)
     folder = _compiled_folder(function.__code__.co_filename)
-    if folder is None:
-        return make(**options)(function)
-    # A formula and its loop have one name and one line, by which Numba identifies a cache entry:
-    # each kind has a folder of its own.
-    with _numba_cache(folder / kind):
-        try:
-            return _apart(make(cache=True, **options)(function))
-        except RuntimeError:  # a function typed at a prompt has no file to key the cache by
-            return make(**options)(function)
-
-
-def _apart(dispatcher: Any) -> Any:
-    """Give the code files compiled by this process names that no other process uses.
-
-    Numba numbers them by its index at that moment. Two processes that compile a function for
-    different types at once would take the same number, and one's code would later run as the
-    other's. With distinct names, at worst an entry of the index is lost and compiled again.
-    """
-    files: Any = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
-    pattern = getattr(files, "_data_name_pattern", None)
-    if files is not None and pattern is not None:
-        files._data_name_pattern = pattern.replace("{number:d}", f"{_process()}-{{number:d}}")
-    return dispatcher
-
-
-@cache
-def _process() -> str:
-    return secrets.token_hex(6)
+    if folder is not None:
+        # A formula and its loop have one name and one line, by which Numba identifies a cache
+        # entry: each kind has a folder of its own.
+        declared.keep_in(folder / kind)
+    return declared
 
 
 def kernel(function: Callable[..., Any]) -> Any:
@@ -118,29 +91,17 @@ def kernel(function: Callable[..., Any]) -> Any:
     >>> double(3.0)
     6.0
     """
-    return _declare(
-        numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True
-    )
+    return _declare(function, "functions")
 
 
 def inlined(function: Callable[..., Any]) -> Any:
     """Mark a part of a compiled loop to be always inlined: for functions of arrays in hot loops."""
-    return _declare(
-        numba.njit,
-        function,
-        "functions",
-        fastmath=set(FAST),
-        error_model="numpy",
-        nogil=True,
-        forceinline=True,
-    )
+    return _declare(function, "functions", forceinline=True)
 
 
 def compiled_loop(function: Callable[..., Any]) -> Any:
     """Compile a loop over arrays; it runs without the interpreter's lock, for threads."""
-    return _declare(
-        numba.njit, function, "functions", fastmath=set(FAST), error_model="numpy", nogil=True
-    )
+    return _declare(function, "functions")
 
 
 @cache
@@ -206,5 +167,4 @@ def {function.__name__}(count, {", ".join(arrays)}):
     scope = {"np": np, "scalar": scalar, "__name__": function.__module__}
     lines = "\n" * (code.co_firstlineno - 2)
     exec(compile(lines + text, code.co_filename, "exec"), scope)
-    options = {"fastmath": set(FAST), "error_model": "numpy", "nogil": True}
-    return _declare(numba.njit, scope[function.__name__], "elementwise", **options)
+    return _declare(scope[function.__name__], "elementwise")

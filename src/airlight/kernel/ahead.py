@@ -86,7 +86,6 @@ class CompiledAhead:
             if stale():
                 return False
             self._ended.wait(_POLL)
-        self._ended.wait(_POLL)  # the code itself is written after its entry
         return True
 
     def close(self) -> None:

@@ -22,6 +22,8 @@ from numba.extending import intrinsic, lower_builtin, models, register_model
 
 #: Number of wavelengths in one value.
 LANES: Final = 8
+#: Number of wavelengths so few that either half of the lanes has all of them.
+FEW: Final = LANES // 2
 #: 1/π in float32: a plain literal would turn a product of single precision into double.
 INVERSE_PI: Final = np.float32(0.3183098861837907)
 
@@ -172,6 +174,115 @@ def fourth_root(typing_context: Any, value: Any) -> Any:
         zero = ir.Constant(_VECTOR, [0.0] * LANES)
         positive = _call(builder, "maxnum", arguments[0], zero)
         return _call(builder, "sqrt", _call(builder, "sqrt", positive))
+
+    return _LANES(value), build
+
+
+@intrinsic
+def square_root(typing_context: Any, value: Any) -> Any:
+    """Square root of each lane."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return _call(builder, "sqrt", arguments[0])
+
+    return _LANES(value), build
+
+
+@intrinsic
+def floored(typing_context: Any, value: Any) -> Any:
+    """Largest whole number that each lane is not below."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return _call(builder, "floor", arguments[0])
+
+    return _LANES(value), build
+
+
+@intrinsic
+def looked_up(typing_context: Any, table: Any, index: Any) -> Any:
+    """Elements of a flat float32 array at the whole numbers in the lanes (not checked)."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        data = context.make_array(signature.args[0])(context, builder, value=arguments[0]).data
+        which = builder.fptosi(arguments[1], _INTEGERS)
+        found = ir.Constant(_VECTOR, ir.Undefined)
+        for lane in range(LANES):
+            place = ir.Constant(ir.IntType(32), lane)
+            at = builder.sext(builder.extract_element(which, place), ir.IntType(64))
+            found = builder.insert_element(found, builder.load(builder.gep(data, [at])), place)
+        return found
+
+    return _LANES(table, index), build
+
+
+@intrinsic
+def where_positive(typing_context: Any, sign: Any, first: Any, second: Any) -> Any:
+    """Lanes of ``first`` where ``sign`` is above 0, else of ``second``."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        zero = ir.Constant(_VECTOR, [0.0] * LANES)
+        return builder.select(builder.fcmp_ordered(">", arguments[0], zero), *arguments[1:])
+
+    return _LANES(_LANES, _LANES, _LANES), build
+
+
+@intrinsic
+def load_two(typing_context: Any, array: Any, low: Any, high: Any) -> Any:
+    """Load four adjacent elements from ``low`` on, and four from ``high`` on (not checked)."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        data = context.make_array(signature.args[0])(context, builder, value=arguments[0]).data
+        half = ir.VectorType(ir.FloatType(), FEW)
+        parts = []
+        for index, kind in zip(arguments[1:], signature.args[1:], strict=True):
+            at = context.cast(builder, index, kind, types.intp)
+            address = builder.bitcast(builder.gep(data, [at]), half.as_pointer())
+            parts.append(builder.load(address, align=4))
+        return builder.shuffle_vector(*parts, ir.Constant(_INTEGERS, list(range(LANES))))
+
+    return _LANES(array, low, high), build
+
+
+@intrinsic
+def largest(typing_context: Any, value: Any) -> Any:
+    """Largest number of all lanes."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        kind = ir.FunctionType(ir.FloatType(), [_VECTOR])
+        name = f"llvm.vector.reduce.fmax.v{LANES}f32"
+        function = cgutils.get_or_insert_function(builder.module, kind, name)
+        return builder.call(function, arguments)
+
+    return types.float32(value), build
+
+
+@intrinsic
+def pair(typing_context: Any, low: Any, high: Any) -> Any:
+    """Lower four lanes of one value or number, upper four of another."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        left, right = (
+            _as_vector(context, builder, value, kind)
+            for value, kind in zip(arguments, signature.args, strict=True)
+        )
+        half = LANES // 2
+        order = [*range(half), *range(LANES + half, 2 * LANES)]
+        return builder.shuffle_vector(left, right, ir.Constant(_INTEGERS, order))
+
+    return _LANES(low, high), build
+
+
+@intrinsic
+def folded(typing_context: Any, value: Any) -> Any:
+    """Sum of the lower and the upper four lanes, in both."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        half = LANES // 2
+        order = [*range(half, LANES), *range(half)]
+        other = builder.shuffle_vector(
+            arguments[0], ir.Constant(_VECTOR, ir.Undefined), ir.Constant(_INTEGERS, order)
+        )
+        return builder.fadd(arguments[0], other)
 
     return _LANES(value), build
 

@@ -44,6 +44,11 @@ def _pool(threads: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(threads, thread_name_prefix="airlight", initializer=_enter_pool)
 
 
+if hasattr(os, "register_at_fork"):
+    # A forked process has the pool but none of its threads: its blocks would wait for ever.
+    os.register_at_fork(after_in_child=_pool.cache_clear)
+
+
 def run_blocks(
     block: Callable[[int], object],
     count: int,

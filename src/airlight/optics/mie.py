@@ -14,7 +14,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.threads import Cancel
 from airlight.optics.size_distribution import Sizes
 
 FloatArray = npt.NDArray[np.float64]
@@ -85,7 +86,12 @@ def efficiencies(size_parameter: float, index: complex) -> tuple[float, float, f
 
 
 def scattering(
-    sizes: Sizes, wavelength: float, index: complex, angles: npt.ArrayLike
+    sizes: Sizes,
+    wavelength: float,
+    index: complex,
+    angles: npt.ArrayLike,
+    *,
+    cancel: Cancel | None = None,
 ) -> Scattering:
     """Cross-sections and phase matrix of the mean particle.
 
@@ -99,6 +105,8 @@ def scattering(
         Refractive index of the particles n + ik, k 0 or more. [1]
     angles : array, shape (na,)
         Scattering angles. [deg]
+    cancel : callable, optional
+        Called every 64 radii; True stops the work.
 
     Returns
     -------
@@ -108,6 +116,8 @@ def scattering(
     ------
     ParameterError
         If a radius is too large for the wavelength, or the index is impossible.
+    Cancelled
+        If ``cancel`` returned True.
 
     References
     ----------
@@ -121,6 +131,8 @@ def scattering(
     longest = _terms(wavenumber * float(sizes.radii.max()))
     plus, minus = _angular_functions(mu, longest)
     for part in _blocks(len(sizes.radii)):
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
         a, b = _coefficients(wavenumber * sizes.radii[part], index)
         weights = sizes.weights[part]
         totals += _sums(a, b, index) @ weights
@@ -152,6 +164,35 @@ def check_sizes(sizes: Sizes, wavelength: float) -> None:
         raise ParameterError(
             "sizes", float(sizes.radii.max()), f"radii up to {largest:.3g} m at {wavelength:g} nm"
         )
+
+
+def work(radii: int, size_parameter: float, angles: int) -> float:
+    """Amount of work of ``scattering``: terms of all radii at all angles. [1]
+
+    Parameters
+    ----------
+    radii : int
+        Number of radii.
+    size_parameter : float
+        That of the largest. [1]
+    angles : int
+        Number of scattering angles; the coefficients of a radius take as long as 3000 of them.
+    """
+    return float(radii) * _terms(size_parameter) * (angles + 3000.0)
+
+
+def memory(size_parameter: float, angles: int) -> float:
+    """Memory that ``scattering`` needs. [byte]
+
+    Parameters
+    ----------
+    size_parameter : float
+        That of the largest radius. [1]
+    angles : int
+        Number of scattering angles.
+    """
+    # both angular functions, and amplitudes of a block of radii
+    return 16.0 * angles * _terms(size_parameter) + 64.0 * _BLOCK * angles
 
 
 def scattering_angles(size_parameter: float, per_ripple: float = 12.0) -> FloatArray:

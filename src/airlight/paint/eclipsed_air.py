@@ -12,7 +12,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.scene_lights import SceneLights
 from airlight.planets.light_source import LightSource
 from airlight.render.drawing import Drawing
-from airlight.render.eclipsed_drawing import EclipsedDrawing
+from airlight.render.eclipsed_drawing import EclipsedDrawing, check_unfiltered
 from airlight.scene import Scene
 from airlight.solvers.eclipsed.solution import EclipsedSolution
 from airlight.solvers.moments.solution import MomentsSolution
@@ -50,11 +50,17 @@ def planet_drawing(
         Axes of that frame in the scene's, as rows. [1]
     cache, progress, cancel :
         See ``paint_system``.
+
+    Raises
+    ------
+    ParameterError
+        If the camera has a polarising filter, and a shadow falls.
     """
     source = lights.seen_from(light, body)
     star = None if light.star is None else moon_before(lights, light, body, source)
     if star is None:
         return Drawing(lit, scene, disc=False)
+    check_unfiltered(scene)  # before the minutes that a shadow takes
     eclipsed = EclipsedSolution(lit, star, cache=cache, progress=progress, cancel=cancel)
     return EclipsedDrawing(eclipsed, scene, local)
 

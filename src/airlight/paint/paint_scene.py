@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from airlight.errors import ParameterError
+from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.memory import check_drawn
+from airlight.kernel.threads import thread_count
 from airlight.paint.drawing_device import Choice, drawing_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import solve_planet
+from airlight.pixels.sky_window import is_always_read
 from airlight.planets.picture_wavelengths import (
     LIVE,
     picture_wavelengths,
     texel_wavelengths,
 )
+from airlight.render.ahead import DRAWING, drawing_ahead
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
 
@@ -180,6 +185,7 @@ def paint_solved(
         if device == "gpu" and refused is not None:
             refused("a device draws no Q and U")
         device = "cpu"
+    check_drawn(scene.camera.width, scene.camera.height, 3 if stokes else 1)
     count = LIVE if wavelengths is None else len(wavelengths)
     chosen = drawing_device(device, planet, count, scene.camera.width, refused)
     weights, told = None, {}
@@ -199,10 +205,11 @@ def paint_solved(
             longitude=scene.longitude,
             altitude=scene.altitude,
         )
-    solution = solve_planet(
-        planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
-        cancel=cancel,
-    )  # fmt: skip
+    with _compiling(chosen is None and not exact and is_always_read(scene.camera), cancel):
+        solution = solve_planet(
+            planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
+            cancel=cancel,
+        )  # fmt: skip
     frame = ScenePainter(chosen).frame(
         solution, scene, exact=exact, orders=orders, disc=disc, samples=samples, stokes=stokes,
         weights=weights, progress=progress, cancel=cancel,
@@ -215,3 +222,23 @@ def paint_solved(
     if solution.report.ground:
         told["solved_ground"] = solution.report.ground
     return PaintedScene(replace(frame, metadata={**frame.metadata, **told}), solution)
+
+
+@contextmanager
+def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
+    """Have what draws the picture compiled by another process, if it is not, and then wait for it.
+
+    The first picture on a machine compiles longer than it solves and draws. Numba compiles one
+    function at a time in a process, so that a second core is of use only to another one.
+    """
+    if not reads_table or thread_count() < 2:
+        yield
+        return
+    ahead = drawing_ahead()
+    try:
+        yield
+        for loop in DRAWING:
+            if not ahead.wait(loop, cancel or (lambda: False)):
+                raise Cancelled("cancelled")
+    finally:
+        ahead.close()

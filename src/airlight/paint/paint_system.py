@@ -100,8 +100,8 @@ def paint_system(
     Raises
     ------
     ParameterError
-        If bodies overlap, the observer stands inside one, or a planet is not known at the
-        wavelengths.
+        If bodies overlap, the observer stands inside one, a planet is not known at the
+        wavelengths, or the camera has a polarising filter where a moon's shadow falls on air.
     ConvergenceError
         If the orders of scattering do not converge.
     Cancelled
@@ -152,8 +152,10 @@ class _Picture:
         view = system.view
         self.camera = Camera(
             projection=view.projection, width=width, height=height,
-            field_of_view=view.field_of_view,
+            field_of_view=view.field_of_view, polariser=view.polariser,
         )  # fmt: skip
+        #: Share of unpolarised light that the camera receives: of surfaces and stars.
+        self.received = 1.0 if view.polariser is None else 0.5
         self.eye, self.axes = system.eye, system.camera_axes
         if wavelengths is None:
             first = next(iter(system.planets.values()), None)
@@ -362,7 +364,7 @@ class _Picture:
 
     def _followed(self, rays: FloatArray, layers: list[Float32Array | None]) -> FloatArray:
         """Light along lines of sight, linear sRGB, shape (n, 3). [W m⁻² sr⁻¹]"""
-        out = np.zeros((len(rays), 3))
+        out, behind = np.zeros((2, len(rays), 3))
         through = np.ones((len(rays), self.wavelengths.size))
         white = self.colors.sum(axis=0)
         shown = np.any(rays != 0.0, axis=-1)
@@ -375,10 +377,10 @@ class _Picture:
                 through *= dimmed
                 rays = local @ item.axes
             else:
-                self._hit(item, rays, through, out)
+                self._hit(item, rays, through, behind)
         for light in self.lights.stars:
-            self._star(light, rays, through, out)
-        return out
+            self._star(light, rays, through, behind)
+        return np.asarray(out + self.received * behind)
 
     def _add_stars(self, rgb: FloatArray) -> None:
         """Add the catalogue's stars as points: dimmed, reddened and lifted by air, or hidden."""
@@ -393,6 +395,7 @@ class _Picture:
         source = self.lights.source(self.lights.stars[0], self.eye)
         weights = source.colors() / source.irradiance[:, None]
         light = (through * catalogue.irradiances(self.wavelengths)[shown]) @ weights
+        light *= self.received
         seen = np.isfinite(x) & (through.max(axis=1) > 0.0)
         add_points(rgb, x[seen], y[seen], light[seen] / solid[seen, None])
 

@@ -92,8 +92,7 @@ def solve_planet(
         wavelengths = chosen(planet)
     nm = np.asarray(wavelengths, float)
     if device is not None and not device.software and fits(planet, nm.size):
-        from airlight.gpu.solver.planning import ThickAir
-        from airlight.gpu.solver.solver import solve_on
+        from airlight.gpu.solver.solver import ThickAir, solve_on
 
         medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
         try:

@@ -76,7 +76,9 @@ def eclipsed_light(
         length = distance_to_bottom(r, mu, light.bottom)
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
     read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, work.phase)
-    march_eclipsed(a, b, c, u, v, w, length, WHOLE, work.phase, light, shadow, work, spare, found)
+    march_eclipsed(
+        a, b, c, u, v, w, half_sine, length, WHOLE, work.phase, light, shadow, work, spare, found
+    )
     for at in range(0, lanes, LANES):
         store(result, at, load(found, at))
     if not to_ground:
@@ -139,7 +141,9 @@ def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
         half_sine, light.phase, light.phase_nodes, light.lanes * light.constituents, work.phase
     )
     length = distance_to_top(light.bottom, mu, light.top)
-    march_eclipsed(p, q, s, u, v, w, length, WHOLE, work.phase, light, shadow, work, spare, found)
+    march_eclipsed(
+        p, q, s, u, v, w, half_sine, length, WHOLE, work.phase, light, shadow, work, spare, found
+    )
 
 
 @compiled_loop

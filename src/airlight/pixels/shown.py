@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.lanes import LANES
-from airlight.solvers.moments.harmonics import POLARISED
+from airlight.solvers.moments.harmonics import EVEN
 from airlight.solvers.moments.march_tables import MarchTables, quadratures
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -75,7 +75,7 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     legs, more = light.ends.size + 1, 5
     panels = 2 * legs + more + (legs + more if light.ground.wet else 0)
     terms = sum((l + 1) // 4 + (l + 1) % 4 for l in range(degree + 1))
-    polarised = 2 * POLARISED + 3 * constituents
+    polarised = 2 * EVEN + 3 * constituents
     point = (degree + 1) * (constituents + 2) + 2 * terms + 12 * constituents + polarised
     fitting = [n for n in _EVEN if n * panels * (point + n * constituents // 4) <= _MOST_TURNS]
     chosen = fitting[0] if fitting else _EVEN[-1]

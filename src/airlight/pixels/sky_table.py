@@ -185,8 +185,8 @@ def look(
     if polarised:
         phases_towards(half_sine, keeps_peaks, light.across, light, work.across)
     march(
-        r, start_mu, start_mu_s, nu, length, orders, air, peaks, polarised, work.phase, work.across,
-        light, work, result,
+        r, start_mu, start_mu_s, nu, half_sine, length, orders, air, peaks, polarised, work.phase,
+        work.across, light, work, result,
     )  # fmt: skip
     if air and to_ground and not mirrored:
         mu_s, angle = star_on_ground(

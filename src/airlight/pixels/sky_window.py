@@ -94,6 +94,12 @@ def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) ->
     return _window(shape, azimuths, sky, ground)
 
 
+def is_always_read(camera: Camera) -> bool:
+    """Whether pictures of a camera's size are read from a table, wherever it stands and looks."""
+    texels = 2 * COARSEST[0] * COARSEST[1]
+    return texels * _FEWEST_PIXELS_A_TEXEL <= camera.width * camera.height
+
+
 def _window(
     shape: tuple[int, int],
     azimuths: tuple[float, float],

@@ -266,10 +266,10 @@ class Constituent(Record):
         return self.phase_function_at(nm).polarising(nu, nm)
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Elements of degree 2 that polarise, see ``PhaseFunction``, shape (nl, 2). [1]"""
+        """Elements that polarise, see ``PhaseFunction``, shape (nl, 4). [1]"""
         nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
         if not self.scatters:
-            return np.zeros((len(nm), 2))
+            return np.zeros((len(nm), 4))
         return self.phase_function_at(nm).polarising_moments(nm)
 
     def phase_moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:

@@ -10,14 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
+from airlight.kernel.memory import DECODED, MOST_PIXELS, check_picture
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-#: Largest picture that is decoded. [pixel]
-MOST_PIXELS: Final = 200_000_000
 #: Modes of Pillow with sixteen bits or more a channel.
 _DEEP: Final = ("I", "I;16", "I;16B", "I;16L", "I;16N", "F")
+#: Memory of a pixel of these: Pillow's own, and three of float64 on the way to eight bits. [byte]
+_DEEP_PIXEL: Final = 32
 
 
 def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
@@ -54,7 +55,7 @@ def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
             picture = Image.open(file)
         with picture:
-            _check_size(file, *picture.size)
+            _check_size(file, *picture.size, _DEEP_PIXEL if picture.mode in _DEEP else DECODED)
             return _as_bytes(picture, "L" if grey else "RGB")
     except FileNotFoundError:
         raise
@@ -64,9 +65,8 @@ def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
         raise FileError(file, f"cannot be read as a picture: {_one_line(error)}") from error
 
 
-def _check_size(file: Path, width: int, height: int) -> None:
-    if width * height > MOST_PIXELS:
-        raise FileError(file, f"has {width} x {height} pixels; allowed: {MOST_PIXELS} in all")
+def _check_size(file: Path, width: int, height: int, each: int) -> None:
+    check_picture(file, width, height, each)
     if abs(width - 2 * height) > 1:
         raise FileError(
             file,

@@ -9,7 +9,7 @@ import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -116,6 +116,18 @@ class Medium:
     ground_clouds: str | None = None
     cloud_altitude: float = 0.0
     reflection: Reflection = WHITE
+
+    def __post_init__(self) -> None:
+        self._freeze()
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._freeze()
+
+    def _freeze(self) -> None:
+        """Make the arrays read-only; for Numba that is a type, and each type is compiled for."""
+        for array in self._arrays().values():
+            array.flags.writeable = False
 
     def __repr__(self) -> str:
         nm = self.wavelengths
@@ -224,8 +236,6 @@ class Medium:
         )
         medium._check()
         _ = medium.bent_shell  # refuses air in which light would follow the ground
-        for array in medium._arrays().values():
-            array.flags.writeable = False
         return medium
 
     @property
@@ -327,7 +337,7 @@ class Medium:
         )
 
     def polarising_moments(self) -> FloatArray:
-        """Elements of degree 2 that polarise, see ``PhaseFunction``, shape (nc, nl, 2). [1]"""
+        """Elements that polarise, see ``PhaseFunction``, shape (nc, nl, 3). [1]"""
         return np.stack([one.polarising_moments(self.wavelengths) for one in self.constituents])
 
     def phase_moments(self, degree: int) -> FloatArray:

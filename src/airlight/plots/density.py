@@ -8,7 +8,7 @@ import numpy as np
 
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.planet import Planet
-from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure
+from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure, words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -51,7 +51,7 @@ def density(planet: Planet) -> Figure:
                 color=PALETTE[index % len(PALETTE)],
                 linestyle=LINE_STYLES[index % len(LINE_STYLES)],
                 linewidth=2.0,
-                label=f"{constituent.name} (column {column * 1e-3:.4g} km)",
+                label=words(f"{constituent.name} (column {column * 1e-3:.4g} km)"),
             )
     for axes in (linear, logarithmic):
         grid(axes)

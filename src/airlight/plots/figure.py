@@ -6,6 +6,7 @@ state, safe in threads and in servers.
 
 from __future__ import annotations
 
+import warnings
 from typing import IO, TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -14,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.color.encoding import srgb_encode
 from airlight.color.spectral_color import wavelength_color
 from airlight.errors import AirlightError
+from airlight.plain_text import plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -83,10 +85,29 @@ def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 
 
     figure = Figure(figsize=size, layout="constrained", facecolor="white")
     FigureCanvasAgg(figure)
-    figure.suptitle(title, fontsize=13, fontweight="bold")
+    figure.suptitle(words(title), fontsize=13, fontweight="bold")
     if caption:
         figure.supxlabel(caption, fontsize=9, color=GREY)
     return figure
+
+
+def words(text: str) -> str:
+    r"""Text with names from outside, as matplotlib takes it: no formula, no entry that is left out.
+
+    Parameters
+    ----------
+    text : str
+        Title, or label of a curve.
+
+    Examples
+    --------
+    >>> print(words("haze $x_{$")), print(repr(words("_dust")))
+    haze \$x_{\$
+    '\u2009_dust'
+    (None, None)
+    """
+    shown = plain(text).replace("$", r"\$")
+    return f"\u2009{shown}" if shown.startswith("_") else shown  # a legend leaves "_…" out
 
 
 def grid(axes: Axes) -> None:
@@ -193,5 +214,6 @@ def write_figure(
     """
     import matplotlib
 
-    with matplotlib.rc_context({"svg.hashsalt": "airlight"}):
+    with warnings.catch_warnings(), matplotlib.rc_context({"svg.hashsalt": "airlight"}):
+        warnings.filterwarnings("ignore", "Glyph .* missing from", UserWarning)  # a box is drawn
         figure.savefig(file, format=format, dpi=dpi, metadata=_METADATA[format])

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from airlight.planets.planet import Planet
-from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure, wavelength_ink
+from airlight.plots.figure import LINE_STYLES, PALETTE, grid, new_figure, wavelength_ink, words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -59,7 +59,7 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
             color=PALETTE[index % len(PALETTE)],
             linestyle=LINE_STYLES[(index + 1) % len(LINE_STYLES)],
             linewidth=1.8,
-            label=constituent.name,
+            label=words(constituent.name),
         )
     axes.plot(nm, np.where(total > 0.0, total, np.nan), color="black", linewidth=2.2, label="all")
     top = float(total.max())

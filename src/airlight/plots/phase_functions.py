@@ -17,6 +17,7 @@ from airlight.plots.figure import (
     grid,
     new_figure,
     wavelength_words,
+    words,
 )
 
 if TYPE_CHECKING:
@@ -80,7 +81,7 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
                 "color": PALETTE[index % len(PALETTE)],
                 "linestyle": LINE_STYLES[which % len(LINE_STYLES)],
                 "linewidth": 1.8,
-                "label": f"{name}, g = {means[which] + 0.0:.3f}",
+                "label": words(f"{name}, g = {means[which] + 0.0:.3f}"),
             }
             both = np.radians(np.concatenate([-degrees[::-1], degrees]))
             polar.plot(both, np.concatenate([curve[::-1], curve]), **look)

@@ -24,6 +24,9 @@ FloatArray = NDArray[np.float64]
 #: Luminance below which a pixel counts as dark, the eye's absolute threshold in order of magnitude.
 #: [cd m⁻²]
 DARK: Final = 1e-6
+#: Luminance below which a pixel counts as dark beside the brightest polarised light of its picture,
+#: over that: moonlit ground beside sunlit. The towns of a planet's night side are fainter. [1]
+DARK_BESIDE: Final = 1e-6
 #: Degree below which colours of angles fade to black, as there is no angle. [1]
 FADING: Final = 0.02
 #: Lightness and chroma of the colours of angles: the most that sRGB holds at all hues.
@@ -108,7 +111,8 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
     Returns
     -------
     array, shape (h + strip, w, 3), uint8
-        sRGB. Pixels without light are black; angles fade to black below a degree of 2 %.
+        sRGB. Pixels that are dark, see ``is_lit``, are black; angles fade to black below a degree
+        of 2 %.
 
     Raises
     ------
@@ -127,9 +131,32 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
         colors = np.asarray(color_map(show)(np.clip(degree, 0.0, 1.0)))[..., :3]
     else:
         colors = angle_colors(angle) * np.clip(degree / FADING, 0.0, 1.0)[..., None]
-    colors = np.where((stokes[0] * LUMINOUS_EFFICACY > DARK)[..., None], colors, 0.0)
+    colors = np.where(is_lit(stokes)[..., None], colors, 0.0)
     strip = _legend(show, width, max(_LEAST_STRIP, round(_STRIP * width)))
     return np.concatenate([np.round(255.0 * colors).astype(np.uint8), strip])
+
+
+def is_lit(stokes: ArrayLike) -> NDArray[np.bool_]:
+    """Whether the pixels of a picture are bright enough to have a degree and an angle.
+
+    Parameters
+    ----------
+    stokes : array, shape (3, ...)
+        I, Q and U of the luminance. [W m⁻² sr⁻¹]
+
+    Returns
+    -------
+    array of bool, shape (...)
+
+    Examples
+    --------
+    >>> is_lit([[10.0, 1e-3, 1e-6], [3.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+    array([ True,  True, False])
+    """
+    i, q, u = np.asarray(stokes, np.float64)
+    # The disc of a star is unpolarised: it does not make the sky beside it dark.
+    brightest = float(np.hypot(q, u).max(initial=0.0))
+    return np.asarray(i > max(DARK / LUMINOUS_EFFICACY, DARK_BESIDE * brightest))
 
 
 def check_width(width: int) -> None:

@@ -31,9 +31,20 @@ def compiled_ahead() -> CompiledAhead:
     return CompiledAhead(f"{__name__}:compile_loops", DRAWING, MARCHING)
 
 
+def drawing_ahead() -> CompiledAhead:
+    """Start to compile the loops of one picture from a table of the sky, and no others."""
+    return CompiledAhead(f"{__name__}:compile_drawing", DRAWING)
+
+
 def compile_loops() -> None:
     """Compile the loops, or load them, by calls that draw nothing."""
     for loop, arguments in zip((*DRAWING, *MARCHING), _arguments(), strict=True):
+        loop(*arguments)
+
+
+def compile_drawing() -> None:
+    """Compile the loops of a picture from a table of the sky, or load them."""
+    for loop, arguments in zip(DRAWING, _arguments()[: len(DRAWING)], strict=True):
         loop(*arguments)
 
 

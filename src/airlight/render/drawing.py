@@ -128,7 +128,7 @@ class Drawing:
         """
         px = np.arange(rgb.shape[1]) + 0.5
         py = np.arange(first, last) + 0.5
-        x, y = np.broadcast_arrays(px, py[:, None])
+        x, y = np.meshgrid(px, py)
         self.draw_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3), element)
 
     def draw_pixels(

@@ -18,6 +18,19 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 
+def check_unfiltered(scene: Scene) -> None:
+    """Refuse a filter where light is drawn without its polarisation.
+
+    Raises
+    ------
+    ParameterError
+        If the scene's camera has one.
+    """
+    angle = scene.camera.polariser
+    if angle is not None:
+        raise ParameterError("camera.polariser", angle, "none where a moon's shadow is drawn")
+
+
 class EclipsedDrawing(Drawing):
     """Picture by a star that a moon hides in part; each pixel is marched.
 
@@ -39,9 +52,7 @@ class EclipsedDrawing(Drawing):
     """
 
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
-        if scene.camera.polariser is not None:
-            angle = scene.camera.polariser
-            raise ParameterError("camera.polariser", angle, "none where a moon's shadow is drawn")
+        check_unfiltered(scene)
         super().__init__(eclipsed.solution, scene, exact=True, disc=False)
         self._shadow = eclipsed.shadow
         self._turn = np.ascontiguousarray(eclipsed.axes @ local.T)

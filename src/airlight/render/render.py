@@ -9,11 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.kernel.cost import LINES, timed
+from airlight.kernel.large_arrays import release, zeros
+from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.polarising_filter import ALONG, ASLANT
 from airlight.render.drawing import Drawing
-from airlight.scene import Camera, Scene
+from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -71,6 +74,8 @@ def render(
         If the solution is of another solver (pictures march the moments), ``orders`` or
         ``samples`` has another value, or polarised light is requested of scalar transfer or
         behind a filter.
+    CostError
+        If the picture needs more memory than is free.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -87,17 +92,21 @@ def render(
         raise ParameterError(
             "camera.polariser", scene.camera.polariser, "none beside Q and U of the light before it"
         )
+    width, height = scene.camera.width, scene.camera.height
+    elements = (None, ALONG, ASLANT) if stokes else (None,)
+    check_drawn(width, height, len(elements))
     pictures = lit_scenes(scene, solution)
-    frames = []
-    for number, (seen, lit, air, _) in enumerate(pictures):
-        drawing = Drawing(
-            lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
-            stokes=stokes,
-        )  # fmt: skip
-        share = None if progress is None else _shared(progress, number, len(pictures))
-        elements = (None, ALONG, ASLANT) if stokes else (None,)
-        frames.append(_drawn(drawing, scene.camera, elements, share, cancel))
-    layers = frames[0] if len(frames) == 1 else np.asarray(np.sum(frames, axis=0, dtype=np.float32))
+    drawn = width * height * samples**2 * len(elements) * len(pictures)
+    kind = LINES if exact else "picture"
+    layers = zeros((len(elements), height, width, 3), np.float32)
+    with timed(kind, drawn * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
+        for number, (seen, lit, air, _) in enumerate(pictures):
+            drawing = Drawing(
+                lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
+                stokes=stokes,
+            )  # fmt: skip
+            share = None if progress is None else _shared(progress, number, len(pictures))
+            _add_drawn(layers, drawing, elements, share, cancel, black=number == 0)
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
     return Frame(
         rgb=layers[0],
@@ -118,17 +127,23 @@ def _shared(progress: Progress, number: int, count: int) -> Progress:
     return lambda done, total, message: progress(number * total + done, count * total, message)
 
 
-def _drawn(
+def _add_drawn(
+    layers: Float32Array,
     drawing: Drawing,
-    camera: Camera,
     elements: Sequence[int | None],
     progress: Progress | None,
     cancel: Cancel | None,
-) -> Float32Array:
-    """Linear sRGB of pictures by one light, shape (elements, height, width, 3). [W m⁻² sr⁻¹]"""
-    layers = np.zeros((len(elements), camera.height, camera.width, 3), np.float32)
-    step = max(1, _BLOCK_PIXELS // camera.width)
-    blocks = -(-camera.height // step)
+    *,
+    black: bool,
+) -> None:
+    """Add pictures by one light to those before it, which may still be black.
+
+    Linear sRGB, shape (elements, height, width, 3). [W m⁻² sr⁻¹]
+    """
+    height, width = layers.shape[1:3]
+    lit = layers if black else zeros(layers.shape, np.float32)
+    step = max(1, _BLOCK_PIXELS // width)
+    blocks = -(-height // step)
     # Filling the table counts as much as drawing the rows.
     total = blocks if drawing.window is None else 2 * blocks
 
@@ -143,10 +158,14 @@ def _drawn(
     drawing.fill_sky(cancel=cancel, progress=filling)
 
     def draw(k: int) -> None:
-        for element, rgb in zip(elements, layers, strict=True):
-            drawing.draw(k * step, min((k + 1) * step, camera.height), rgb, element)
+        first, last = k * step, min((k + 1) * step, height)
+        for element, rgb, whole in zip(elements, lit, layers, strict=True):
+            drawing.draw(first, last, rgb, element)
+            if not black:
+                whole[first:last] += rgb[first:last]
+                release(whole[first:last])
+            release(rgb[first:last])
 
     run_blocks(
         draw, blocks, cancel=cancel, progress=drawn, message="rendering",
     )  # fmt: skip
-    return layers

@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from airlight.errors import ParameterError
-from airlight.units import measured
+from airlight.units import quantity
 
 #: Units in which a text is read.
 _READ: Final = ("m", "deg")
@@ -49,7 +49,7 @@ def within(field: str, value: object, low: float, high: float, unit: str) -> flo
     allowed = f"{low:g} to {high:g} {unit}" if low < high else f"{low:g} {unit}"
     if isinstance(value, str) and unit in _READ:
         try:
-            value = measured(value, unit, field)
+            value = quantity(value, unit, field)
         except ParameterError:
             expected = f"{allowed}, as a number or as text with a unit"
             raise ParameterError(field, value, expected) from None

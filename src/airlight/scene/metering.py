@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.exposure import automatic_exposure, sampling_step
+from airlight.color.exposure import automatic_exposure, sampled, sampling_step
 from airlight.kernel import compiled_loop, kernel
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.projected import projected_ray
@@ -157,4 +157,4 @@ def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: floa
         Exposure, see ``automatic_exposure``. [EV]
     """
     step = sampling_step(*rgb.shape[:2])
-    return automatic_exposure(rgb[::step, ::step], metering_weights(scene, angular_radius, step))
+    return automatic_exposure(sampled(rgb, step), metering_weights(scene, angular_radius, step))

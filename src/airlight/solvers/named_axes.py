@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import ParameterError
-from airlight.units import measured, quantity
+from airlight.units import quantity
 
 FloatArray = NDArray[np.float64]
 
@@ -64,7 +64,7 @@ class Argument:
         many = value if isinstance(value, (list, tuple)) else [value]
         if any(isinstance(one, str) for one in many):
             try:
-                read = [measured(one if isinstance(one, str) else f"{one} {self.unit}", self.unit)
+                read = [quantity(one if isinstance(one, str) else f"{one} {self.unit}", self.unit)
                         for one in many]  # fmt: skip
             except ParameterError:
                 raise ParameterError(field, value, f"{allowed}, or text with a unit") from None

@@ -17,6 +17,7 @@ from airlight.distribution import opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
+from airlight.kernel.cost import LINES, announce_all
 from airlight.planets.planet import Planet
 from airlight.sweep.cases import (
     Cases,
@@ -142,6 +143,9 @@ def answer_rows(
                                          polarisation=polarisation, stokes=stokes,
                                          cache=cache, values=block.values), code)  # fmt: skip
 
+        rest = total - min(table.kept * BLOCK, total)
+        amount = float(rest * len(nm) * (3 if stokes else 1))
+        announce_all(f"{rest} lines of sight", [(LINES, amount)])
         found: dict[int, FloatArray] = {}
         count = -(-total // BLOCK) - table.kept
         with opened_runner(count, scheduler=scheduler, workers=workers) as runner:

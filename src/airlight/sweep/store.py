@@ -18,6 +18,14 @@ from airlight.sweep.grid import AXES, Grid
 _AXES: Final = "airlight_axes"
 #: Name of the array of fingerprints; 0 is a block that is missing.
 _BLOCKS: Final = "block_fingerprint"
+_UNIT: Final = "W m-2 sr-1 nm-1"
+#: Arrays of polarised light beside the radiance, in their order: unit, name.
+POLARISED: Final = {
+    "Q": (_UNIT, "Stokes parameter Q: upright less level, in the meridian plane of the view"),
+    "U": (_UNIT, "Stokes parameter U: at 45 deg counterclockwise from upright less at -45 deg"),
+    "dolp": ("1", "degree of linear polarisation"),
+    "aolp": ("deg", "angle of polarisation from the vertical plane, counterclockwise"),
+}
 
 
 def check_store(path: Path, field: str) -> None:
@@ -33,8 +41,13 @@ def check_store(path: Path, field: str) -> None:
     if util.find_spec("zarr") is None:
         allowed = "a sweep beside zarr: pip install airlight[sweep]"
         raise ParameterError(field, str(path), allowed)
-    if not path.resolve().parent.is_dir():
-        raise FileError(path, f"there is no folder {path.resolve().parent}")
+    try:
+        parent = path.resolve().parent
+        there = parent.is_dir()
+    except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
+        raise FileError(path, str(error)) from error
+    if not there:
+        raise FileError(path, f"there is no folder {parent}")
     if path.exists() and not (path / ".zgroup").is_file() and any(_inside(path)):
         raise FileError(path, "is no sweep; allowed: a new folder, or the sweep to go on with")
 
@@ -54,6 +67,8 @@ class SweepStore:
         Grid.
     title : str
         Words about the sweep, kept as an attribute.
+    stokes : bool
+        Whether it holds ``POLARISED`` too.
 
     Raises
     ------
@@ -61,20 +76,22 @@ class SweepStore:
         If the folder holds a sweep of another grid.
     """
 
-    def __init__(self, path: Path, grid: Grid, title: str) -> None:
+    def __init__(self, path: Path, grid: Grid, title: str, *, stokes: bool = False) -> None:
         import zarr
 
         self.path = path
-        axes = json.dumps(_axes(grid), sort_keys=True)
+        polarised = {"stokes": list(POLARISED)} if stokes else {}
+        axes = json.dumps(_axes(grid) | polarised, sort_keys=True)
         part = path.with_name(f".{path.name}.part")
         shutil.rmtree(part, ignore_errors=True)
         if not (path / ".zgroup").is_file():
-            _made(part, grid, axes, title)
+            _made(part, grid, axes, title, stokes=stokes)
             part.replace(path)
         group: Any = zarr.open_group(str(path), mode="r+", zarr_format=2)
         if group.attrs.get(_AXES) != axes:
             raise FileError(path, "holds the sweep of another grid; name another folder")
-        self._radiance, self._blocks = group["radiance"], group[_BLOCKS]
+        self._arrays = [group[name] for name in ("radiance", *(POLARISED if stokes else ()))]
+        self._blocks = group[_BLOCKS]
         self._known: NDArray[np.uint64] = np.asarray(self._blocks[...])
 
     def has(self, block: tuple[int, ...], fingerprint: int) -> bool:
@@ -85,8 +102,9 @@ class SweepStore:
         self, region: tuple[Any, ...], block: tuple[int, ...], values: NDArray[np.float32],
         fingerprint: int,
     ) -> None:  # fmt: skip
-        """Write the radiances of a block, and then its fingerprint."""
-        self._radiance[region] = values
+        """Write the arrays of a block, radiance first, and then its fingerprint."""
+        for array, one in zip(self._arrays, values, strict=True):
+            array[region] = one
         self._known[block] = fingerprint
         self._blocks[block] = np.uint64(fingerprint)
 
@@ -97,7 +115,7 @@ def _axes(grid: Grid) -> dict[str, Any]:
     return {"planet": list(grid.planets), "vary": vary, **angles, "wavelength": list(grid.nm)}
 
 
-def _made(path: Path, grid: Grid, axes: str, title: str) -> None:
+def _made(path: Path, grid: Grid, axes: str, title: str, *, stokes: bool) -> None:
     """Make the group: coordinates by xarray, and arrays to be filled."""
     import xarray
     import zarr
@@ -115,12 +133,13 @@ def _made(path: Path, grid: Grid, axes: str, title: str) -> None:
     group: Any = zarr.open_group(str(path), mode="r+", zarr_format=2)
     suns, views = grid.steps
     inner = (1, suns, views, len(grid.azimuth), len(grid.nm))
-    group.create_array(
-        "radiance", shape=grid.shape, chunks=(*(1 for _ in grid.variants), *inner),
-        dtype="float32", fill_value=np.nan,
-        attributes={"_ARRAY_DIMENSIONS": list(grid.dims), "units": "W m-2 sr-1 nm-1",
-                    "long_name": "spectral radiance of air and ground"},
-    )  # fmt: skip
+    arrays = {"radiance": (_UNIT, "spectral radiance of air and ground")}
+    for array, (unit, words) in (arrays | (POLARISED if stokes else {})).items():
+        group.create_array(
+            array, shape=grid.shape, chunks=(*(1 for _ in grid.variants), *inner),
+            dtype="float32", fill_value=np.nan,
+            attributes={"_ARRAY_DIMENSIONS": list(grid.dims), "units": unit, "long_name": words},
+        )  # fmt: skip
     names = [*grid.dims[: len(grid.variants)], "altitude", "sun_block", "view_block"]
     group.create_array(
         _BLOCKS, shape=grid.blocks, chunks=(*(1 for _ in grid.variants), *grid.blocks[-3:]),

@@ -14,7 +14,15 @@ from numpy.typing import NDArray
 
 from airlight.distribution import Runner, opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
+from airlight.errors import ParameterError
+from airlight.kernel.cost import LINES, announce_all
 from airlight.planets.planet import Planet
+from airlight.solvers.moments.solution import solve_work
+from airlight.solvers.stokes_frame import (
+    STOKES,
+    angle_of_polarisation,
+    degree_of_polarisation,
+)
 from airlight.sweep.grid import Grid
 from airlight.sweep.shared_solution import shared_solution
 from airlight.sweep.store import SweepStore
@@ -57,8 +65,8 @@ class Block:
         Planet.
     quality : str
         Quality of its solution.
-    polarisation : bool
-        Whether light is polarised.
+    polarisation, stokes : bool
+        Whether light is polarised, and whether Q, U, degree and angle are wanted.
     altitude : float
         Altitude of the observer. [m]
     sun_zenith, view_zenith, azimuth : tuple of float
@@ -70,6 +78,7 @@ class Block:
     planet: Planet
     quality: str
     polarisation: bool
+    stokes: bool
     altitude: float
     sun_zenith: tuple[float, ...]
     view_zenith: tuple[float, ...]
@@ -83,6 +92,7 @@ def sweep(
     *,
     quality: str = "default",
     polarisation: bool = True,
+    stokes: bool = False,
     scheduler: str | None = None,
     workers: int | None = None,
     progress: Progress | None = None,
@@ -99,6 +109,8 @@ def sweep(
         Quality as for ``airlight.solve``.
     polarisation : bool
         Whether light is polarised, as for ``airlight.solve``.
+    stokes : bool
+        Whether the arrays ``Q``, ``U``, ``dolp`` and ``aolp`` are written beside the radiance.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``.
     progress : callable, optional
@@ -112,15 +124,19 @@ def sweep(
     Raises
     ------
     ParameterError
-        If a planet cannot be read, or is not known at a wavelength.
+        If a planet cannot be read, or is not known at a wavelength; or Stokes parameters are
+        requested of scalar transfer.
     FileError
-        If the folder holds another grid.
+        If the folder holds another grid, or one with or without Stokes parameters.
     WorkerError
         If workers or their scheduler are lost.
     """
+    if stokes and not polarisation:
+        raise ParameterError("stokes", True, "a sweep with polarisation left on")
     light = "radiance" if polarisation else "radiance of scalar transfer"
-    store = SweepStore(Path(path), grid, f"{light}, quality {quality}")
-    how = quality, polarisation
+    light = "radiance and Stokes parameters" if stokes else light
+    store = SweepStore(Path(path), grid, f"{light}, quality {quality}", stokes=stokes)
+    how = quality, polarisation, stokes
     code = code_digest(_SOURCE)
     missing: list[tuple[int, ...]] = []
     marks: dict[tuple[int, ...], int] = {}
@@ -131,6 +147,12 @@ def sweep(
             missing.append(block)
     if missing:
         variants = list(dict.fromkeys(block[: len(grid.variants)] for block in missing))
+        solutions, lines = len(variants), sum(_lines(grid, block) for block in missing)
+        amounts = [
+            ("solve", solutions * solve_work(quality, len(grid.nm))),
+            (LINES, float(lines * len(grid.nm) * (3 if stokes else 1))),
+        ]
+        announce_all(f"{solutions} solutions and {lines} lines of sight", amounts)
         with contextlib.ExitStack() as stack:
             runner: Runner = stack.enter_context(
                 opened_runner(len(missing), scheduler=scheduler, workers=workers)
@@ -152,6 +174,12 @@ def sweep(
     )  # fmt: skip
 
 
+def _lines(grid: Grid, block: tuple[int, ...]) -> int:
+    """Number of lines of sight of a block."""
+    suns, views = grid.region(block)[-4:-2]
+    return int((suns.stop - suns.start) * (views.stop - views.start) * len(grid.azimuth))
+
+
 def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
     return itertools.product(*(range(count) for count in shape))
 
@@ -159,8 +187,8 @@ def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
 _PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
 
 
-def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool]) -> Block:
-    quality, polarisation = how
+def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> Block:
+    quality, polarisation, stokes = how
     *variant, altitude, _, _ = block
     suns, views = grid.region(block)[-4:-2]
     key = (id(grid), *variant)
@@ -168,7 +196,7 @@ def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool]) -> Block:
         _PLANETS.clear()
         _PLANETS[key] = grid.planet(tuple(variant))
     return Block(
-        planet=_PLANETS[key], quality=quality, polarisation=polarisation,
+        planet=_PLANETS[key], quality=quality, polarisation=polarisation, stokes=stokes,
         altitude=grid.altitude[altitude],
         sun_zenith=tuple(grid.sun_zenith[suns]), view_zenith=tuple(grid.view_zenith[views]),
         azimuth=tuple(grid.azimuth), wavelengths=grid.nm,
@@ -185,7 +213,9 @@ def solved(block: Block, code: str) -> None:
 
 
 def radiances(block: Block, code: str) -> NDArray[np.float32]:
-    """Radiances of a block, shape (suns, views, azimuths, wavelengths). [W m⁻² sr⁻¹ nm⁻¹]
+    """Arrays of a block, shape (1 or 5, suns, views, azimuths, wavelengths).
+
+    The radiance [W m⁻² sr⁻¹ nm⁻¹], and with Stokes parameters ``POLARISED``.
 
     Parameters
     ----------
@@ -200,8 +230,13 @@ def radiances(block: Block, code: str) -> NDArray[np.float32]:
         sun_zenith=np.array(block.sun_zenith)[:, None, None],
         view_zenith=np.array(block.view_zenith)[:, None],
         azimuth=np.array(block.azimuth),
+        stokes=block.stokes,
     )
-    return np.asarray(found, np.float32)
+    if not block.stokes:
+        return np.asarray(found, np.float32)[None]
+    layers = [found.sel(stokes=name) for name in STOKES]
+    layers += [degree_of_polarisation(found), angle_of_polarisation(found)]
+    return np.stack([np.asarray(one, np.float32) for one in layers])
 
 
 def _solution(block: Block) -> MomentsSolution:

@@ -99,6 +99,8 @@ class View(Record):
         Direction that is up in the picture; the zenith of an observer above a body, else z.
     roll : float
         Clockwise rotation of the camera about its line of sight. [deg]
+    polariser : float, optional
+        Axis of a polarising filter, counterclockwise from the camera's up. [deg]
     projection : str
         Name of the projection.
     field_of_view : float, optional
@@ -139,6 +141,7 @@ class View(Record):
         | None
     ) = None  # fmt: skip
     roll: Annotated[float, ROLL] = 0.0
+    polariser: Annotated[float, POLARISER] | None = None
     projection: Annotated[str, PROJECTION] = "perspective"
     field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
 

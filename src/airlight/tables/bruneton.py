@@ -86,37 +86,48 @@ def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
 
 @compiled_loop
 def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
-    """Interpolate all channels at one point.
+    """Interpolate all channels at many points.
 
     Parameters
     ----------
     values : array, shape (radii, views, suns, angles, channels)
-    r, mu, mu_s, nu, to_ground, grid
+    r, mu, mu_s, nu, to_ground : array, shape (n,)
         Arguments of ``bruneton_corners``.
-    out : array, shape (channels,)
+    grid : BrunetonGrid
+        Parameters of the layout.
+    out : array, shape (n, channels)
         Receives the values.
     """
-    radius, view, sun, angle = bruneton_corners(r, mu, mu_s, nu, to_ground, grid)
-    out[:] = 0.0
-    for corner in range(16):
-        up, along, around, beside = corner & 1, corner & 2, corner & 4, corner & 8
-        weight = radius[2] if up else 1.0 - radius[2]
-        weight *= view[2] if along else 1.0 - view[2]
-        weight *= sun[2] if around else 1.0 - sun[2]
-        weight *= angle[2] if beside else 1.0 - angle[2]
-        if weight != 0.0:
-            i = radius[1] if up else radius[0]
-            j = view[1] if along else view[0]
-            k = sun[1] if around else sun[0]
-            l = angle[1] if beside else angle[0]
-            for c in range(out.size):
-                out[c] += weight * values[i, j, k, l, c]
-
-
-@compiled_loop
-def _look_up_all(values, r, mu, mu_s, nu, to_ground, grid, out):
+    flat, found = values.reshape(-1), out.reshape(-1)
+    channels = out.shape[1]
+    by_sun = grid.angles * channels
+    by_view = grid.suns * by_sun
+    by_radius = grid.views * by_view
     for p in range(r.size):
-        bruneton_look_up(values, r[p], mu[p], mu_s[p], nu[p], to_ground[p], grid, out[p])
+        radius, view, sun, angle = bruneton_corners(r[p], mu[p], mu_s[p], nu[p], to_ground[p], grid)
+        low, high = radius[0] * by_radius, radius[1] * by_radius
+        near, far = view[0] * by_view, view[1] * by_view
+        one, two = sun[0] * by_sun, sun[1] * by_sun
+        first, second = angle[0] * channels, angle[1] * channels
+        f, e, d, c = radius[2], view[2], sun[2], angle[2]
+        g, b, a = 1.0 - e, 1.0 - d, 1.0 - c
+        for channel in range(channels):
+            at, after = first + channel, second + channel
+            below = g * (
+                b * (a * flat[low + near + one + at] + c * flat[low + near + one + after])
+                + d * (a * flat[low + near + two + at] + c * flat[low + near + two + after])
+            ) + e * (
+                b * (a * flat[low + far + one + at] + c * flat[low + far + one + after])
+                + d * (a * flat[low + far + two + at] + c * flat[low + far + two + after])
+            )
+            above = g * (
+                b * (a * flat[high + near + one + at] + c * flat[high + near + one + after])
+                + d * (a * flat[high + near + two + at] + c * flat[high + near + two + after])
+            ) + e * (
+                b * (a * flat[high + far + one + at] + c * flat[high + far + one + after])
+                + d * (a * flat[high + far + two + at] + c * flat[high + far + two + after])
+            )
+            found[p * channels + channel] = (1.0 - f) * below + f * above
 
 
 @compiled_loop
@@ -236,7 +247,7 @@ class BrunetonLayout(Layout):
     def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
         """See ``Layout``."""
         out = np.empty((len(positions), values.shape[-1]))
-        _look_up_all(
+        bruneton_look_up(
             values,
             positions.r,
             positions.mu,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +13,10 @@ from airlight.mappings.transmittance import altitude_coordinate, direction_coord
 from airlight.tables.columns import ColumnTable, table_rays
 
 FloatArray = NDArray[np.float64]
+
+#: Mean relative density below which a constituent has none: 1/sqrt of it is a number in single
+#: precision too. [1]
+_LEAST: Final = 1e-30
 
 
 def mean_density_ratios(table: ColumnTable) -> FloatArray:
@@ -38,7 +44,7 @@ def mean_density_ratios(table: ColumnTable) -> FloatArray:
     mean = table.values / np.maximum(length, 1e-9)[..., None]
     mean[-1, 0] = mean[-1, 1]  # at the top, straight up, no distance is left
     largest = mean.max(axis=(0, 1))
-    scale = 1.0 / np.sqrt(np.maximum(mean + 1e-6 * largest, 1e-300))
+    scale = 1.0 / np.sqrt(np.maximum(mean + 1e-6 * largest, _LEAST))
     return np.stack([scale, mean * scale], axis=-1)
 
 

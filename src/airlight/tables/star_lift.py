@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.geometry.cubic_curves import cubic_curve, spline_slopes
 from airlight.geometry.shell import distance_to_top, horizon_cosine
 from airlight.kernel import vectorized
@@ -67,6 +68,11 @@ def star_lift(bottom: float, top: float, density: DensitySegments, bend: float) 
         Apparent less true cosine, and d apparent/d true. Rows are even in the distance to the
         horizon, from the ground to the top; columns are even in the square root of the cosine above
         that of the horizon's true position, from there to the zenith. [1]
+
+    Raises
+    ------
+    ParameterError
+        If a star would be seen at several elevations at once, as in a mirage.
     """
     x = vectorized(radius_from_coordinate)(np.linspace(0.0, 1.0, SHAPE[0]), bottom, top)
     # Slightly above the horizon, so that rounding does not send the ray into the ground.
@@ -75,6 +81,14 @@ def star_lift(bottom: float, top: float, density: DensitySegments, bend: float) 
     seen = lowest + (1.0 - lowest) * steps
     angle = bending(x[:, None], seen, bottom, top, density, bend)
     true = np.cos(np.arccos(seen) + angle)
+    sunken = np.diff(true, axis=1).min(axis=1) <= 0.0
+    if sunken.any():
+        raise ParameterError(
+            "refraction",
+            "bouguer",
+            "'none' for this air: it bends light so unevenly that from "
+            f"{x[sunken.argmax()] - bottom:.3g} m a star would be seen at several elevations",
+        )
     return np.stack([_inverted(*row) for row in zip(true, seen, strict=True)])
 
 

@@ -84,8 +84,7 @@ def sky_errors(
     positions = sky_positions(medium, count)
     irradiance = medium.lights[0].irradiance
     sight = lines_of_sight(positions, medium)
-    own = air(sight)
-    whole = np.maximum(air.with_ground(sight), own)
+    own, whole = air.before_the_ground(sight)
     error = (radiance(positions) / irradiance - own) / np.maximum(whole, 1e-300)
     bright = (whole > DARK).all(axis=-1)
     day = positions.mu_s > DAY

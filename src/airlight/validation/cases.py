@@ -192,21 +192,24 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
     return float(altitude), degrees(sun_zenith), degrees(view), degrees(azimuth)
 
 
-def geometry(planet: Planet, cases: Sequence[Case] = CASES) -> LinesOfSight:
+def geometry(planet: Planet, cases: Sequence[Case] = CASES, level: float = 0.0) -> LinesOfSight:
     """Convert cases for a planet to keyword arguments of ``Solution.radiance``.
 
     Parameters
     ----------
     planet : Planet
     cases : sequence of Case, length n
+    level : float
+        Altitude that stands for the ground in the cases: above a cloud, its top. [m]
 
     Returns
     -------
     LinesOfSight
         Arrays of shape (n,).
     """
-    rows = np.array([at_observer(one, planet.bottom_radius, planet.top_radius) for one in cases])
+    bottom, top = planet.bottom_radius + level, planet.top_radius
+    rows = np.array([at_observer(one, bottom, top) for one in cases])
     altitude, sun_zenith, view_zenith, azimuth = np.ascontiguousarray(rows.T)
     return LinesOfSight(
-        altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
+        altitude=altitude + level, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
     )

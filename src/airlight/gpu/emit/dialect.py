@@ -134,7 +134,7 @@ class Dialect(ABC):
 
     def length(self, table: str, axis: str) -> str:
         """Length of an axis of a table."""
-        return f"size_{table}({axis})"
+        return f"size_{table}_{axis}()"
 
     def uniform(self, text: str, kind: Scalar) -> str:
         """Convert the float in a uniform to a number of its type."""

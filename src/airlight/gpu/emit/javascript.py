@@ -1,7 +1,8 @@
 """JavaScript, in double precision, for the calculations of a page on the CPU.
 
 A tuple is an array, a table an object with flat ``values`` and a ``shape``, and an array is passed
-by reference. Each function is exported.
+by reference. Lanes are one wavelength: an array of lanes is one of numbers, and a host calls the
+function for each wavelength. Each function is exported.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from airlight.gpu.emit.dialect import Dialect, Named
 from airlight.gpu.emit.shader_types import (
     F32,
     I32,
+    VEC4,
     Bundle,
     Constant,
     LocalArray,
@@ -77,7 +79,7 @@ class JavaScript(Dialect):
         return f"{text}[{index}]"
 
     def converted(self, text: str, wanted: Scalar) -> str:
-        return {I32: f"Math.trunc({text})", F32: f"Number({text})"}[wanted]
+        return {I32: f"Math.trunc({text})", F32: f"Number({text})", VEC4: text}[wanted]
 
     def chosen(self, test: str, yes: str, no: str) -> str:
         return f"({test} ? {yes} : {no})"

@@ -61,8 +61,8 @@ class Uniform:
 class Table:
     """Read-only array in a texture.
 
-    The shader's function ``read_NAME(index)`` returns an element, ``size_NAME(axis)`` the length of
-    an axis.
+    The shader's function ``read_NAME(index)`` returns an element, ``size_NAME_AXIS()`` the length
+    of an axis.
 
     Attributes
     ----------

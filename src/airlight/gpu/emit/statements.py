@@ -33,6 +33,11 @@ from airlight.gpu.emit.shader_types import (
 _SHORT: Final = frozenset(
     {"load", "store", "splat", "float32", "between", "min", "max", "abs", "int"}
 )
+#: Turns of a loop that are written out.
+_UNROLLED: Final = 4
+#: Operations of a loop that is unrolled at most: drivers expand every call of a function, and what
+#: is written five times in it takes them five times as long to compile.
+_MOST_OPERATIONS: Final = 20
 
 
 @dataclass
@@ -241,7 +246,9 @@ class FunctionBody:
             return
         self.expressions.learn(node, target.id, I32)
         name = self.expressions.spelled(target.id)
-        if self.dialect.unrolls and len(ends) < 3 and not _turns_inside(node):
+        turns = self.known_turns(call.args)
+        short = turns is not None and len(turns) < _UNROLLED
+        if self.dialect.unrolls and len(ends) < 3 and not short and not _stays_rolled(node):
             self.unrolled(node, name, first, last, depth)
             return
         self.put(
@@ -250,6 +257,12 @@ class FunctionBody:
         self.block(node.body, depth + 1)
         self.put(depth, "}")
 
+    def known_turns(self, ends: Sequence[ast.expr]) -> range | None:
+        """Turns of a loop over these arguments of ``range``, None where a shader computes them."""
+        known = [self.expressions.fold(one) for one in ends]
+        numbers = [one for one in known if isinstance(one, int)]
+        return range(*numbers) if len(numbers) == len(known) else None
+
     def single_turn(
         self, node: ast.For, target: ast.Name, ends: Sequence[ast.expr], depth: int
     ) -> bool:
@@ -257,13 +270,10 @@ class FunctionBody:
 
         So a loop over groups of lanes, of which a device has one, costs it nothing.
         """
-        known = [self.expressions.fold(one) for one in ends]
+        turns = self.known_turns(ends)
         parts = [inside for statement in node.body for inside in ast.walk(statement)]
         leaves = any(isinstance(one, (ast.Break, ast.Continue)) for one in parts)
-        if leaves or not all(isinstance(one, int) for one in known):
-            return False
-        turns = range(*known)  # type: ignore[arg-type]
-        if len(turns) != 1:
+        if leaves or turns is None or len(turns) != 1:
             return False
         before = self.names.get(target.id)
         self.names[target.id] = Constant(turns[0])
@@ -282,8 +292,11 @@ class FunctionBody:
         self.temporaries += 1
         end = f"end_{self.temporaries}"
         self.put(depth, self.dialect.kept(end, I32, last))
-        self.put(depth, f"for ({name} = {first}; {name} + 3 < {end}; {name} = {name} + 1) {{")
-        for turn in range(4):
+        self.put(
+            depth,
+            f"for ({name} = {first}; {name} + {_UNROLLED - 1} < {end}; {name} = {name} + 1) {{",
+        )
+        for turn in range(_UNROLLED):
             if turn:
                 self.put(depth + 1, f"{name} = {name} + 1;")
             self.block(node.body, depth + 1)
@@ -410,9 +423,12 @@ class FunctionBody:
         raise self.refuse(target, "cannot be assigned to")
 
 
-def _turns_inside(node: ast.For) -> bool:
-    """Whether a loop contains loops, long calls or early exits."""
+def _stays_rolled(node: ast.For) -> bool:
+    """Whether a loop contains loops, long calls, early exits or many operations."""
     parts = [inside for statement in node.body for inside in ast.walk(statement)]
+    operations = sum(isinstance(one, (ast.BinOp, ast.Subscript, ast.Call)) for one in parts)
+    if operations > _MOST_OPERATIONS:
+        return True
     ways_out = (ast.For, ast.While, ast.Break, ast.Continue, ast.Return)
     return any(isinstance(one, ways_out) or _is_long_call(one) for one in parts)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from airlight.gpu.emit.dialect import ShaderDialect
@@ -15,7 +16,7 @@ class TextureTable:
     Attributes
     ----------
     name : str
-        Its functions in the shader are ``read_NAME`` and ``size_NAME``.
+        Its functions in the shader are ``read_NAME`` and, for each axis, ``size_NAME_AXIS``.
     texture : str
         Texture that holds it.
     rank : int
@@ -77,21 +78,24 @@ class TextureTable:
             + component,
         ]
         read = dialect.function(f"read_{self.name}", [("index", I32)], kind, lines)
-        return self._size(dialect) + read
+        return self._sizes(dialect, self._lengths(dialect)) + read
 
     def _image_reader(self, dialect: ShaderDialect, texture: str) -> str:
         fetched = dialect.image_fetched(texture, "row", "column")
-        length = dialect.image_length(texture, "axis")
         places = [("row", I32), ("column", I32)]
-        size = dialect.function(f"size_{self.name}", [("axis", I32)], I32, [length])
-        return size + dialect.function(f"read_{self.name}", places, VEC4, [fetched])
+        sizes = self._sizes(dialect, [dialect.image_length(texture, str(axis)) for axis in (0, 1)])
+        return sizes + dialect.function(f"read_{self.name}", places, VEC4, [fetched])
 
-    def _size(self, dialect: ShaderDialect) -> str:
+    def _lengths(self, dialect: ShaderDialect) -> list[str]:
+        """Length of each axis, as a constant element of the vector: drivers need not search it."""
         if not self.lengths:
-            return ""
-        axis = "min(axis, 2)" if self.pair else "axis"
-        more = f" + {self.first}" if self.first else ""
-        length = dialect.converted(f"{self.lengths}[{axis}{more}]", I32)
-        if self.pair:
-            length = dialect.chosen("axis == 3", "2", length)
-        return dialect.function(f"size_{self.name}", [("axis", I32)], I32, [length])
+            return []
+        named = self.rank - 1 if self.pair else self.rank
+        places = [f"{self.lengths}[{axis + self.first}]" for axis in range(named)]
+        return [dialect.converted(one, I32) for one in places] + ["2"] * self.pair
+
+    def _sizes(self, dialect: ShaderDialect, lengths: Sequence[str]) -> str:
+        return "".join(
+            dialect.function(f"size_{self.name}_{axis}", [], I32, [length])
+            for axis, length in enumerate(lengths)
+        )

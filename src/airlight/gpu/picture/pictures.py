@@ -27,6 +27,9 @@ from airlight.gpu.picture.shaders import (
 )
 from airlight.gpu.picture.solution_textures import SolutionTextures
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
+from airlight.kernel.cost import DEVICE, timed
+from airlight.kernel.large_arrays import release, zeros
+from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.capacity import check_capacity
 from airlight.pixels.lit_scenes import LitScene, lit_scenes
@@ -252,18 +255,25 @@ class Pictures:
         ParameterError
             If no solution has been shown yet, the picture is wider than a texture may be, or a
             software device shall march several samples of a pixel.
+        CostError
+            If the picture needs more memory than is free.
         Cancelled
             If ``cancel`` requested it.
         """
-        checked_samples(samples)
-        frames = [
-            self._frame(number, one, exact, orders, disc, samples, progress, cancel)
-            for number, one in enumerate(lit_scenes(scene, self._shown()))
-        ]
+        width, height = scene.camera.width, scene.camera.height
+        check_drawn(width, height)
+        lights = lit_scenes(scene, self._shown())
+        drawn = width * height * checked_samples(samples) ** 2 * len(lights)
+        with timed(DEVICE, drawn, f"a picture of {width}x{height} pixels"):
+            frames = [
+                self._frame(number, one, exact, orders, disc, samples, progress, cancel)
+                for number, one in enumerate(lights)
+            ]
         if len(frames) == 1:
             return frames[0]
-        rgb = np.asarray(np.sum([one.rgb for one in frames], axis=0, dtype=np.float32))
-        return replace(frames[0], rgb=rgb, scene=scene)
+        for one in frames[1:]:
+            np.add(frames[0].rgb, one.rgb, out=frames[0].rgb)
+        return replace(frames[0], scene=scene)
 
     def _frame(
         self,
@@ -294,7 +304,7 @@ class Pictures:
             size=(width, rows, 1), format=LINEAR, usage=use.RENDER_ATTACHMENT | use.COPY_SRC
         )
         view = target.create_view()
-        rgb = np.empty((height, width, 3), np.float32)
+        rgb = zeros((height, width, 3), np.float32)
         self._fill_sky(number, light, numbers, exact)
         try:
             for first in range(0, height, rows):
@@ -306,6 +316,7 @@ class Pictures:
                     (LINEAR,), (0, 0, width, count), light=number,
                 )  # fmt: skip
                 rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
+                release(rgb[first : first + count])
                 if progress is not None:
                     progress(first + count, height, "rendering")
         finally:

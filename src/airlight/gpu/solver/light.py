@@ -8,22 +8,16 @@ from __future__ import annotations
 
 import numpy as np
 
+from airlight.gpu.solver.ray_sums import fill_phases, fill_polarising, gathered, scattered_once
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
-from airlight.optics.reflection import sky_factor, star_factor
+from airlight.optics.reflection import star_factor
 from airlight.pixels.shown import MOST_CONSTITUENTS
-from airlight.solvers.moments.first_order import (
-    direct_light,
-    fill_phases,
-    fill_polarising,
-    scattered_once,
-)
+from airlight.solvers.moments.first_order import direct_light
 from airlight.solvers.moments.grid import radius_index
-from airlight.solvers.moments.harmonics import POLARISED, degree_of
+from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
+from airlight.solvers.moments.sent_light import contracted, coupled_moments, odd_moment
 from airlight.solvers.moments.sweep import (
-    contracted,
-    coupled_moments,
-    gathered,
     leaving_at_end,
     sky_at,
     star_at_end,
@@ -129,22 +123,33 @@ def row(index, sizes, tables, first_point, factors, packed):
     high = low + sizes.suns * (1 + sizes.terms) * LANES
     if part == 0:
         return (np.float32(1.0) - f) * load(packed, low) + f * load(packed, high)
-    start = LANES * point * (sizes.terms + 2)
-    last = start + LANES * sizes.terms
+    start = LANES * point * (sizes.terms + 1)
+    last = start + LANES * (sizes.terms - POLARISED + EVEN)
     if part > sizes.degree + 1:
         m = part - 2 - sizes.degree
-        moment, here = coupled_moments(packed, low, high, f, m, sizes.degree)
-        return load(factors, last) * moment + load(factors, last + LANES) * here
+        slanting = m >= EVEN
+        if slanting:
+            m = m - EVEN + 1
+        moment, here = coupled_moments(packed, low, high, f, m, sizes.degree, False)
+        even, odd = polarised_function(tables.mu_along[point], m)
+        if slanting:
+            even, odd = odd, even
+        sent = load(factors, last) * moment + load(factors, last + LANES) * here
+        sent = np.float32(even) * sent
+        if m > 0:
+            here = odd_moment(packed, low, high, f, m, sizes.degree, False)
+            sent = sent + np.float32(odd) * load(factors, last + 2 * LANES) * here
+        return sent
     m = part - 1
-    total = contracted(factors, start, packed, low, high, f, m, sizes.degree)
-    if m < POLARISED:
-        _, here = coupled_moments(packed, low, high, f, m, sizes.degree)
-        total = total + load(factors, last + LANES * (m - POLARISED)) * here
+    total = contracted(factors, start, packed, low, high, f, m, sizes.degree, False)
+    if m < EVEN:
+        _, here = coupled_moments(packed, low, high, f, m, sizes.degree, False)
+        total = total + load(factors, last + LANES * (m - EVEN)) * here
     return total
 
 
 @inlined
-def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, irradiances):
+def radiance_again(index, sizes, tables, first_point, shares, rows, bounces, irradiances):
     """Radiance of a ray by light that was scattered or reflected in earlier orders. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
@@ -170,10 +175,8 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, throughs, ir
     radiance = load(shares, LANES * ray) * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
-        factor = sky_factor(tables.ground, 0, leaving_at_end(tables.end, i, a, tables.mu[i, a]))
-        radiance = radiance + factor * INVERSE_PI * load(throughs, LANES * ray) * sky_at(
-            irradiances, at_ground, tables.place, sizes.suns
-        )
+        sky = sky_at(irradiances, at_ground, tables.place, sizes.suns)
+        radiance = radiance + load(bounces, LANES * ray) * sky
     return radiance
 
 
@@ -208,7 +211,7 @@ def polarised_again(index, sizes, tables, first_point, shares, rows):
 @inlined
 def azimuthal_once(index, sizes, tables, radiances, planes):
     """Fourier integrals over azimuth, from ``radiance_once``; texels of ``azimuthal``. [sr⁻¹]"""
-    width = sizes.degree + 6
+    width = sizes.degree + 1 + POLARISED
     part = index % width
     start = index // width * sizes.turns
     total = splat(0.0)
@@ -218,7 +221,7 @@ def azimuthal_once(index, sizes, tables, radiances, planes):
             _, i, a, mu_s, nu = ray_and_star(start + b, sizes, tables)
             cosine, sine = star_plane(tables.mu[i, a], mu_s, nu)
             turn = cosine
-            if part > sizes.degree + POLARISED:
+            if part > sizes.degree + EVEN:
                 turn = sine
             value = np.float32(turn) * load(planes, LANES * (start + b))
         total = total + np.float32(azimuthal_weight(tables, part, b, sizes.degree)) * value
@@ -228,8 +231,8 @@ def azimuthal_once(index, sizes, tables, radiances, planes):
 @inlined
 def azimuthal_weight(tables, part, b, degree):
     """Weight of azimuth ``b`` in an integral of ``azimuthal``. [rad]"""
-    if part > degree + POLARISED:
-        return tables.sines[part - degree - POLARISED, b]
+    if part > degree + EVEN:
+        return tables.sines[part - degree - EVEN, b]
     if part > degree:
         return tables.multiples[part - degree - 1, b]
     return tables.multiples[part, b]
@@ -242,14 +245,14 @@ def azimuthal(index, sizes, tables, radiances, alongs, acrosses):
     Texels (radius, direction, sun, integral): ∫ I cos mφ dφ, then ∫ Q cos mφ dφ of m = 0 to 2, and
     ∫ U sin mφ dφ of m = 1 and 2.
     """
-    width = sizes.degree + 6
+    width = sizes.degree + 1 + POLARISED
     part = index % width
     start = index // width * sizes.turns
     total = splat(0.0)
     for b in range(sizes.turns):
         at = LANES * (start + b)
         value = load(radiances, at)
-        if part > sizes.degree + POLARISED:
+        if part > sizes.degree + EVEN:
             value = load(acrosses, at)
         elif part > sizes.degree:
             value = load(alongs, at)
@@ -264,7 +267,7 @@ def gathered_moment(index, sizes, projections, azimuthals):
     Texels (radius, sun, moment), and after them (radius, sun).
     """
     nodes = sizes.radii * sizes.suns
-    width, weights = sizes.degree + 6, sizes.terms + 2
+    width, weights = sizes.degree + 1 + POLARISED, sizes.terms
     total = splat(0.0)
     if index >= nodes * sizes.terms:
         node = index - nodes * sizes.terms
@@ -278,16 +281,21 @@ def gathered_moment(index, sizes, projections, azimuthals):
     i, j = node // sizes.suns, node % sizes.suns
     harmonics = sizes.terms - POLARISED
     m = sizes.degree + 1 + term - harmonics
+    first, second = term, term + EVEN - 1  # weights of Q, and of U of m = 1 and 2
     if term < harmonics:
         l = degree_of(term)
         m = term - l * (l + 1) // 2
+    elif term >= harmonics + EVEN:
+        m = m - EVEN + 1
+        first, second = term, term - EVEN + 1
     for a in range(sizes.angles):
         ray = i * sizes.angles + a
         at = (ray * sizes.suns + j) * width + m
-        start = ray * weights + term
-        total = total + np.float32(projections[start]) * load(azimuthals, LANES * at)
-        if term > harmonics:  # U, of m = 1 and 2
-            total = total + np.float32(projections[start + 2]) * load(azimuthals, LANES * (at + 2))
+        start = ray * weights
+        total = total + np.float32(projections[start + first]) * load(azimuthals, LANES * at)
+        if term > harmonics:
+            slant = load(azimuthals, LANES * (at + EVEN - 1))
+            total = total + np.float32(projections[start + second]) * slant
     return total
 
 

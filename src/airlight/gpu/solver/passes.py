@@ -92,6 +92,7 @@ ONCE: Final = (
     SolverPass("factor", rays.factor, ("factors",)),
     SolverPass("share", rays.share, ("shares",)),
     SolverPass("through", rays.through, ("throughs",)),
+    SolverPass("bounce", rays.bounce, ("bounces",), readings=(Reading("throughs"),)),
     SolverPass("projection", rays.projection, ("projections",)),
     SolverPass("depth", rays.depth, ("depths",), _ALONG, spanned=True),
     SolverPass(
@@ -140,7 +141,7 @@ SWEEP: Final = (
     SolverPass(
         "radiance_again", light.radiance_again, ("radiances",), _ALONG,
         (
-            Reading("shares"), Reading("rows"), Reading("throughs"),
+            Reading("shares"), Reading("rows"), Reading("bounces"),
             Reading("packed", from_sky=True),
         ),
         spanned=True,

@@ -104,11 +104,12 @@ class SolverPlan:
         field = self.nodes * (n["terms"] + 1)
         levels = n["levels"] * n["suns"]
         return {
-            "strengths": points * n["constituents"],
-            "factors": points * (n["terms"] + 2),
+            "strengths": points * (n["constituents"] + 1),
+            "factors": points * (n["terms"] + 1),
             "shares": rays,
             "throughs": rays,
-            "projections": -(-rays * (n["terms"] + 3) // WAVELENGTHS),
+            "bounces": rays,
+            "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
             "rows": most * n["suns"] * row_block(n),
             **dict.fromkeys(("radiances", "alongs", "acrosses"), rays * n["suns"] * n["turns"]),

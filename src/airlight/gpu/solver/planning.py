@@ -11,7 +11,6 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import AirlightError
 from airlight.gpu.solver.plan import SolverPlan, Span, row_block
 from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
@@ -26,18 +25,9 @@ Float32Array = NDArray[np.float32]
 
 #: Largest number of texels in a texture that one span of radii fills: 64 MB.
 _SPAN: Final = 4 << 20
-#: Vertical depth, each scattering weighted by 1 - g, beyond which only the CPU solves. [1]
-THICKEST: Final = 2.5
 
 
-class ThickAir(AirlightError):
-    """Air so thick that only the CPU solves it: light is scattered up and down in it many times."""
-
-    def __str__(self) -> str:
-        return "the air is too thick for the GPU's orders of scattering; the CPU solves it"
-
-
-def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
+def plan_for(paths: LightPaths, settings: Settings, *, room: float = 1.0) -> SolverPlan:
     """Make the plan of a medium's solve.
 
     Parameters
@@ -46,20 +36,18 @@ def plan_for(paths: LightPaths, settings: Settings) -> SolverPlan:
         Paths in a medium of at most four wavelengths.
     settings : Settings
         Grid sizes.
+    room : float
+        Factor of the air for which nodes and rays are laid out, see ``Setup``. [1]
 
     Raises
     ------
     ParameterError
         If the wavelengths or constituents exceed the capacity of the shaders.
-    ThickAir
-        If light is scattered in the air for many orders.
     """
     medium = paths.medium
     constituents = len(medium.names)
     check_capacity(medium.wavelengths.size, constituents)
-    setup = Setup(paths=paths, settings=settings)
-    if setup.optics.transport_depth.max() > THICKEST:
-        raise ThickAir
+    setup = Setup(paths=paths, settings=settings, room=room)
     block = setup.block(slice(None))
     grid, rays, air = setup.grid, block.rays, block.air
     azimuths, expansion, table = setup.azimuths, setup.expansion, setup.table

@@ -16,16 +16,25 @@ from __future__ import annotations
 
 import numpy as np
 
+from airlight.gpu.solver.ray_sums import depth_in_row
 from airlight.kernel import inlined
-from airlight.kernel.lanes import exponential, splat
-from airlight.solvers.moments.first_order import depth_in_row
+from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat
+from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.harmonics import (
+    ELEMENTS,
+    EVEN,
     POLARISED,
     degree_of,
     legendre_function,
     polarised_functions,
 )
-from airlight.solvers.moments.sweep import optical_depth, strength_of, through_ray
+from airlight.solvers.moments.sweep import (
+    leaving_at_end,
+    onward_light,
+    optical_depth,
+    strength_of,
+    through_ray,
+)
 from airlight.solvers.moments.visible_rays import ray_share
 
 
@@ -33,9 +42,13 @@ from airlight.solvers.moments.visible_rays import ray_share
 def strength(index, sizes, tables):
     """Amount of a constituent at a point of a ray times the transmittance from there. [m]
 
-    Texels (point, constituent).
+    Texels (point, constituent), the last of a point its ``onward_light``. [1]
     """
-    point, c = index // sizes.constituents, index % sizes.constituents
+    point, c = index // (sizes.constituents + 1), index % (sizes.constituents + 1)
+    if c == sizes.constituents:
+        return onward_light(
+            tables.column, point * sizes.constituents, tables.polarising, sizes.constituents
+        )
     depth = optical_depth(
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
     )
@@ -46,19 +59,25 @@ def strength(index, sizes, tables):
 def factor(index, sizes, tables):
     """Contribution of a point to its ray from one moment. [1]
 
-    Texels (point, moment), polarised ones by the coupling with the radiance's of degree 2; after
-    them the coupling, and the keeping of polarised moments, themselves.
+    Texels (point, moment), even polarised ones by the coupling with the radiance's of degree 2;
+    after them the coupling, and the keeping of even and of odd polarised moments, themselves, for Q
+    and U.
     """
-    point, part = index // (sizes.terms + 2), index % (sizes.terms + 2)
+    point, part = index // (sizes.terms + 1), index % (sizes.terms + 1)
     harmonics = sizes.terms - POLARISED
+    coupled = harmonics + EVEN
     depth = optical_depth(
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
     )
     through = exponential(0.0 - depth)
-    if part >= sizes.terms:  # coupling and keeping
-        return through * strength_of(
-            tables.polarising, tables.amount, point, part - sizes.terms, 1, sizes.constituents
+    if part >= coupled:  # coupling and keeping
+        through = through * onward_light(
+            tables.column, point * sizes.constituents, tables.polarising, sizes.constituents
         )
+        return through * strength_of(
+            tables.polarising, tables.amount, point, part - coupled, ELEMENTS - 1,
+            sizes.constituents,
+        )  # fmt: skip
     l, m = 2, part - harmonics
     if part < harmonics:
         l = degree_of(part)
@@ -68,7 +87,7 @@ def factor(index, sizes, tables):
         )
     else:
         through = through * strength_of(
-            tables.polarising, tables.amount, point, 0, 1, sizes.constituents
+            tables.polarising, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
         )
     function = legendre_function(
         tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
@@ -115,13 +134,26 @@ def through(index, sizes, tables):
 
 
 @inlined
+def bounce(index, sizes, tables, throughs):
+    """Radiance that a ray has from the ground, over the ground's irradiance. [sr⁻¹]
+
+    Texels (radius, direction); zero for rays that miss the ground.
+    """
+    i, a = index // sizes.angles, index % sizes.angles
+    if a >= sizes.angles // 2:
+        return splat(0.0)
+    factor = sky_factor(tables.ground, 0, leaving_at_end(tables.end, i, a, tables.mu[i, a]))
+    return factor * INVERSE_PI * load(throughs, LANES * index)
+
+
+@inlined
 def projection(index, sizes, tables):
     """Weight of a direction in one moment. [1]
 
     Numbers (radius, direction, harmonic, and the five ``polarised_functions``), and after them
     (radius, direction): weight in the irradiance from above.
     """
-    rays, width = sizes.radii * sizes.angles, sizes.terms + 2
+    rays, width = sizes.radii * sizes.angles, sizes.terms
     if index >= rays * width:
         ray = index - rays * width
         return tables.flux[ray // sizes.angles, ray % sizes.angles]

@@ -11,13 +11,13 @@ orders is left to the CPU.
 from __future__ import annotations
 
 from time import perf_counter
-from typing import Any
+from typing import Any, Final
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled
+from airlight.errors import AirlightError, Cancelled
 from airlight.gpu.device.device import Device
 from airlight.gpu.solver.passes import IMAGES
 from airlight.gpu.solver.planning import plan_for
@@ -27,6 +27,7 @@ from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.iterate import Moments
+from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.stopping import Iteration, Stopping
@@ -34,8 +35,17 @@ from airlight.solvers.moments.stopping import Iteration, Stopping
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
+#: Vertical depth, each scattering weighted by 1 - g, beyond which orders alone do not end. [1]
+THICKEST: Final = 2.5
 #: Packed field of each solution, on the device that solved it.
 _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDictionary()
+
+
+class ThickAir(AirlightError):
+    """Air so thick that only the CPU solves it: light is scattered up and down in it many times."""
+
+    def __str__(self) -> str:
+        return "the air is too thick for the GPU's orders of scattering; the CPU solves it"
 
 
 def solve_on(
@@ -77,6 +87,8 @@ def solve_on(
     """
     started = perf_counter()
     paths = LightPaths.of(medium)
+    if Optics.chosen(paths.medium, settings).transport_depth.max() > THICKEST:
+        raise ThickAir
     plan = plan_for(paths, settings)
     count = medium.wavelengths.size
     with borrowed_sweeper(device) as sweeper:

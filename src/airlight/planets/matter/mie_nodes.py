@@ -23,9 +23,12 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.kernel import disk
-from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.kernel.cost import timed
+from airlight.kernel.memory import check_memory
+from airlight.kernel.threads import Cancel, Progress, run_blocks, thread_count
 from airlight.optics import mie, phase_table, size_distribution
 from airlight.optics.mie import Scattering
+from airlight.optics.size_distribution import Sizes
 from airlight.planets.matter.particle_index import ParticleIndex
 from airlight.planets.matter.particle_sizes import ParticleSizes
 from airlight.planets.spectral import Limits
@@ -142,7 +145,8 @@ def mie_nodes(
     wavelengths : sequence of float
         Wavelengths. [nm]
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
+        See ``airlight.kernel.threads``; ``cancel`` is also called by the threads of the nodes, the
+        largest of which take half a minute.
 
     Returns
     -------
@@ -154,6 +158,8 @@ def mie_nodes(
     ------
     ParameterError
         If a radius is too large for a wavelength.
+    CostError
+        If the particles are so large that the memory does not suffice.
     Cancelled
         If ``cancel`` returned True.
     """
@@ -165,21 +171,59 @@ def mie_nodes(
 
     def one(block: int) -> None:
         i = missing[block]
-        found[keys[i]] = _computed(sizes, indices[i], wavelengths[i])
+        found[keys[i]] = _computed(sizes, indices[i], wavelengths[i], cancel)
         _keep(keys[i], found[keys[i]])
 
     if missing:
-        run_blocks(one, len(missing), cancel=cancel, progress=progress, message="particles")
+        work = _checked_work(sizes, [wavelengths[i] for i in missing])
+        with timed("particles", work, f"particles at {len(missing)} wavelengths"):
+            run_blocks(one, len(missing), cancel=cancel, progress=progress, message="particles")
     return [found[key] for key in keys]
 
 
-def _computed(sizes: ParticleSizes, index: complex, wavelength: float) -> Scattering:
+def _checked_work(sizes: ParticleSizes, wavelengths: Sequence[float]) -> float:
+    """Amount of work for some nodes, as of ``kernel.cost``; refused where it needs too much memory.
+
+    Raises
+    ------
+    ParameterError
+        If a radius is too large for a wavelength.
+    CostError
+        If the nodes that are computed at once need more memory than is free.
+    """
+    work, largest = 0.0, 0.0
+    angles = len(phase_angles(sizes))
+    for wavelength in wavelengths:
+        radii = _radii(sizes, wavelength)
+        size_parameter = _size_parameter(radii, wavelength)
+        work += mie.work(len(radii.radii), size_parameter, angles)
+        largest = max(largest, size_parameter)
+    together = min(thread_count(), len(wavelengths))
+    check_memory(
+        together * mie.memory(largest, angles),
+        f"light of particles of size parameter {largest:.0f}",
+    )
+    return work
+
+
+def _size_parameter(sizes: Sizes, wavelength: float) -> float:
+    """Largest size parameter of some radii. [1]"""
+    return 2.0 * np.pi * float(sizes.radii[-1]) / (1e-9 * wavelength)
+
+
+def _radii(sizes: ParticleSizes, wavelength: float) -> Sizes:
     few = sizes.sizes(_FEWEST_RADII)
     mie.check_sizes(few, wavelength)
-    largest = 2.0 * np.pi * float(few.radii[-1]) / (1e-9 * wavelength)
-    nodes = few if largest <= _FEWEST_RADII else sizes.sizes(int(_RADII_PER_SIZE * largest))
+    largest = _size_parameter(few, wavelength)
+    return few if largest <= _FEWEST_RADII else sizes.sizes(int(_RADII_PER_SIZE * largest))
+
+
+def _computed(
+    sizes: ParticleSizes, index: complex, wavelength: float, cancel: Cancel | None
+) -> Scattering:
+    nodes = _radii(sizes, wavelength)
     angles = phase_angles(sizes)
-    found = mie.scattering(nodes, wavelength, index, angles)
+    found = mie.scattering(nodes, wavelength, index, angles, cancel=cancel)
     integral = float(phase_table.moments(angles, found.phase[None], 0)[0, 0])
     if not abs(integral - 1.0) <= _INTEGRAL_TOLERANCE:
         raise ParameterError(

@@ -15,6 +15,7 @@ from pydantic import BeforeValidator, GetCoreSchemaHandler, ValidationInfo
 from pydantic_core import CoreSchema
 
 from airlight.errors import ParameterError
+from airlight.plain_text import is_plain
 from airlight.planets.parameters import inside, numbers
 from airlight.planets.schema.measures import converted
 from airlight.planets.schema.section import Section
@@ -162,9 +163,12 @@ class Key:
         if self.kind == "choice" and self.words is not _no_words:
             if value not in self.words():
                 raise ParameterError(field, value, " or ".join(map(repr, self.words())))
-        elif self.kind == "text" and math.isfinite(high):
-            if not isinstance(value, str) or not low <= len(value) <= high:
+        elif self.kind == "text":
+            if math.isfinite(high) and not (isinstance(value, str) and low <= len(value) <= high):
                 raise ParameterError(field, value, f"{low:.0f} to {high:.0f} letters")
+            text = value if math.isfinite(high) else str(value).replace("\n", " ")
+            if isinstance(text, str) and not is_plain(text):
+                raise ParameterError(field, value, "letters without control characters")
         elif self.kind == "number" and math.isfinite(high):
             if self.words is not _no_words and isinstance(value, str):
                 if value in self.words():

@@ -32,8 +32,10 @@ def converted(number: float, unit: str, shown: str) -> float:
     return float(f"{number / _factor(shown, unit):.14g}")
 
 
-def column_of_gas(value: Any, field: str) -> float:
+def column_of_gas(value: Any, field: str, *, bare: bool = False) -> float:
     """Molecules above an area, from a text such as ``345 DU`` or ``9.3e22 /m^2``. [m⁻²]
+
+    ``bare`` as for ``airlight.units.quantity``.
 
     Examples
     --------
@@ -44,7 +46,7 @@ def column_of_gas(value: Any, field: str) -> float:
         from airlight.optics.gas_absorption import column_from_dobson
 
         return column_from_dobson(quantity(match[1], "1", field))
-    return quantity(value, "1/m^2", field)
+    return quantity(value, "1/m^2", field, bare=bare)
 
 
 def number_in(value: Any, unit: str, bare: str, field: str) -> float:
@@ -74,9 +76,9 @@ def number_in(value: Any, unit: str, bare: str, field: str) -> float:
     345.0
     """
     if unit == DOBSON:
-        found = column_of_gas(value, field)
+        found = column_of_gas(value, field, bare=True)
     else:
-        found = quantity(value, bare, field)
+        found = quantity(value, bare, field, bare=True)
     return converted(found, bare, unit)
 
 
@@ -103,7 +105,7 @@ def listed(text: str, bare: str) -> list[Any]:
     ['0 km', '5 km', '12.5 km']
     """
     items = [item.strip() for item in text.split(",")]
-    numbers = quantities(text, bare)
+    numbers = quantities(text, bare, bare=True)
     unit = items[-1].lstrip("+-.0123456789eE").strip()
     return [
         _with_unit(item, unit, number, bare) for item, number in zip(items, numbers, strict=True)
@@ -114,7 +116,7 @@ def _with_unit(item: str, unit: str, number: float, bare: str) -> str:
     """Add the shared unit to a list item that has none, if its value stays the same."""
     if unit:
         try:
-            if quantity(f"{item} {unit}", bare) == number:
+            if quantity(f"{item} {unit}", bare, bare=True) == number:
                 return f"{item} {unit}"
         except ValueError:
             pass

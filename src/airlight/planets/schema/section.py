@@ -89,7 +89,7 @@ class Section:
         return value
 
     def number(self, key: str, unit: str, example: str) -> float:
-        """Quantity in the unit; a number without a unit is taken to be in it."""
+        """Quantity in the unit, which a number has to have, unless it is zero."""
         allowed = f"a number such as {example!r}" if unit == "1" else f"such as {example!r}"
         return quantity(self.required(key, allowed), unit, self.name_of(key))
 
@@ -156,14 +156,14 @@ class Section:
             raise ParameterError(self.name_of(error.field), error.value, error.allowed) from None
 
 
-def quantity_list(value: Any, unit: str, field: str) -> tuple[float, ...]:
-    """List of quantities, or of one text with commas, of limited length."""
+def quantity_list(value: Any, unit: str, field: str, *, bare: bool = False) -> tuple[float, ...]:
+    """List of quantities, or of one text with commas, of limited length; ``bare`` as in units."""
     too_long = (isinstance(value, list) and len(value) > LONGEST_LIST) or (
         isinstance(value, str) and len(value) > 20 * LONGEST_LIST
     )
     if too_long:
         raise ParameterError(field, len(value), f"a list of at most {LONGEST_LIST}")
-    return tuple(quantities(value, unit, field))
+    return tuple(quantities(value, unit, field, bare=bare))
 
 
 def spectral_of(

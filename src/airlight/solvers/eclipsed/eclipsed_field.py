@@ -368,8 +368,8 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
                         half, light.phase, light.phase_nodes, lanes * light.constituents, work.phase
                     )
                     line_eclipsed(
-                        x, y, z, u, v, w, length, side == 1, kind, work.phase, light, shadow, work,
-                        spare, result,
+                        x, y, z, u, v, w, half, length, side == 1, kind, work.phase, light, shadow,
+                        work, spare, result,
                     )  # fmt: skip
                     direction_functions(u, v, w, shadow, spare)
                     for at in range(0, lanes, LANES):

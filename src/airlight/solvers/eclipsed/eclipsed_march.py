@@ -34,6 +34,7 @@ from airlight.solvers.moments.source import (
     star_at,
     through_columns,
 )
+from airlight.solvers.moments.widened_peaks import add_peaks, clear_peaks, more_light
 
 #: Parts of a solution's light that a march finds: that of local shadowing, the deviation from it,
 #: and both.
@@ -126,7 +127,9 @@ def turned_point(x, y, z, u, v, w, q, mu, angle):
 
 
 @compiled_loop
-def march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, spare, result):
+def march_eclipsed(
+    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result
+):  # fmt: skip
     """Light of a stretch of air towards its start, per irradiance of the unshadowed star.
 
     Parameters
@@ -135,6 +138,8 @@ def march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, s
         Start in the frame of the shadow, by optical radius. [m]
     u, v, w : float
         Direction. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
     length : float
         Length, to the ground or to the top. [m]
     kind : int
@@ -163,6 +168,7 @@ def march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, s
         work.before[c] = 0.0
     for at in range(0, light.lanes, LANES):
         store(result, at, splat(0.0))
+    clear_peaks(light, work)
     for panel in range(count - 1):
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)
@@ -178,6 +184,9 @@ def march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, s
             work.totals, light.extinction, light.constituents, light.lanes, at
         )
         store(result, light.lanes + at, through)
+        if light.widened and kind != DEVIATION:
+            more = more_light(half_sine, light, work, at)
+            store(result, at, load(result, at) + more * load(work.peaks, at))
 
 
 @inlined
@@ -231,9 +240,12 @@ def _add_point(
                     seen, work.here, work.there, spread, light.extinction, light.constituents,
                     light.lanes, at,
                 )  # fmt: skip
-                total = total + through * part * arriving * scattered_star(
+                arriving = through * arriving
+                total = total + part * arriving * scattered_star(
                     work.rho, light.scattering, phase, light.constituents, light.lanes, at
                 )
+                if light.widened:
+                    add_peaks(arriving, part, spread, phase, light, work, at)
         if inside:
             here = light.lanes + at
             scale = between(light.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
@@ -311,18 +323,20 @@ def end_on_ground(x, y, z, u, v, w, length, light, work):
 
 @inlined
 def line_eclipsed(
-    x, y, z, u, v, w, length, to_ground, kind, phase, light, shadow, work, spare, result
+    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, light, shadow, work, spare, result
 ):  # fmt: skip
     """Radiance of a whole line of sight, the ground at its end included.
 
     Parameters
     ----------
-    x, y, z, u, v, w, length, kind, phase, light, shadow, work, spare, result :
+    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result :
         Arguments of ``march_eclipsed``.
     to_ground : bool
         Whether the line ends on the ground.
     """
-    march_eclipsed(x, y, z, u, v, w, length, kind, phase, light, shadow, work, spare, result)
+    march_eclipsed(
+        x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result
+    )
     if to_ground:
         px, py, pz, leaving = end_on_ground(x, y, z, u, v, w, length, light, work)
         eclipsed_ground_light(px, py, pz, kind, light, shadow, work, spare)

@@ -99,7 +99,9 @@ class EclipsedSolution:
             solution.medium.bottom_radius, solution.medium.top_radius,
         )  # fmt: skip
         drawn = paths.sight(sight)
-        phase = pack(paths.medium.phase_function(paths.seen_nu(drawn))).reshape(r.size, -1)
+        seen = paths.seen_nu(drawn)
+        half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))
+        phase = pack(paths.medium.phase_function(seen)).reshape(r.size, -1)
         way = np.where(r > solution.medium.top_radius, _way(r, mu, sine, solution), 0.0)
         start = at + way[:, None] * along
         start *= (drawn.r / np.linalg.norm(start, axis=-1))[:, None]
@@ -110,9 +112,9 @@ class EclipsedSolution:
             rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
             result = np.zeros((drawn.r[rows].size, solution.light.lanes), np.float32)
             _lines(
-                start[rows], along[rows], drawn.length[rows], drawn.to_ground[rows], phase[rows],
-                solution.light, self.shadow, new_workspace(solution.light),
-                new_shadow_workspace(self.shadow), result,
+                start[rows], along[rows], half_sine[rows], drawn.length[rows],
+                drawn.to_ground[rows], phase[rows], solution.light, self.shadow,
+                new_workspace(solution.light), new_shadow_workspace(self.shadow), result,
             )  # fmt: skip
             out[rows] = result[:, :count]
 
@@ -150,7 +152,7 @@ def _way(r: FloatArray, mu: FloatArray, sine: FloatArray, solution: MomentsSolut
 
 
 @compiled_loop
-def _lines(start, along, length, to_ground, phase, light, shadow, work, spare, out):
+def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, work, spare, out):
     light, shadow, work, spare = borrowed((light, shadow, work, spare))
     result = np.empty(2 * light.lanes, np.float32)
     for k in range(length.size):
@@ -158,7 +160,8 @@ def _lines(start, along, length, to_ground, phase, light, shadow, work, spare, o
             continue
         line_eclipsed(
             start[k, 0], start[k, 1], start[k, 2], along[k, 0], along[k, 1], along[k, 2],
-            length[k], to_ground[k], WHOLE, phase[k], light, shadow, work, spare, result,
+            half_sine[k], length[k], to_ground[k], WHOLE, phase[k], light, shadow, work, spare,
+            result,
         )  # fmt: skip
         out[k] = result[: light.lanes]
 

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import kernel, vectorized
+from airlight.kernel import compiled_loop, kernel, vectorized
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -25,7 +25,7 @@ DARK: Final = 1e-6
 #: and absolute below.
 DIM: Final = 5e-2
 #: Light completed by the inverse counts only above this part of the swept light.
-_LEAST: Final = 0.1
+LEAST: Final = 0.1
 #: Lower limit of the estimated ratio of successive changes.
 SHRINKAGE: Final = 0.3
 STALLED: Final = 0.75
@@ -40,8 +40,21 @@ def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
     """
     most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
     here, column = mean / most, mean.max(axis=0) / most
-    bright = np.maximum(here * column, 0.0)
-    return np.asarray(bright / (bright + np.square(sidelit) + 1e-30), np.float32)
+    return np.asarray(trusted_part(np.maximum(here * column, 0.0), sidelit), np.float32)
+
+
+def trusted_part(bright, sidelit):
+    """Weight of the solution along the vertical at a node. [1]
+
+    Parameters
+    ----------
+    bright : float or array
+        Mean radiance at the node times the largest at any radius under the same sun, both over the
+        largest at any node. [1]
+    sidelit : float or array
+        Part of the largest mean radiance below which light comes from the side. [1]
+    """
+    return bright / (bright + sidelit * sidelit + 1e-30)
 
 
 @kernel
@@ -68,9 +81,31 @@ def completed_or_swept(
     field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
 ) -> Light:
     """Completed guess, or the swept light where the guess is far below it: in the dark."""
-    sound = field[:, :, 0] > _LEAST * swept_field[:, :, 0]
-    field = np.where(sound[:, :, None], field, swept_field)
-    return field, np.where(sky > _LEAST * swept_sky, sky, swept_sky)
+    field, sky = field.copy(), sky.copy()
+    _replace(field, swept_field, field[:, :, 0] > LEAST * swept_field[:, :, 0])
+    _replace(sky[:, :, None], swept_sky[:, :, None], sky > LEAST * swept_sky)
+    return field, sky
+
+
+def at_least(light: Float32Array, least: Float32Array) -> None:
+    """Replace moments (r, s, k, 8) by ``least``, or 0, where their mean is below.
+
+    No light is negative, but a sum of few harmonics may be where there is almost none.
+    """
+    sound = light[:, :, 0] >= least[:, :, 0]
+    if not sound.all():
+        _replace(light, np.where(least[:, :, :1] > 0.0, least, np.float32(0.0)), sound)
+
+
+@compiled_loop
+def _replace(light, other, sound):
+    """Replace moments (r, s, k, 8) by others where they are not ``sound`` (r, s, 8)."""
+    for i in range(light.shape[0]):
+        for j in range(light.shape[1]):
+            for lane in range(light.shape[3]):
+                if not sound[i, j, lane]:
+                    for k in range(light.shape[2]):
+                        light[i, j, k, lane] = other[i, j, k, lane]
 
 
 @kernel
@@ -136,18 +171,40 @@ def mix(images: deque[Light], weights: Float32Array, trust: Float32Array) -> Lig
     trust : array, shape (r, s, 8)
         Weights from ``trust``. [1]
     """
-    last_field, last_sky = images[-1]
-    field = np.zeros_like(last_field)
-    sky = np.zeros_like(last_sky)
-    for (one_field, one_sky), weight in zip(images, weights, strict=True):
-        field += one_field * weight
-        sky += one_sky * weight
-    field = last_field + trust[:, :, None] * (field - last_field)
-    sky = last_sky + trust * (sky - last_sky)
-    # In the dark, and where the combination leaps, it means nothing: keep the computed light.
-    sound = _is_near(field[:, :, 0], last_field[:, :, 0])
-    field = np.where(sound[:, :, None], field, last_field)
-    return field, np.where(_is_near(sky, last_sky), sky, last_sky)
+    mixed = []
+    for part, last in enumerate(images[-1]):
+        shape = (*last.shape[:2], -1, last.shape[-1])
+        total, latest = np.zeros(last.shape, np.float32).reshape(shape), last.reshape(shape)
+        for image, weight in zip(images, weights, strict=True):
+            _add(total, image[part].reshape(shape), weight)
+        _approach(total, latest, trust)
+        # In the dark, and where the combination leaps, it means nothing: keep the computed light.
+        _replace(total, latest, _is_near(total[:, :, 0], latest[:, :, 0]))
+        mixed.append(total.reshape(last.shape))
+    return mixed[0], mixed[1]
+
+
+@compiled_loop
+def _add(total, light, weight):
+    """Add moments (r, s, k, 8) times the weight of each wavelength (8,)."""
+    for i in range(total.shape[0]):
+        for j in range(total.shape[1]):
+            for k in range(total.shape[2]):
+                for lane in range(total.shape[3]):
+                    total[i, j, k, lane] += light[i, j, k, lane] * weight[lane]
+
+
+@compiled_loop
+def _approach(mixed, last, trust):
+    """Take of mixed moments (r, s, k, 8) no more than ``trust`` (r, s, 8), and else the last."""
+    for i in range(mixed.shape[0]):
+        for j in range(mixed.shape[1]):
+            for k in range(mixed.shape[2]):
+                for lane in range(mixed.shape[3]):
+                    known = last[i, j, k, lane]
+                    mixed[i, j, k, lane] = known + trust[i, j, lane] * (
+                        mixed[i, j, k, lane] - known
+                    )
 
 
 @kernel

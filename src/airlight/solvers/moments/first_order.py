@@ -7,20 +7,33 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import level_light, star_points
+from airlight.geometry.bending import level_light
+from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
+from airlight.kernel.lanes import (
+    FEW,
+    INVERSE_PI,
+    LANES,
+    exponential,
+    folded,
+    largest,
+    load,
+    load_two,
+    pair,
+    splat,
+    store,
+)
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.optics.reflection import star_factor
-from airlight.solvers.moments.harmonics import POLARISED, legendre_functions
+from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED, legendre_functions
+from airlight.solvers.moments.star_places import DISC_NODES, fill_disc, fill_lift, place_lights
 from airlight.solvers.moments.sweep import (
-    add_polarised,
     leaving_at_end,
+    onward_light,
     optical_depth,
     project,
     project_polarised,
     star_at_end,
-    star_from_point,
     star_from_ray,
     through_ray,
 )
@@ -29,45 +42,7 @@ from airlight.solvers.stokes_frame import star_plane
 #: Phase function of isotropic scattering. [sr⁻¹]
 ISOTROPIC: Final = 0.25 / pi
 #: F₁₂ of degree 2 per (1 - ν²): 5/(4π) d²₀₂. [sr⁻¹]
-_SECOND: Final = 5.0 * ISOTROPIC * sqrt(6.0) / 4.0
-
-
-@inlined
-def depth_towards(ratios, row, f, place, distance, extinction, constituents):
-    """Optical depth from a point to the top of the shell, in a tabled direction. [1]
-
-    Parameters
-    ----------
-    ratios : array, shape (radii, directions, nc, 2)
-        Ratios of a ``ColumnTable``, from ``mean_density_ratios``.
-    row, f : int, float
-        Index of the radius below the point, and the point's fraction of the step above it.
-    place : int
-        Index of the direction.
-    distance : float
-        Distance to the top. [m]
-    extinction : array, shape (nc·8,)
-        Extinction coefficients. [m⁻¹]
-    constituents : int
-    """
-    tau = splat(0.0)
-    for c in range(constituents):
-        scale = ratios[row, place, c, 0] * (1.0 - f) + ratios[row + 1, place, c, 0] * f
-        scaled = ratios[row, place, c, 1] * (1.0 - f) + ratios[row + 1, place, c, 1] * f
-        tau = tau + load(extinction, LANES * c) * np.float32(distance * scaled / scale)
-    return tau
-
-
-@inlined
-def depth_in_row(ratios, q, place, bottom, top, extinction, constituents):
-    """``depth_towards`` from a radius q; the directions are even in the distance to the top. [1]"""
-    x = altitude_coordinate(q, bottom, top)
-    row = min(int(x * (ratios.shape[0] - 1)), ratios.shape[0] - 2)
-    f = x * (ratios.shape[0] - 1) - row
-    shortest = top - q
-    longest = (1.0 + x) * sqrt((top - bottom) * (top + bottom))
-    distance = shortest + place * ((longest - shortest) / (ratios.shape[1] - 1))
-    return depth_towards(ratios, row, f, place, distance, extinction, constituents)
+SECOND: Final = 5.0 * ISOTROPIC * sqrt(6.0) / 4.0
 
 
 @inlined
@@ -95,95 +70,118 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift
 
 
 @inlined
-def fill_phases(moments, nu, degree, constituents, phases):
-    """Compute the phase function times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
-    for c in range(constituents):
-        total = splat(0.0)
-        before, value = 0.0, 1.0
-        for l in range(degree + 1):
-            total = total + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
-                (2 * l + 1) * ISOTROPIC * value
-            )
-            following = ((2 * l + 1) * nu * value - l * before) / (l + 1)
-            before, value = value, following
-        store(phases, LANES * c, total)
-
-
-@inlined
-def fill_polarising(polarising, nu, constituents, phases):
-    """Compute F₁₂ of degree 2 times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
-    part = np.float32(_SECOND * (1.0 - nu) * (1.0 + nu))
-    for c in range(constituents):
-        store(phases, LANES * c, load(polarising, LANES * 2 * c) * part)
-
-
-@inlined
-def scattered_once(
-    turn, radii, first, points, strong, strengths, phases, across, constituents, deep, depths,
-    directions, mu_s, nu, bottom, top, star_radius, lift,
-):  # fmt: skip
-    """Light sent along a ray by its points, from the star's own. [sr⁻¹]
-
-    Results are I, and Q in the frame of the plane through ray and star.
+def fill_depths(ratios, q, bottom, top, extinction, workspace, first, out, paired):
+    """Optical depths from a radius to the top of the shell, in the tabled directions. [1]
 
     Parameters
     ----------
-    turn, radii : array
-        Arrays ``turn`` and ``radius`` of ``Rays``.
-    first, points : int
-        Index of the ray's first point, and number of its points.
-    strong, deep : int
-        Index of the first of them in ``strengths`` and ``depths``.
-    strengths : array, shape (points·nc·8,)
-        Amount of each constituent at a point times the transmittance on the way from it. [m]
-    phases, across : array, shape (nc·8,)
-        Arrays from ``fill_phases`` and ``fill_polarising``. [m⁻¹ sr⁻¹]
-    constituents : int
-    depths : array, shape (points·directions·8,)
-        Depths from ``depth_in_row``. [1]
-    directions : int
-    mu_s, nu : float
-        Cosines of the star at the start of the ray. [1]
-    bottom, top, star_radius, lift :
-        As in ``star_points``.
+    ratios : array, shape (radii, nc, 2, directions)
+        ``Setup.star_ratios``.
+    q, bottom, top : float
+        Radii of the point, of the ground and of the top. [m]
+    extinction : array, shape (nc·8,)
+        Extinction coefficients. [m⁻¹]
+    workspace : array, shape ((nc + 1)·8,)
+    first : int
+        Index of the point's first value in ``out``.
+    out : array
+        Receives for each direction eight wavelengths, or four if ``paired``.
+    paired : bool
+        Whether both halves of ``extinction`` are alike; a constant.
     """
-    radiance, polarised = splat(0.0), splat(0.0)
-    for k in range(points):
-        q = radii[first + k]
-        mu_sk, _ = star_from_point(turn, first + k, mu_s, nu)
-        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
-        if seen <= 0.0:
-            continue
-        x = direction_coordinate(q, low, bottom, top) * (directions - 1)
-        light = through_row(depths, deep + k, x, directions)
-        if high > low:
-            x = direction_coordinate(q, high, bottom, top) * (directions - 1)
-            light = light + through_row(depths, deep + k, x, directions)
-            light = light * np.float32(0.5)
-        source, turned = splat(0.0), splat(0.0)
+    constituents, directions = ratios.shape[1], ratios.shape[3]
+    x = altitude_coordinate(q, bottom, top) * (ratios.shape[0] - 1)
+    row = min(int(x), ratios.shape[0] - 2)
+    f = np.float32(x - row)
+    g = np.float32(1.0) - f
+    shortest = top - q
+    longest = sqrt(max((q - bottom) * (q + bottom), 0.0)) + sqrt((top - bottom) * (top + bottom))
+    step = (longest - shortest) / (directions - 1)
+    flat = ratios.reshape(-1)
+    for lane in range(LANES):
+        workspace[constituents * LANES + lane] = np.float32(lane * step)
+    along = load(workspace, constituents * LANES)
+    for start in range(0, directions, LANES):
+        d = min(start, directions - LANES)
+        distance = along + np.float32(shortest + d * step)
         for c in range(constituents):
-            amount = load(strengths, LANES * ((strong + k) * constituents + c))
-            source = source + load(phases, LANES * c) * amount
-            turned = turned + load(across, LANES * c) * amount
-        light = np.float32(seen) * light
-        radiance = radiance + light * source
-        polarised = polarised + light * turned
-    return radiance, polarised
+            low = 2 * (row * constituents + c) * directions + d
+            high = low + 2 * constituents * directions
+            scale = g * load(flat, low) + f * load(flat, high)
+            low, high = low + directions, high + directions
+            scaled = g * load(flat, low) + f * load(flat, high)
+            store(workspace, LANES * c, distance * scaled / scale)
+        if paired:
+            for lane in range(0, LANES, 2):
+                tau = splat(0.0)
+                for c in range(constituents):
+                    column = pair(workspace[LANES * c + lane], workspace[LANES * c + lane + 1])
+                    tau = tau + load(extinction, LANES * c) * column
+                store(out, first + FEW * (d + lane), tau)
+        else:
+            for lane in range(LANES):
+                tau = splat(0.0)
+                for c in range(constituents):
+                    tau = tau + load(extinction, LANES * c) * workspace[LANES * c + lane]
+                store(out, first + LANES * (d + lane), tau)
 
 
-@compiled_loop
-def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, lift, out, sky_out):
-    """Moments of the light scattered or reflected once, at all sun elevations of one radius.
+@inlined
+def through_tabled(depths, row, places, at, directions, paired):
+    """Transmittance towards the star at one azimuth, or at two if ``paired``. [1]
 
     Parameters
     ----------
-    i, grid, rays, share, azimuths, air, expansion, out, sky_out :
-        As in ``sweep_radius``.
-    columns : array, shape (radii, directions, nc, 2)
-        Ratios of a ``ColumnTable``, from ``mean_density_ratios``.
-    lift : array, shape (rows, columns, 2)
-        Table from ``star_lift``. [1]
+    depths : array
+        Rows from ``fill_depths``.
+    row : int
+        Index of the point's row.
+    places : array
+        Fractional indices of directions, from ``place_lights``.
+    at : int
+        Index of the first azimuth among them.
+    directions : int
+    paired : bool
+        A constant.
     """
+    x = places[at]
+    place = min(int(x), directions - 2)
+    if paired:
+        y = places[at + 1]
+        second = min(int(y), directions - 2)
+        f = pair(x - np.float32(place), y - np.float32(second))
+        one, two = FEW * (row * directions + place), FEW * (row * directions + second)
+        low, high = load_two(depths, one, two), load_two(depths, one + FEW, two + FEW)
+    else:
+        f = splat(x - np.float32(place))
+        at = LANES * (row * directions + place)
+        low, high = load(depths, at), load(depths, at + LANES)
+    return exponential(0.0 - (low + f * (high - low)))
+
+
+@inlined
+def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
+    """Compute ``fill_phases`` of scatterers alone, ``nu`` and the results in the lanes."""
+    for c in range(count):
+        store(phases, LANES * c, splat(0.0))
+    before, value = splat(0.0), splat(1.0)
+    for l in range(degree + 1):
+        weight = value * np.float32((2 * l + 1) * ISOTROPIC)
+        for c in range(count):
+            moment = load(moments, LANES * (scatterers[c] * (degree + 1) + l))
+            store(phases, LANES * c, load(phases, LANES * c) + moment * weight)
+        inverse = 1.0 / (l + 1)
+        following = nu * value * np.float32((2 * l + 1) * inverse)
+        following = following - before * np.float32(l * inverse)
+        before = value
+        value = following
+
+
+@inlined
+def _first_order(
+    i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out, paired
+):  # fmt: skip
+    """``first_order_radius``, or ``first_order_radius_of_few`` if ``paired``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
     bottom, top, _, sun_cosines, _, _ = grid
     (
@@ -204,86 +202,182 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
     extinction, moments, surface, star_radius, polarising = air
     suns = sun_cosines.size
     degree = multiples.shape[0] - 1
+    turns = cosines.size
     harmonics = (degree + 1) * (degree + 2) // 2
     terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    most = 0
+    most = 1
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
-    directions = columns.shape[1]
-    sun_depths = np.empty(max(most, 1) * directions * LANES, np.float32)
+    directions = ratios.shape[3]
+    width = LANES
+    if paired:
+        width = FEW
+    scatterers = np.empty(constituents, np.int64)
+    count = 0
+    for c in range(constituents):
+        if largest(load(moments, LANES * c * (degree + 1))) > 0.0:
+            scatterers[count] = c
+            count += 1
+    workspace = np.empty((constituents + 1) * LANES, np.float32)
+    sun_depths = np.empty(most * directions * width, np.float32)
     ground_depths = np.empty(directions * LANES, np.float32)
-    for d in range(directions):
-        store(
-            ground_depths,
-            LANES * d,
-            depth_in_row(columns, bottom, d, bottom, top, extinction, constituents),
-        )
-    strength = np.empty(max(most, 1) * constituents * LANES, np.float32)
-    phase = np.empty(constituents * LANES, np.float32)
-    across = np.empty(constituents * LANES, np.float32)
+    fill_depths(ratios, bottom, bottom, top, extinction, workspace, 0, ground_depths, False)
+    strength = np.empty(most * max(count, 1) * LANES, np.float32)
+    across = np.empty(most * LANES, np.float32)
+    phase = np.empty(max(count, 1) * LANES, np.float32)
     functions = np.empty(harmonics)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
     polarised = np.empty(5 * LANES, np.float32)
+    turned = np.empty(2 * most, np.float32)
+    places = np.empty(7 * most, np.float32)
+    columns = max(lift.shape[1], 2)
+    lifts = np.empty(most * 2 * columns, np.float32)
+    disc = np.empty(3 * DISC_NODES, np.float32)
+    fill_disc(disc)
+    groups = -(-turns // LANES) * LANES
+    around = np.empty(groups, np.float32)
+    for b in range(groups):
+        around[b] = np.float32(cosines[min(b, turns - 1)])
+    seen = np.empty(most * LANES, np.float32)
+    low_at = np.empty(most * LANES, np.float32)
+    high_at = np.empty(most * LANES, np.float32)
+    kinds = np.empty(most, np.int64)
+    size = np.float32(max(star_radius, 1e-9))
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
         mu = all_mu[i, a]
+        sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
         below = a < angles // 2
         first = starts[i, a]
         points = starts[i, a + 1] - first
         for k in range(points):
             q = ray_radii[first + k]
-            for d in range(directions):
-                store(
-                    sun_depths,
-                    LANES * (k * directions + d),
-                    depth_in_row(columns, q, d, bottom, top, extinction, constituents),
-                )
+            fill_depths(
+                ratios, q, bottom, top, extinction, workspace, k * directions * width, sun_depths,
+                paired,
+            )  # fmt: skip
             through = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
-            for c in range(constituents):
-                store(
-                    strength,
-                    LANES * (k * constituents + c),
-                    through * np.float32(amounts[first + k, c]),
-                )
-        through = splat(0.0)
+            turning = splat(0.0)
+            for c in range(count):
+                amount = through * np.float32(amounts[first + k, scatterers[c]])
+                store(strength, LANES * (k * count + c), amount)
+                turning = turning + load(polarising, LANES * ELEMENTS * scatterers[c]) * amount
+            onward = onward_light(depths[first + k], 0, polarising, constituents)
+            store(across, LANES * k, onward * turning)
+            turned[2 * k] = np.float32(turns_along[first + k, 0] + turns_along[first + k, 1] * mu)
+            turned[2 * k + 1] = np.float32(turns_along[first + k, 1] * sine)
+            longest = sqrt(max((q - bottom) * (q + bottom), 0.0)) + sqrt(
+                (top - bottom) * (top + bottom)
+            )
+            places[7 * k] = np.float32(q)
+            places[7 * k + 1] = np.float32((top - q) * (top + q))
+            places[7 * k + 2] = np.float32(top - q)
+            places[7 * k + 3] = np.float32((directions - 1) / (longest - (top - q)))
+            horizon = fill_lift(lift, q, bottom, top, 2 * columns * k, lifts)
+            places[7 * k + 4] = np.float32(horizon)
+            places[7 * k + 5] = np.float32(horizon_cosine(q, bottom))
+            places[7 * k + 6] = np.float32(bottom / q)
+        whole = splat(0.0)
         leaving = 0.0
         if below:
-            through = through_ray(extinction, totals[i, a], 0, constituents)
+            whole = through_ray(extinction, totals[i, a], 0, constituents) * INVERSE_PI
             leaving = leaving_at_end(ends, i, a, mu)
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
+        step = 1
+        if paired:
+            step = 2
         for j in range(suns):
             mu_s = sun_cosines[j]
+            sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
             azimuthal[:] = 0.0
             polarised[:] = 0.0
-            for b in range(cosines.size):
+            lit = False
+            for b in range(0, turns, step):
+                lane = b % LANES
+                if lane == 0:
+                    lit = place_lights(
+                        turned, places, points, load(around, b) * sine_s, np.float32(mu_s), size,
+                        lifts, columns, disc, directions, seen, low_at, high_at, kinds,
+                    )  # fmt: skip
+                second = min(b + step - 1, turns - 1)
                 nu = star_from_ray(mu, mu_s, cosines[b])
-                fill_phases(moments, nu, degree, constituents, phase)
-                fill_polarising(polarising, nu, constituents, across)
-                radiance, plane = scattered_once(
-                    turns_along, ray_radii, first, points, 0, strength, phase, across, constituents,
-                    0, sun_depths, directions, mu_s, nu, bottom, top, star_radius, lift,
-                )  # fmt: skip
-                radiance, plane = exact * radiance, exact * plane
-                cosine, sine = star_plane(mu, mu_s, nu)
-                add_polarised(
-                    polarised, multiples, sines, b, np.float32(cosine) * plane,
-                    np.float32(sine) * plane,
-                )  # fmt: skip
+                nu_2 = star_from_ray(mu, mu_s, cosines[second])
+                radiance, plane = splat(0.0), splat(0.0)
+                if lit:
+                    fill_phase_pairs(
+                        moments, scatterers, count, pair(np.float32(nu), np.float32(nu_2)), degree,
+                        phase,
+                    )  # fmt: skip
+                    for k in range(points):
+                        if kinds[k] == 0:
+                            continue
+                        at = LANES * k + lane
+                        light = through_tabled(sun_depths, k, low_at, at, directions, paired)
+                        if kinds[k] == 2:
+                            light = light + through_tabled(
+                                sun_depths, k, high_at, at, directions, paired
+                            )
+                            light = light * np.float32(0.5)
+                        if paired:
+                            light = light * pair(seen[at], seen[at + 1])
+                        else:
+                            light = light * seen[at]
+                        source = splat(0.0)
+                        for c in range(count):
+                            amount = load(strength, LANES * (k * count + c))
+                            source = source + load(phase, LANES * c) * amount
+                        radiance = radiance + light * source
+                        plane = plane + light * load(across, LANES * k)
+                    radiance = exact * radiance
+                    part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
+                    part_2 = np.float32(SECOND * (1.0 - nu_2) * (1.0 + nu_2))
+                    plane = exact * plane * pair(part, part_2)
                 if below:
-                    mu_sg = star_at_end(ends, i, a, mu_s, nu)
-                    factor = star_factor(surface, 0, mu_sg, leaving, nu)
-                    radiance = radiance + factor * INVERSE_PI * through * direct_light(
-                        mu_sg, bottom, top, star_radius, ground_depths, 0, directions, lift
-                    )
+                    reflected = reflected_star(
+                        surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius,
+                        ground_depths, directions, lift,
+                    )  # fmt: skip
+                    if paired:
+                        reflected_2 = reflected_star(
+                            surface, ends, i, a, mu_s, nu_2, leaving, bottom, top, star_radius,
+                            ground_depths, directions, lift,
+                        )  # fmt: skip
+                        reflected = pair(reflected, reflected_2)
+                    radiance = radiance + whole * reflected
+                if not (lit or below):
+                    continue
+                if b + step > turns:  # the last azimuth is alone
+                    radiance = pair(radiance, splat(0.0))
+                    plane = pair(plane, splat(0.0))
+                cosine, sine_b = star_plane(mu, mu_s, nu)
+                along, aside = plane * np.float32(cosine), plane * np.float32(sine_b)
+                if paired:
+                    cosine, sine_b = star_plane(mu, mu_s, nu_2)
+                    along = pair(along, plane * np.float32(cosine))
+                    aside = pair(aside, plane * np.float32(sine_b))
                 for m in range(degree + 1):
                     at = LANES * m
-                    store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)
+                    weight = pair(multiples[m, b], multiples[m, second])
+                    store(azimuthal, at, load(azimuthal, at) + weight * radiance)
+                for m in range(3):
+                    at = LANES * m
+                    weight = pair(multiples[m, b], multiples[m, second])
+                    store(polarised, at, load(polarised, at) + weight * along)
+                for m in range(1, 3):
+                    at = LANES * (2 + m)
+                    weight = pair(sines[m, b], sines[m, second])
+                    store(polarised, at, load(polarised, at) + weight * aside)
+            if paired:
+                for m in range(degree + 1):
+                    store(azimuthal, LANES * m, folded(load(azimuthal, LANES * m)))
+                for m in range(5):
+                    store(polarised, LANES * m, folded(load(polarised, LANES * m)))
             base = j * terms * LANES
             project(azimuthal, functions, all_weights[i, a], degree, base, out)
             base = base + harmonics * LANES
@@ -292,3 +386,47 @@ def first_order_radius(i, grid, rays, share, azimuths, air, expansion, columns, 
                 at = LANES * j
                 flux = np.float32(all_flux[i, a])
                 store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))
+
+
+@inlined
+def reflected_star(
+    surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius, depths, directions, lift
+):  # fmt: skip
+    """Irradiance of the ground at the end of a ray by the star, times the reflectance factor. [1]
+
+    Arguments as in ``_first_order``, and ``leaving`` of ``star_factor``.
+    """
+    mu_sg = star_at_end(ends, i, a, mu_s, nu)
+    light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, lift)
+    return star_factor(surface, 0, mu_sg, leaving, nu) * light
+
+
+@compiled_loop
+def first_order_radius(i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out):
+    """Moments of the light scattered or reflected once, at all sun elevations of one radius.
+
+    Parameters
+    ----------
+    i, grid, rays, share, azimuths, air, expansion, out, sky_out :
+        As in ``sweep_radius``.
+    ratios : array, shape (radii, nc, 2, directions)
+        ``Setup.star_ratios``.
+    lift : array, shape (rows, columns, 2)
+        Table from ``star_lift``. [1]
+    """
+    _first_order(
+        i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out, False
+    )  # fmt: skip
+
+
+@compiled_loop
+def first_order_radius_of_few(
+    i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out
+):  # fmt: skip
+    """``first_order_radius`` for at most four wavelengths, two azimuths in a register.
+
+    Both halves of ``share`` and of ``air`` have the same wavelengths.
+    """
+    _first_order(
+        i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out, True
+    )  # fmt: skip

@@ -22,8 +22,13 @@ _ZEROTH: Final = sqrt(15.0 / (32.0 * pi))
 _FIRST: Final = sqrt(5.0 / (8.0 * pi))
 
 
-#: Number of moments of polarised light: E_20, E_21 and E_22, after those of the radiance.
-POLARISED: Final = 3
+#: Number of moments of polarised light: E_20, E_21, E_22, B_21 and B_22, after those of the
+#: radiance; as many are the parts Q_0, Q_1, Q_2, U_1 and U_2 of light about the zenith.
+POLARISED: Final = 5
+#: Number of the first three, even ones. The odd B_20 is 0.
+EVEN: Final = 3
+#: Number of elements that polarise, of ``PhaseFunction.polarising_moments``.
+ELEMENTS: Final = 4
 
 
 def coefficient_count(degree: int) -> int:
@@ -201,13 +206,14 @@ def directed_functions(mu, cosine, terms, out):
 
 @inlined
 def polarised_functions(mu):
-    r"""Even harmonics of spin 2 and degree 2, for Q and U of a line of sight.
+    r"""Harmonics of spin 2 and degree 2, for Q and U of a line of sight.
 
-    With moments E_2m of polarised light
+    With moments E_2m, even, and B_2m, odd, of polarised light
 
-    .. math:: Q = \sum_m E_{2m} A_m(\mu) \cos m\phi, \quad
-              U = \sum_m E_{2m} B_m(\mu) \sin m\phi, \quad
-              E_{2m} = \int (Q A_m \cos m\phi + U B_m \sin m\phi)\, d\omega .
+    .. math:: Q = \sum_m (E_{2m} A_m + B_{2m} B_m) \cos m\phi, \quad
+              U = \sum_m (E_{2m} B_m + B_{2m} A_m) \sin m\phi, \quad
+              E_{2m} = \int (Q A_m \cos m\phi + U B_m \sin m\phi)\, d\omega, \quad
+              B_{2m} = \int (Q B_m \cos m\phi + U A_m \sin m\phi)\, d\omega .
 
     Parameters
     ----------
@@ -229,3 +235,15 @@ def polarised_functions(mu):
         _ZEROTH * sine * sine, 0.0 - _FIRST * sine * mu, 0.5 * _FIRST * (1.0 + mu * mu),
         _FIRST * sine, 0.0 - _FIRST * mu,
     )  # fmt: skip
+
+
+@inlined
+def polarised_function(mu, m):
+    """A_m and B_m of one order m, 0 to 2, from ``polarised_functions``. [1]"""
+    a0, a1, a2, b1, b2 = polarised_functions(mu)
+    even, odd = a0, 0.0
+    if m == 1:
+        even, odd = a1, b1
+    if m == 2:
+        even, odd = a2, b2
+    return even, odd

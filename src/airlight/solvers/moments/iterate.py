@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,24 +13,56 @@ from numpy.typing import NDArray
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.convergence import Light, completed_or_swept, mix, trust
-from airlight.solvers.moments.first_order import first_order_radius
+from airlight.solvers.moments.between_wavelengths import Corrections, panels
+from airlight.solvers.moments.convergence import Light, at_least, completed_or_swept, mix, trust
+from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
 from airlight.solvers.moments.grid import Grid
-from airlight.solvers.moments.harmonics import POLARISED
+from airlight.solvers.moments.harmonics import EVEN, POLARISED
+from airlight.solvers.moments.limits import check_limits
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Block, Setup
 from airlight.solvers.moments.stopping import Iteration, Stopping
-from airlight.solvers.moments.sweep import sweep_radius
+from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_of_few
 from airlight.solvers.moments.vertical_coupling import Wandering
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 #: Sum of an order's polarised moments and of all that follow, over that order: the inverse along
-#: the vertical does not complete these. In molecular air each order has 0.3 of the one before;
-#: found by the sweeps that 1 to 1.7 take. [1]
-FURTHER: Final = np.float32(1.4)
+#: the vertical does not complete these. In molecular air each order has 0.3 of the even ones of the
+#: order before, and no odd ones; found by the changes that 1.2 to 1.6, and 1 to 1.4, leave. [1]
+FURTHER: Final = np.array([[1.37]] * EVEN + [[1.1]] * (POLARISED - EVEN), np.float32)
+
+
+class Way(NamedTuple):
+    """How a sweep is completed by the inverse along the vertical.
+
+    Attributes
+    ----------
+    note : str
+        Line in a report; empty for the usual way.
+    wider : float
+        Factor of the light's spread sideways. [1]
+    part : float
+        Part of the completion that is taken; 0 for plain orders. [1]
+    step : float
+        Part of the change that is taken. Backward peaks send light to and fro, so that orders
+        change it by turns; halves of them do not. [1]
+    """
+
+    note: str
+    wider: float
+    part: float
+    step: float
+
+
+#: Usual way, and those that follow, one after the other, where the light ceases to converge.
+WAYS: Final = (
+    Way("", 1.0, 1.0, 1.0),
+    Way("orders of scattering strayed and were damped", 2.0, 0.7, 1.0),
+    Way("orders of scattering strayed and were summed one by one", 1.0, 0.0, 0.5),
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,6 +87,8 @@ class Moments:
         Number of orders of scattering that were computed one by one (the rest is extrapolated).
     residual : array, shape (nl,)
         Largest relative change of the mean radiance that all further sweeps would make. [1]
+    way : int
+        Index among ``WAYS`` of the way in which the sweeps were completed at the end.
     """
 
     degree: int
@@ -65,6 +99,7 @@ class Moments:
     columns: FloatArray
     sweeps: int
     residual: FloatArray
+    way: int = 0
 
 
 def solve_moments(
@@ -87,27 +122,35 @@ def solve_moments(
 
     Raises
     ------
+    ParameterError
+        If the air is deeper than ``check_limits`` allows.
     ConvergenceError
         If the tolerance is not reached within ``settings.max_sweeps``.
     Cancelled
         If ``cancel`` returned True.
     """
     setup = Setup(paths=paths, settings=settings)
+    check_limits(setup.optics)
     count = setup.medium.wavelengths.size
     radii = setup.gathering.radii.size
     field = np.empty((radii, settings.suns, setup.terms, count), np.float32)
     sky = np.empty((radii, settings.suns, count), np.float32)
     residual = np.empty(count)
-    most = 0
-    for first in range(0, count, LANES):
-        which = slice(first, min(first + LANES, count))
-        block = setup.block(which)
-        result = _iterate(block, _Watch(progress, block), cancel)
-        field[..., which], sky[..., which], residual[which], sweeps = result
-        most = max(most, sweeps)
+    most = hardest = 0
+    done = 0
+    for panel in panels(setup.medium.wavelengths, clear=setup.parts == 1):
+        corrections = Corrections()
+        for number, which in enumerate(panel):
+            block = setup.block(which)
+            helped = corrections if len(panel) > 1 else None
+            last = number == len(panel) - 1
+            result = _iterate(block, _Watch(progress, block, done), cancel, helped, last)
+            field[..., which], sky[..., which], residual[which], sweeps, way = result
+            most, hardest, done = max(most, sweeps), max(hardest, way), done + block.used
     return Moments(
         degree=setup.degree, grid=setup.grid, parts=setup.parts, field=field, sky=sky,
         columns=setup.table.values, sweeps=most, residual=residual,
+        way=hardest,
     )  # fmt: skip
 
 
@@ -152,6 +195,7 @@ class _Watch:
 
     progress: Progress | None
     block: Block
+    done: int  # wavelengths of the blocks before
 
     def report(self, iteration: Iteration | None = None) -> None:
         """Report progress over all wavelengths; this block's share is 0 without an iteration."""
@@ -162,45 +206,75 @@ class _Watch:
         share = 0.0 if iteration is None else iteration.share
         still = 1.0 if iteration is None else float(iteration.to_come.max())
         self.progress(
-            round(100 * (which.start + share * nm.size)),
+            round(100 * (self.done + share * nm.size)),
             100 * wavelengths.size,
             f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: still to come {still:.1e}",
         )
 
 
 def _iterate(
-    block: Block, watch: _Watch, cancel: Cancel | None
-) -> tuple[Float32Array, Float32Array, FloatArray, int]:
-    """Solve one block of wavelengths: sum of all orders, its residual and number of sweeps."""
+    block: Block,
+    watch: _Watch,
+    cancel: Cancel | None,
+    corrections: Corrections | None = None,
+    last: bool = False,
+) -> tuple[Float32Array, Float32Array, FloatArray, int, int]:
+    """Solve one block of wavelengths: sum of all orders, its residual, number of sweeps and way.
+
+    ``corrections`` are of wavelengths near it, and receive its own unless it is the ``last``.
+    """
     setup, used = block.setup, block.used
+    once, sweep = first_order_radius, sweep_radius
+    if block.few:
+        once, sweep = first_order_radius_of_few, sweep_radius_of_few
     watch.report()
-    first_field, first_sky = gather(
-        block, first_order_radius, setup.ratios, setup.paths.lift, cancel=cancel
-    )
+    first_field, first_sky = gather(block, once, setup.star_ratios, setup.paths.lift, cancel=cancel)
     if not (first_field[:, :, 0] > 0.0).any():
-        return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0
+        return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
     wandering = Wandering(block, cancel)
-    field, sky = wandering.finish(first_field, first_sky)
-    field, sky = completed_or_swept(field, sky, first_field, first_sky)
-    iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used)
+    guess = completed_or_swept(*wandering.finish(first_field, first_sky), first_field, first_sky)
+    light, least = guess, 2
+    nm = setup.medium.wavelengths[block.which]
+    between = None if corrections is None else corrections.corrected(nm, guess)
+    if between is not None:
+        light, least = completed_or_swept(*between, first_field, first_sky), 1
+    iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used, least=least)
     images: deque[Light] = deque(maxlen=iteration.stopping.images)
+    best, at, way = light, 0, WAYS[0]
     while iteration.goes_on():
-        packed = pack_light(field, sky[:1], block.level, setup.parts)
-        swept_field, swept_sky = gather(block, sweep_radius, *packed, cancel=cancel)
+        if iteration.strays and at + 1 < len(WAYS):
+            light, at = best, at + 1
+            way = WAYS[at]
+            wandering.widen(way.wider)
+            images.clear()
+            iteration.restart(accelerated=way.part > 0.0)
+        field, sky = light
+        packed = pack_light(field, sky[:1], block.level, setup.parts, few=block.few)
+        swept_field, swept_sky = gather(block, sweep, *packed, cancel=cancel)
         swept_field += first_field
         swept_sky += first_sky
-        more_field, more_sky = wandering.finish(swept_field - field, swept_sky - sky)
-        trusted = trust(swept_field[:, :, 0], block.sidelit)
-        more_field = swept_field - field + trusted[:, :, None] * (more_field - swept_field + field)
-        more_sky = swept_sky - sky + trusted * (more_sky - swept_sky + sky)
-        more_field[:, :, -POLARISED:] *= FURTHER
+        trusted = way.part * trust(swept_field[:, :, 0], block.sidelit)
+        more_field, more_sky = swept_field - field, swept_sky - sky
+        if way.part > 0.0:
+            swept = swept_field[:, :, 0], swept_sky
+            all_field, all_sky = wandering.finish(more_field, more_sky, swept)
+            more_field = more_field + trusted[:, :, None] * (all_field - more_field)
+            more_sky = more_sky + trusted * (all_sky - more_sky)
+            more_field[:, :, -POLARISED:] *= FURTHER
+        more_field, more_sky = way.step * more_field, way.step * more_sky
         images.append(
             completed_or_swept(field + more_field, sky + more_sky, swept_field, swept_sky)
         )
         iteration.judge(*_steering(field, images[-1][0]))
         watch.report(iteration)
-        field, sky = mix(images, iteration.weights().astype(np.float32), trusted)
-    return field[..., :used], sky[..., :used], iteration.to_come, iteration.sweeps
+        if iteration.best:
+            best = images[-1]
+        light = mix(images, iteration.weights().astype(np.float32), trusted)
+    if corrections is not None and not last:
+        corrections.add(nm, guess, light)
+    field, sky = light
+    at_least(field, first_field)
+    return field[..., :used], sky[..., :used], iteration.to_come, iteration.sweeps, at
 
 
 def _steering(before: Float32Array, after: Float32Array) -> tuple[Float32Array, Float32Array]:

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import kernel, vectorized
+from airlight.kernel.threads import run_blocks
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -49,6 +50,8 @@ FEW_NODES: Final = 8
 #: Levels tabled per step between two radii of thick air, and the thickness above which they are.
 _PARTS: Final = 3
 _REFINED: Final = 0.5
+#: Number of suns for which levels are filled together.
+_SUNS: Final = 4
 #: Relative distance of a cubic from the straight line above which it is rejected.
 _LEAP: Final = 0.2
 
@@ -155,7 +158,21 @@ def finer(
     """
     if parts == 1:
         return values
+    suns = values.shape[1]
     out = np.empty(((values.shape[0] - 1) * parts + 1, *values.shape[1:]), np.float32)
+
+    def some(block: int) -> None:
+        here = slice(block * _SUNS, min((block + 1) * _SUNS, suns))
+        _fill_levels(values[:, here], scale[:, here], level[here], parts, out[:, here])
+
+    run_blocks(some, -(-suns // _SUNS))
+    return out
+
+
+def _fill_levels(
+    values: Float32Array, scale: Float32Array, level: Float32Array, parts: int, out: Float32Array
+) -> None:
+    """``finer`` for some of the suns."""
     out[::parts] = values
     root = (1.0 / np.sqrt(scale))[:, :, None]
     near, far = values[:-1], values[1:]
@@ -168,7 +185,6 @@ def finer(
         out[part::parts] = vectorized(between_levels)(
             x, near, far, np.where(smooth, bend, np.float32(0)), root[:-1], root[1:], level[:, None]
         )
-    return out
 
 
 @kernel

@@ -8,17 +8,32 @@ from airlight.optics.density_profile import _relative_densities, segment_density
 from airlight.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.optics.phase_table import _interpolate
 from airlight.solvers.moments.acceleration import combine
-from airlight.solvers.moments.convergence import change_at, count_at, is_near, rest_after
+from airlight.solvers.moments.convergence import (
+    _add,
+    _approach,
+    _replace,
+    change_at,
+    count_at,
+    is_near,
+    rest_after,
+)
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.first_order import first_order_radius
+from airlight.solvers.moments.first_order import first_order_radius_of_few
+from airlight.solvers.moments.packing import _pack_nodes
 from airlight.solvers.moments.rays import trace_into
 from airlight.solvers.moments.reduced_optics import reduce_optics
-from airlight.solvers.moments.sweep import sweep_radius
-from airlight.solvers.moments.vertical_coupling import _legendre_rows, couple_radius
+from airlight.solvers.moments.sweep import sweep_radius_of_few
+from airlight.solvers.moments.vertical_coupling import (
+    _legendre_rows,
+    couple_radius,
+    multiply,
+    spread_onto,
+    take_terms,
+)
 from airlight.solvers.moments.visible_rays import share_into
 from airlight.tables.columns import _columns, table_rays
 
-#: Loops in the order in which a solve runs them.
+#: Loops in the order in which a solve of at most four wavelengths runs them.
 LOOPS: Final = (
     segment_density,
     _relative_densities,
@@ -30,15 +45,22 @@ LOOPS: Final = (
     share_into,
     table_rays,
     _columns,
-    first_order_radius,
+    first_order_radius_of_few,
     couple_radius,
     _legendre_rows,
     factorise,
+    take_terms,
     substitute,
-    sweep_radius,
+    multiply,
+    spread_onto,
+    _replace,
+    _pack_nodes,
+    sweep_radius_of_few,
     change_at,
     count_at,
     rest_after,
     combine,
+    _add,
+    _approach,
     is_near,
 )

@@ -16,7 +16,7 @@ from math import sqrt
 import numpy as np
 
 from airlight.geometry.bending import bend_angle, star_points, turned
-from airlight.kernel import inlined
+from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import POLARISED, directed_functions
@@ -24,11 +24,18 @@ from airlight.solvers.moments.march_panels import panel_columns, place_panel, pl
 from airlight.solvers.moments.source import (
     gathered_light,
     gathered_polarised,
+    onward_columns,
     scattered_star,
     star_at,
     through_columns,
 )
 from airlight.solvers.moments.sweep import sun_index
+from airlight.solvers.moments.widened_peaks import (
+    add_peaks,
+    clear_peaks,
+    more_light,
+    peaked_share,
+)
 from airlight.solvers.stokes_frame import VERTICAL, star_plane
 from airlight.tables.column_ratios import columns_to_top
 
@@ -40,7 +47,8 @@ FAINT = 5e-3
 
 @inlined
 def march(
-    r, mu, mu_s, nu, length, orders, air, peaks, polarised, phase, across, light, work, result
+    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, across, light, work,
+    result,
 ):  # fmt: skip
     """Light of a stretch of air towards its start, per irradiance of the star.
 
@@ -50,6 +58,8 @@ def march(
         Radius of the start, inside the shell, and zenith cosine. [m], [1]
     mu_s, nu : float
         Cosines of the star's zenith angle at the start, and between line and star. [1]
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star, for which the phase functions are given. [1]
     length : float
         Length, to the ground or to the top. [m]
     orders : int
@@ -84,6 +94,7 @@ def march(
         if polarised:
             store(result, 4 * light.lanes + at, splat(0.0))
             store(result, 5 * light.lanes + at, splat(0.0))
+    clear_peaks(light, work)
     for panel in range(count - 1):
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)
@@ -99,6 +110,23 @@ def march(
             work.totals, light.extinction, light.constituents, light.lanes, at
         )
         store(result, light.lanes + at, through)
+    if light.widened and orders != 0:
+        widen(half_sine, air, peaks, light, work, result)
+
+
+@inlined
+def widen(half_sine, air, peaks, light, work, result):
+    """Widen the forward peaks of a line's light scattered once; arguments as in ``march``."""
+    for at in range(0, light.lanes, LANES):
+        more = more_light(half_sine, light, work, at)
+        if air:
+            store(result, at, load(result, at) + more * load(work.peaks, at))
+        if peaks and light.first_peak >= 0:
+            factor = np.float32(1.0) + more * peaked_share(light.first_peak, light, at)
+            store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) * factor)
+        if peaks and light.second_peak >= 0:
+            factor = np.float32(1.0) + more * peaked_share(light.second_peak, light, at)
+            store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) * factor)
 
 
 @inlined
@@ -144,14 +172,23 @@ def add_point(
         through = through_columns(
             work.depths, light.extinction, light.constituents, light.lanes, at
         ) * np.float32(work.weight[k])
+        onward = splat(1.0)
+        if polarised and orders != 1:
+            onward = onward_columns(
+                work.depths, light.polarising, light.constituents, light.lanes, at
+            )
         if seen > 0.0:
             star = through * star_at(
                 seen, work.here, work.there, spread, light.extinction, light.constituents,
                 light.lanes, at,
             )  # fmt: skip
             add_star(star, air, peaks, phase, light, work, at, result)
+            if light.widened:
+                add_peaks(star, np.float32(1.0), spread, phase, light, work, at)
             if polarised:
-                add_polarised_star(star, turn_cosine, turn_sine, across, light, work, at, result)
+                add_polarised_star(
+                    onward * star, turn_cosine, turn_sine, across, light, work, at, result
+                )
         if air and gathers:
             gathered = through * gathered_at(
                 near, block, np.float32(f), np.float32(e), light, work, at
@@ -159,8 +196,8 @@ def add_point(
             store(result, at, load(result, at) + gathered)
             if polarised:
                 add_polarised_light(
-                    through, mu_q, near, block, np.float32(f), np.float32(e), light, work, at,
-                    result,
+                    onward * through, mu_q, near, block, np.float32(f), np.float32(e), light, work,
+                    at, result,
                 )  # fmt: skip
 
 
@@ -256,6 +293,27 @@ def add_polarised_light(through, mu, near, block, f, e, light, work, at, result)
     store(result, 5 * light.lanes + at, load(result, 5 * light.lanes + at) + through * aslant)
 
 
+@kernel
+def line_azimuth(mu, mu_s, nu):
+    """Cosine of a line's azimuth from the star; that of a vertical line in ``stokes_frame``. [1]
+
+    Parameters
+    ----------
+    mu, mu_s, nu : float
+        Cosines of the line's and of the star's zenith angle, and between line and star. [1]
+
+    Examples
+    --------
+    >>> line_azimuth(0.0, 0.0, -1.0)  # looking away from the star
+    -1.0
+    """
+    spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
+    cosine = 1.0
+    if spread > 1e-24 and (1.0 - mu) * (1.0 + mu) > VERTICAL:
+        cosine = min(max((nu - mu * mu_s) / sqrt(spread), -1.0), 1.0)
+    return cosine
+
+
 @inlined
 def field_place(q, mu, mu_s, nu, light, work):
     """Position of a point in the field, with the harmonics of the line in the workspace.
@@ -276,10 +334,7 @@ def field_place(q, mu, mu_s, nu, light, work):
     f, e : float
         Fractions of the steps to the next radius and to the next sun. [1]
     """
-    spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
-    work.azimuth[0] = 1.0  # that of a vertical line in ``stokes_frame``
-    if spread > 1e-24 and (1.0 - mu) * (1.0 + mu) > VERTICAL:
-        work.azimuth[0] = min(max((nu - mu * mu_s) / sqrt(spread), -1.0), 1.0)
+    work.azimuth[0] = line_azimuth(mu, mu_s, nu)
     directed_functions(
         mu,
         work.azimuth[0],

@@ -147,12 +147,11 @@ def columns_between(r, mu, length, light, work):
     end = min(max(radius_along(r, mu, length), bottom), top)
     mu_end = min(max((r * mu + length) / end, -1.0), 1.0)
     # The table holds rays that miss the ground.
+    low, low_mu, high, high_mu = r, mu, end, mu_end
     if meets_ground(r, mu, bottom):
-        columns_to_top(end, -mu_end, bottom, top, light.columns, work.totals)
-        columns_to_top(r, -mu, bottom, top, light.columns, work.here)
-    else:
-        columns_to_top(r, mu, bottom, top, light.columns, work.totals)
-        columns_to_top(end, mu_end, bottom, top, light.columns, work.here)
+        low, low_mu, high, high_mu = end, -mu_end, r, -mu
+    columns_to_top(low, low_mu, bottom, top, light.columns, work.totals)
+    columns_to_top(high, high_mu, bottom, top, light.columns, work.here)
     depth = 0.0
     for c in range(light.constituents):
         work.totals[c] = max(work.totals[c] - work.here[c], 0.0)

@@ -44,6 +44,8 @@ class MarchTables(NamedTuple):
         Sizes of the tables.
     first_peak, second_peak : int
         Constituents whose single scattering is also found without its phase function; -1 for none.
+    widened : bool
+        Whether forward peaks count as unscattered and are widened, see ``widened_peaks``.
     columns : array, shape (radii, directions, nc, 2)
         Ratios of a ``ColumnTable``, from ``mean_density_ratios``. [1]
     density : array, shape (nodes, nc)
@@ -68,12 +70,16 @@ class MarchTables(NamedTuple):
         True scattering coefficients. [m⁻¹]
     moments : array, shape (nc·(N + 1)·w,)
         Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
-    polarising : array, shape (nc·2·w,)
-        Elements of degree 2 that polarise, times scattering, from ``Air``. [m⁻¹]
+    polarising : array, shape (nc·4·w,)
+        Elements that polarise, times scattering, from ``Air``. [m⁻¹]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
     across : array, shape (phase_nodes·nc·w,)
         Elements F₁₂ of the phase matrices on these steps; 0 in scalar transfer. [sr⁻¹]
+    sharpness : array, shape (nc·w,)
+        Reciprocal part of a scattering that is peak, from ``widened_peaks``. [1]
+    widening : array, shape (depths·angles·w,)
+        Additional light of widened peaks, from ``peak_widening``; one element if not widened. [1]
     darkening : array, shape (6·w,)
         Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
     basis : array, shape (3·w,)
@@ -100,6 +106,7 @@ class MarchTables(NamedTuple):
     phase_nodes: int
     first_peak: Annotated[int, CHOICE]
     second_peak: Annotated[int, CHOICE]
+    widened: bool
     columns: Annotated[FloatArray, scalars(4)]
     density: Annotated[FloatArray, scalars(2)]
     strongest: Annotated[FloatArray, scalars()]
@@ -119,6 +126,8 @@ class MarchTables(NamedTuple):
     polarising: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
     across: Annotated[Float32Array, SPECTRA]
+    sharpness: Annotated[Float32Array, SPECTRA]
+    widening: Annotated[Float32Array, SPECTRA]
     darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
@@ -154,6 +163,8 @@ class MarchWorkspace(NamedTuple):
         Cosine of the line's azimuth at a point. [1]
     phase, across : array, shape (nc·w,)
         Phase functions and elements F₁₂ of a line. [sr⁻¹]
+    peaks : array, shape (3·w,)
+        Sums over a line from ``widened_peaks.add_peaks``.
     found : array, shape (7·w,)
         Result of a march, and the sky that water mirrors, at ``MIRRORED``.
     """
@@ -177,6 +188,7 @@ class MarchWorkspace(NamedTuple):
     azimuth: FloatArray
     phase: Float32Array
     across: Float32Array
+    peaks: Float32Array
     found: Float32Array
 
 
@@ -207,7 +219,8 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
     constituents : int
         Number of constituents, or more.
     """
-    return {"received": 2, "phase": constituents, "across": constituents, "found": MIRRORED + 1}
+    each = dict.fromkeys(("phase", "across"), constituents)
+    return {"received": 2, **each, "peaks": 3, "found": MIRRORED + 1}
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from functools import cache
 from math import expm1, sqrt
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import kernel, vectorized
-from airlight.kernel.lanes import LANES
+from airlight.kernel import compiled_loop, kernel, vectorized
+from airlight.kernel.lanes import FEW, LANES
+from airlight.solvers.moments.harmonics import EVEN, POLARISED, moment_count
 from airlight.solvers.moments.levels import THICK, finer
 
 FloatArray = NDArray[np.float64]
@@ -26,10 +28,14 @@ _DUSK: Final = 0.3
 def filled(values: NDArray[Any]) -> NDArray[Any]:
     """Wavelengths (..., w) in whole groups of eight lanes.
 
-    Lanes without a wavelength repeat the last, so that they compute nothing exceptional.
+    Lanes without a wavelength repeat the last, so that they compute nothing exceptional; where only
+    four are used the others repeat these.
     """
-    missing = -values.shape[-1] % LANES
-    return np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
+    missing = -values.shape[-1] % FEW
+    values = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
+    if values.shape[-1] % LANES:
+        values = np.concatenate([values, values[..., -FEW:]], axis=-1)
+    return values
 
 
 def pack(values: FloatArray) -> Float32Array:
@@ -43,10 +49,6 @@ def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
     See the head of ``sweep``; ``scale_from`` has shape (..., 8) and is positive.
     """
     scale = 1.0 / np.sqrt(scale_from)[..., None, :]
-    return _with_scale(values, scale)
-
-
-def _with_scale(values: Float32Array, scale: NDArray[Any]) -> Float32Array:
     packed = np.concatenate([scale, values * scale], axis=-2)
     return np.asarray(packed, np.float32).reshape(-1)
 
@@ -78,7 +80,7 @@ def floor_below(brightest):
 
 
 def pack_light(
-    field: Float32Array, sky: Float32Array, level: Float32Array, parts: int
+    field: Float32Array, sky: Float32Array, level: Float32Array, parts: int, *, few: bool = False
 ) -> tuple[Float32Array, Float32Array]:
     """Pack moments (r, s, k, w) and irradiances (r, s, w) for the kernels.
 
@@ -91,6 +93,8 @@ def pack_light(
         between two of them; where 0 they are interpolated as ratios.
     parts : int
         See ``levels.finer``. Irradiances of only one radius stay as they are.
+    few : bool
+        Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_of_few``.
     """
     mean = positive(field[:, :, 0])
     whole = field.copy()
@@ -100,8 +104,48 @@ def pack_light(
     received = positive(sky)
     if received.shape[0] > 1:
         received = finer(received[:, :, None], received, level, parts)[:, :, 0]
-    scale = vectorized(ratio_scale)(mean, mean.max(axis=0), level)
-    return _with_scale(whole, scale[..., None, :]), as_ratios(received[..., None, :], received)
+    scale = np.asarray(vectorized(ratio_scale)(mean, mean.max(axis=0), level), np.float32)
+    lanes = whole.shape[-1]
+    nodes, scale = whole.reshape(-1, whole.shape[2], lanes), scale.reshape(-1, lanes)
+    # One moment of eight wavelengths is a register, or two of four: see ``first_register``.
+    order = np.arange(1 + nodes.shape[1])
+    if few:
+        order, lanes = pair_order(nodes.shape[1]), FEW
+    packed = np.empty((nodes.shape[0], order.size, lanes), np.float32)
+    _pack_nodes(nodes, scale, order, packed)
+    return packed.reshape(-1), as_ratios(received[..., None, :], received)
+
+
+@compiled_loop
+def _pack_nodes(nodes, scale, order, out):
+    """Fill ``out`` (n, orders, lanes) with s where the order is 0, M·s of a moment, or 0 beyond."""
+    lanes = out.shape[2]
+    for n in range(nodes.shape[0]):
+        for k in range(order.size):
+            moment = order[k] - 1
+            for lane in range(lanes):
+                value = scale[n, lane]
+                if moment >= nodes.shape[1]:
+                    value = np.float32(0.0)
+                elif moment >= 0:
+                    value = value * nodes[n, moment, lane]
+                out[n, k, lane] = value
+
+
+@cache
+def pair_order(count: int) -> NDArray[np.int64]:
+    """Indices of what the halves of the registers hold, of a node with ``count`` moments.
+
+    Index 0 is that of the factor s, count + 1 that of an empty half.
+    """
+    degree = next(n for n in range(count) if moment_count(n) == count)
+    order = [0, 0]
+    for l in range(degree + 1):
+        start = 1 + l * (l + 1) // 2
+        order += [*range(start, start + l + 1), *[count + 1] * (1 - l % 2)]
+    even, odd = count + 1 - POLARISED, count + 1 - POLARISED + EVEN
+    empty = count + 1
+    return np.array([*order, even, even + 1, even + 2, empty, empty, odd, odd + 1, empty])
 
 
 def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Float32Array:

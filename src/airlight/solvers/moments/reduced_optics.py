@@ -6,6 +6,11 @@ first order is computed with the exact phase function in the air so thinned (TMS
 Tanaka 1988, JQSRT 40, 51). Where the particles are thin the peak's light is scattered once, δ-M
 gains nothing and spoils the narrow bright band along the horizon; f is therefore faded in with the
 particles' vertical optical depth. Measurements: docs/decisions/0001-moments-in-the-twilight.md.
+
+Polarised light is expanded to degree 2 alone, beyond which particles scatter it onwards. Of Q and U
+a larger part counts therefore as unscattered: the element of degree 5 that keeps them, which stands
+for those of degree 3 and more to 0.01 of the degree of polarisation under haze
+(docs/decisions/0049-haze-in-polarised-light.md). Molecules have none.
 """
 
 from __future__ import annotations
@@ -23,6 +28,7 @@ from airlight.mappings.transmittance import radius_from_coordinate
 from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.harmonics import ELEMENTS
 from airlight.solvers.moments.levels import Depths, panel_cuts
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.settings import Settings
@@ -45,7 +51,7 @@ _NEAR_EDGE: Final = 1.5e-3
 #: Legendre moments below this count as zero.
 NEGLIGIBLE: Final = 1e-6
 #: Largest part of a scattering that counts as unscattered. [1]
-MOST_PEAK: Final = 0.98
+MOST_PEAK: Final = 0.999
 
 
 @kernel
@@ -76,6 +82,20 @@ def cut_part(beyond, weight):
     return 0.0
 
 
+@kernel
+def onward_part(forward, part):
+    """Part of a scattering of Q and U that counts as unscattered. [1]
+
+    Parameters
+    ----------
+    forward : float
+        Element of degree 5 that keeps them, of ``PhaseFunction``. [1]
+    part : float
+        That of I, from ``cut_part``. [1]
+    """
+    return min(max(forward, part), MOST_PEAK)
+
+
 @compiled_loop
 def reduce_optics(
     scattering, absorption, phases, turning, columns, degree, extinction, moments, polarising,
@@ -89,8 +109,8 @@ def reduce_optics(
         Coefficients of the constituents at relative density 1. [m⁻¹]
     phases : array, shape (nc, nl, degree + 2)
         Legendre moments of the phase functions. [1]
-    turning : array, shape (nc, nl, 2)
-        Elements of degree 2 that polarise, see ``PhaseFunction``; all 0 for scalar transfer. [1]
+    turning : array, shape (nc, nl, 4)
+        Elements that polarise, see ``PhaseFunction``; all 0 for scalar transfer. [1]
     columns : array, shape (nc,)
         Vertical columns. [m]
     degree : int
@@ -99,10 +119,10 @@ def reduce_optics(
         Receives the extinction coefficients without forward peaks. [m⁻¹]
     moments : array, shape (nc·(degree + 1)·nl,)
         Receives scattering coefficient times Legendre moment, both without forward peaks. [m⁻¹]
-    polarising : array, shape (nc·2·nl,)
-        Receives scattering coefficient times those elements, between moments and polarised moments
-        and between the latter, without forward peaks: light in a peak keeps its polarisation.
-        [m⁻¹]
+    polarising : array, shape (nc·4·nl,)
+        Receives scattering coefficient times the elements of degree 2, between moments and even
+        polarised moments, between these, and between odd ones, without what counts as
+        unscattered; then by how much less Q and U are dimmed on their way than I. [m⁻¹]
     depths : array, shape (3·nl,)
         Receives the weight of the removal, from 0 (thin) to 1 (thick); the vertical scattering
         optical depth without forward peaks; and the vertical depth in which each scattering counts
@@ -129,9 +149,12 @@ def reduce_optics(
                 if scattered > 0.0:
                     moment = scattered * (phases[c, w, l] - part)
                 moments[(c * (degree + 1) + l) * wavelengths + w] = moment
-            coupling, keeping = turning[c, w, 0], turning[c, w, 1]
-            polarising[2 * c * wavelengths + w] = scattered * coupling
-            polarising[(2 * c + 1) * wavelengths + w] = scattered * (keeping - part)
+            onward = onward_part(turning[c, w, 3], part)
+            first = ELEMENTS * c * wavelengths + w
+            polarising[first] = scattered * turning[c, w, 0]
+            polarising[first + wavelengths] = scattered * (turning[c, w, 1] - onward)
+            polarising[first + 2 * wavelengths] = scattered * (turning[c, w, 2] - onward)
+            polarising[first + 3 * wavelengths] = scattered * (onward - part)
         depths[w] = weight
         depths[wavelengths + w] = smooth
         depths[2 * wavelengths + w] = transport
@@ -189,8 +212,8 @@ class Optics:
 
     @cached_property
     def turning(self) -> FloatArray:
-        """Elements of degree 2 that polarise, shape (nc, nl, 2); 0 without polarisation. [1]"""
-        shape = (*self.medium.scattering.shape, 2)
+        """Elements that polarise, shape (nc, nl, 4); 0 without polarisation. [1]"""
+        shape = (*self.medium.scattering.shape, ELEMENTS)
         return self.medium.polarising_moments() if self.polarised else np.zeros(shape)
 
     @cached_property
@@ -198,7 +221,7 @@ class Optics:
         medium, (constituents, wavelengths) = self.medium, self.medium.scattering.shape
         extinction = np.empty((constituents, wavelengths))
         moments = np.empty((constituents, self.degree + 1, wavelengths))
-        polarising = np.empty((constituents, 2, wavelengths))
+        polarising = np.empty((constituents, ELEMENTS, wavelengths))
         depths = np.empty((3, wavelengths))
         # Copies, which can be written to: a medium's arrays cannot, and need not be in one piece.
         given = (
@@ -209,6 +232,11 @@ class Optics:
             moments.reshape(-1), polarising.reshape(-1), depths.reshape(-1),
         )  # fmt: skip
         return extinction, moments, polarising, depths
+
+    @property
+    def extinction(self) -> FloatArray:
+        """Extinction coefficients without forward peaks, shape (nc, nl). [m⁻¹]"""
+        return self._reduced[0]
 
     @property
     def peak_weight(self) -> FloatArray:
@@ -224,6 +252,20 @@ class Optics:
     def transport_depth(self) -> FloatArray:
         """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
         return np.asarray(self._reduced[3][2])
+
+    def kept_beyond(self, degree: int) -> float:
+        """Largest part of light of a higher degree that a level passage through the air keeps. [1]
+
+        Parameters
+        ----------
+        degree : int
+            Degree above which moments count.
+        """
+        moments = self._reduced[1]
+        depth = np.minimum(10.0 * moments[:, 0] * self.medium.columns[:, None], 1.0)
+        scattered = np.maximum(moments[:, 0], 1e-300)
+        kept = np.abs(moments[:, degree + 1 :]) / scattered[:, None] * depth[:, None]
+        return float(kept.max(initial=0.0))
 
     @cached_property
     def depths(self) -> Depths:

@@ -17,6 +17,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.kernel.lanes import FEW
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
@@ -28,6 +29,7 @@ from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.reduced_optics import Optics, column_rows, panel_ends
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.sweep import Air, Azimuths
+from airlight.solvers.moments.thinned_rays import thinned
 from airlight.solvers.moments.visible_rays import rays_in_sight
 from airlight.tables.column_ratios import mean_density_ratios
 from airlight.tables.columns import ColumnTable
@@ -37,8 +39,16 @@ Float32Array = NDArray[np.float32]
 
 #: Part of its largest value below which mean radiance comes from the side rather than from above
 #: and below: where the transport depth is small, where it is large, and the depth between.
-_SIDELIT: Final = (1e-4, 2e-2)
-_WANDERS: Final = 5.0
+SIDELIT: Final = (1e-4, 2e-2)
+WANDERS: Final = 5.0
+#: Transport depth above which light is so deep that interpolation between suns, not its own way,
+#: spreads it sideways: Titan's blue light has 13, the light of Venus 12 to 100. [1]
+DEEP: Final = 20.0
+#: Length that interpolation between suns adds, over the light's reach and the transport depth. [1]
+LEAK: Final = 6.0 / pi**2
+#: Part of the light of high order that a scattering may keep where azimuths confuse it with a lower
+#: one: the eigenvalue of such a pair is twice that part.
+_ALIASED: Final = 0.4
 #: Number of tables of columns that are kept: edits of coefficients do not change them.
 _KEPT: Final = 4
 
@@ -56,10 +66,14 @@ class Setup:
         Light paths of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
+    room : float
+        Factor of the air for which nodes and rays are laid out: above 1 for edits that add some
+        and keep them. [1]
     """
 
     paths: LightPaths
     settings: Settings
+    room: float = 1.0
 
     @property
     def medium(self) -> Medium:
@@ -83,13 +97,13 @@ class Setup:
 
     @cached_property
     def _nodes(self) -> tuple[Grid, int]:
-        medium, settings = self.medium, self.settings
+        medium, settings, depths = self.medium, self.settings, self.optics.depths
         return make_grid(
             medium.bottom_radius,
             medium.top_radius,
             settings.radii,
             settings.suns,
-            self.optics.depths,
+            depths._replace(scattering=self.room * depths.scattering),
         )
 
     @property
@@ -146,7 +160,7 @@ class Setup:
         return trace_rays(
             self.gathering,
             self.medium.density,
-            self.medium.extinction.max(axis=1),
+            self.room * self.medium.extinction.max(axis=1),
             self.zenith_angles,
             self.ray_nodes,
             bend=self.paths.bend,
@@ -155,8 +169,17 @@ class Setup:
 
     @cached_property
     def azimuths(self) -> Azimuths:
-        """Azimuths of a sweep: no fewer than the harmonics need."""
-        return even_azimuths(self.degree, max(self.settings.azimuths, 3 * self.degree // 4))
+        """Azimuths of a sweep: no fewer than the harmonics need.
+
+        Of B midpoints cos mφ cannot be told from -cos (2B - m)φ, and light of order m that comes
+        back as both is counted twice. Where scattering keeps little of the orders above B, as
+        without its forward peak, three quarters of the degree suffice; where it keeps more, as
+        backward peaks do, the iteration would diverge.
+        """
+        count = max(self.settings.azimuths, 3 * self.degree // 4)
+        if self.optics.kept_beyond(count) > _ALIASED:
+            count = max(count, self.degree + 1)
+        return even_azimuths(self.degree, count)
 
     @cached_property
     def expansion(self) -> Harmonics:
@@ -179,6 +202,11 @@ class Setup:
         """``mean_density_ratios`` of that table. [1]"""
         return self._columns[1]
 
+    @cached_property
+    def star_ratios(self) -> Float32Array:
+        """These by direction, for vectors of eight, shape (radii, nc, 2, directions). [1]"""
+        return np.ascontiguousarray(self.ratios.transpose(0, 2, 3, 1), np.float32)
+
     @property
     def daylight(self) -> FloatArray:
         """Level weights of infinitely thick air, shape (s,): 0 at night, 1 by day. [1]"""
@@ -198,11 +226,11 @@ class Setup:
             Indices of at most eight wavelengths.
         """
         air = self.optics.air(which)
-        rays, share = rays_in_sight(self.rays, air)
+        rays = thinned(self.rays, air, self.ray_nodes) if self.parts > 1 else self.rays
+        rays, share = rays_in_sight(rays, air)
         transport = self.optics.transport_depth[which]
         thick = filled(thickness(self.optics.scattering_depth[which]))
-        low, high = _SIDELIT
-        wanders = np.maximum(filled(transport) / _WANDERS, 1.0)
+        wanders = np.maximum(filled(transport) / WANDERS, 1.0)
         wide = self.optics.depths.reach
         return Block(
             setup=self,
@@ -212,9 +240,10 @@ class Setup:
             share=share,
             level=self.level(which),
             thick=thick,
-            sidelit=thick * np.minimum(low * wanders**3, high),
+            sidelit=thick * np.minimum(SIDELIT[0] * wanders**3, SIDELIT[1]),
             # A layer of transport depth τ loses π²/(3τ²) of its light by a scattering: diffusion.
-            reach=(wide, 6.0 / pi**2 * wide * float(transport.max())),
+            reach=(wide, LEAK * wide * float(transport.max())),
+            deep=bool(transport.max() > DEEP),
         )
 
 
@@ -243,6 +272,8 @@ class Block:
     reach : two floats
         Sideways spread of the light, and the length that the interpolation between sun elevations
         adds, see ``vertical_coupling.sideways``. [m]
+    deep : bool
+        Whether the transport depth of any of these wavelengths is above ``DEEP``.
     """
 
     setup: Setup
@@ -254,11 +285,17 @@ class Block:
     thick: FloatArray
     sidelit: FloatArray
     reach: tuple[float, float]
+    deep: bool
 
     @property
     def used(self) -> int:
         """Number of lanes that have their own wavelength."""
         return len(range(*self.which.indices(self.setup.medium.wavelengths.size)))
+
+    @property
+    def few(self) -> bool:
+        """Whether either half of the lanes has all the wavelengths."""
+        return self.used <= FEW
 
 
 def even_azimuths(degree: int, count: int) -> Azimuths:

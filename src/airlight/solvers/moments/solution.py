@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from airlight.geometry.bending import bend_angle, turned
 from airlight.kernel import compiled_loop, disk
 from airlight.kernel.borrowing import borrowed
+from airlight.kernel.cost import timed
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
@@ -29,12 +30,13 @@ from airlight.solvers.moments.irradiance import (
     ground_radiance,
     sky_irradiance,
 )
-from airlight.solvers.moments.iterate import Moments, solve_moments
+from airlight.solvers.moments.iterate import WAYS, Moments, solve_moments
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import Settings, settings_for
 from airlight.solvers.moments.setup import Setup
+from airlight.solvers.moments.widened_peaks import peak_widening, sharpness
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import mean_density_ratios
@@ -82,6 +84,7 @@ class MomentsSolution(Solution):
             sweeps=moments.sweeps,
             residual=tuple(float(x) for x in moments.residual),
             seconds=seconds,
+            note=WAYS[moments.way].note,
         )
 
     @cached_property
@@ -106,7 +109,8 @@ class MomentsSolution(Solution):
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
-        air = self.setup.optics.air(slice(None))
+        optics = self.setup.optics
+        air, widening = optics.air(slice(None)), peak_widening(optics)
         return MarchTables(
             bottom=grid.bottom_radius,
             top=grid.top_radius,
@@ -121,6 +125,7 @@ class MomentsSolution(Solution):
             phase_nodes=medium.phase_table.shape[2],
             first_peak=-1,
             second_peak=-1,
+            widened=widening is not None,
             columns=mean_density_ratios(table),
             density=density_table(medium.density, medium.thickness),
             strongest=medium.extinction.max(axis=1),
@@ -140,6 +145,8 @@ class MomentsSolution(Solution):
             polarising=air.polarising,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
             across=pack(self._across(medium)),
+            sharpness=pack(sharpness(optics)),
+            widening=pack(np.zeros((1, self.wavelengths.size)) if widening is None else widening),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
             field=field,
@@ -205,6 +212,24 @@ class MomentsSolution(Solution):
         chosen = self.light if light is None else light
         return self._lines(sight, orders, chosen, scatterers, ground)[0]
 
+    def before_the_ground(self, sight: Sight, orders: int) -> tuple[FloatArray, FloatArray]:
+        """Radiance of the air alone along lines of sight, and that of all, the ground included.
+
+        Parameters
+        ----------
+        sight : Sight
+            n lines of sight.
+        orders : int
+            As for ``marched``.
+
+        Returns
+        -------
+        air, whole : array, shape (n, nl)
+            Radiance per irradiance of the star. [sr⁻¹]
+        """
+        whole, _, _, air = self._lines(self.paths.sight(sight), orders, self.light, None, True)
+        return air, whole
+
     def stretches(
         self, sight: Sight, length: FloatArray, *, light: MarchTables | None = None
     ) -> tuple[FloatArray, FloatArray]:
@@ -238,19 +263,16 @@ class MomentsSolution(Solution):
         ground: bool,
         *,
         stokes: bool = False,
-    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Light of lines from ``paths.sight``.
 
         Radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0 without
-        ``stokes``. [sr⁻¹]
+        ``stokes`` [sr⁻¹]; radiance of the air alone, (n, nl). [sr⁻¹]
         """
         seen = self.paths.seen_nu(sight)
         n, count = sight.r.size, self.wavelengths.size
-        out, through, polarised = (
-            np.empty((n, count)),
-            np.empty((n, count)),
-            np.zeros((n, 3, count)),
-        )
+        out, through, air = (np.empty((n, count)) for _ in range(3))
+        polarised = np.zeros((n, 3, count))
         ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
 
         def run(index: int) -> None:
@@ -260,15 +282,17 @@ class MomentsSolution(Solution):
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
+            half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
             across = phase[:, :0]
             if stokes:
                 across = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
-            result = np.empty((phase.shape[0], (6 if stokes else 2) * chosen.lanes), np.float32)
+            result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
             _march_all(
                 sight.r[rows],
                 sight.mu[rows],
                 sight.mu_s[rows],
                 sight.nu[rows],
+                half_sine,
                 sight.length[rows],
                 ends[rows],
                 orders,
@@ -281,12 +305,13 @@ class MomentsSolution(Solution):
             )
             out[rows] = result[:, :count]
             through[rows] = result[:, chosen.lanes : chosen.lanes + count]
+            air[rows] = result[:, 2 * chosen.lanes : 2 * chosen.lanes + count]
             if stokes:
                 kept = result.reshape(-1, 6, chosen.lanes)[:, [0, 4, 5], :count]
                 polarised[rows] = kept
 
         run_blocks(run, -(-n // _BLOCK))
-        return out, through, polarised
+        return out, through, polarised, air
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
@@ -322,16 +347,18 @@ class MomentsSolution(Solution):
 
 @compiled_loop
 def _march_all(
-    r, mu, mu_s, nu, length, to_ground, orders, stokes, phase, across, light, work, out
+    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, across, light, work, out
 ):  # fmt: skip
     light, work = borrowed((light, work))
     lanes, bottom = light.lanes, light.bottom
     found, ground = work.found, np.empty(lanes, np.float32)
     for k in range(r.size):
         march(
-            r[k], mu[k], mu_s[k], nu[k], length[k], orders, True, False, stokes, phase[k],
-            across[k], light, work, found,
+            r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
+            phase[k], across[k], light, work, found,
         )  # fmt: skip
+        for at in range(0, lanes, LANES):  # in the place of the peaks
+            store(found, 2 * lanes + at, load(found, at))
         if to_ground[k]:
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
             if light.bend > 0.0:
@@ -377,7 +404,9 @@ def solve(
             if moments is not None:
                 return MomentsSolution(medium, settings, moments, 0.0, paths)
     started = perf_counter()
-    moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
+    count = medium.wavelengths.size
+    with timed("solve", solve_work(settings, count), f"solving the light of {count} wavelengths"):
+        moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
     solution = MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
     if cache:
         disk.save(
@@ -387,10 +416,29 @@ def solve(
                 "sky": moments.sky,
                 "columns": moments.columns,
                 "residual": moments.residual,
-                "counts": np.array([moments.degree, moments.sweeps]),
+                "counts": np.array([moments.degree, moments.sweeps, moments.way]),
             },
         )
     return solution
+
+
+def solve_work(quality: str | Settings, wavelengths: int) -> float:
+    """Amount of work of five sweeps of dusty air: moments times points of rays. [1]
+
+    Without the degree and the points that a planet needs, which take as long as a preview.
+
+    Parameters
+    ----------
+    quality : str or Settings
+        Quality of the solution.
+    wavelengths : int
+        Number of wavelengths.
+    """
+    settings = settings_for(quality)
+    degree = settings.thick_degree
+    rays = 2.0 * settings.zenith_angles * max(settings.azimuths, 3 * degree // 4)
+    points = settings.radii * settings.suns * rays * settings.nodes
+    return 5.0 * -(-wavelengths // LANES) * points * moment_count(degree)
 
 
 def _key(medium: Medium, settings: Settings) -> str:
@@ -403,7 +451,7 @@ def _key(medium: Medium, settings: Settings) -> str:
 def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
     """Moments in a cache file, or None if it holds something else."""
     try:
-        degree, sweeps = (int(x) for x in arrays["counts"])
+        degree, sweeps, way = (int(x) for x in arrays["counts"])
         medium, suns = setup.medium, setup.settings.suns
         count, radii = medium.wavelengths.size, setup.gathering.radii.size
         shape = (radii, suns, moment_count(degree), count)
@@ -426,6 +474,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
             columns=arrays["columns"],
             sweeps=sweeps,
             residual=arrays["residual"],
+            way=way,
         )
     except (KeyError, ValueError, IndexError, TypeError):
         return None

@@ -11,7 +11,7 @@ import numpy as np
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, exponential, load, maximum, splat, store
-from airlight.solvers.moments.harmonics import POLARISED, polarised_functions
+from airlight.solvers.moments.harmonics import ELEMENTS, EVEN, polarised_function
 
 
 @inlined
@@ -21,6 +21,15 @@ def through_columns(columns, extinction, constituents, lanes, at):
     for c in range(constituents):
         tau = tau + load(extinction, lanes * c + at) * np.float32(columns[c])
     return exponential(0.0 - tau)
+
+
+@inlined
+def onward_columns(columns, polarising, constituents, lanes, at):
+    """Transmittance of Q and U over that of I through columns (nc,), from ``polarising``. [1]"""
+    more = splat(0.0)
+    for c in range(constituents):
+        more = more + load(polarising, lanes * (ELEMENTS * c + 3) + at) * np.float32(columns[c])
+    return exponential(more)
 
 
 @inlined
@@ -92,8 +101,8 @@ def gathered_light(
         Relative densities. [1]
     moments : array, shape (nc·(N + 1)·w,)
         Moments of ``Air``. [m⁻¹]
-    polarising : array, shape (nc·2·w,)
-        Elements of degree 2 that polarise, of ``Air``. [m⁻¹]
+    polarising : array, shape (nc·4·w,)
+        Elements that polarise, of ``Air``. [m⁻¹]
     field : array
         Field of ``Light``.
     functions : array, shape (k,)
@@ -119,9 +128,9 @@ def gathered_light(
         gathered = gathered + strength * part
     coupling = splat(0.0)
     for c in range(constituents):
-        coupling = coupling + load(polarising, lanes * 2 * c + at) * density[c]
+        coupling = coupling + load(polarising, lanes * ELEMENTS * c + at) * density[c]
     part = splat(0.0)
-    for m in range(POLARISED):
+    for m in range(EVEN):
         here = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
         part = part + functions[3 + m] * between(
             field, near + here, far + here, block, w00, w01, w10, w11
@@ -152,27 +161,32 @@ def gathered_polarised(
     along, aslant : lanes
         Q and U in the frame of ``stokes_frame``. [m⁻¹ sr⁻¹]
     """
-    coupling, keeping = splat(0.0), splat(0.0)
+    coupling, keeping, turning = splat(0.0), splat(0.0), splat(0.0)
     for c in range(constituents):
-        coupling = coupling + load(polarising, lanes * 2 * c + at) * density[c]
-        keeping = keeping + load(polarising, lanes * (2 * c + 1) + at) * density[c]
-    a0, a1, a2, b1, b2 = polarised_functions(mu)
+        coupling = coupling + load(polarising, lanes * ELEMENTS * c + at) * density[c]
+        keeping = keeping + load(polarising, lanes * (ELEMENTS * c + 1) + at) * density[c]
+        turning = turning + load(polarising, lanes * (ELEMENTS * c + 2) + at) * density[c]
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     first = lanes * (1 + (degree + 1) * (degree + 2) // 2) + at  # E_20; M_20 has index 3
     along, aslant = splat(0.0), splat(0.0)
-    for m in range(POLARISED):
+    multiple, across = 1.0, 0.0  # cos mφ and sin mφ
+    for m in range(EVEN):
         bright = lanes * (4 + m) + at
         turned = first + lanes * m
         part = coupling * between(
             field, near + bright, far + bright, block, w00, w01, w10, w11
         ) + keeping * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
-        even, odd = a0, 0.0
-        if m == 1:
-            even, odd = a1 * cosine, b1 * sine
-        if m == 2:
-            even, odd = a2 * (2.0 * cosine * cosine - 1.0), b2 * 2.0 * sine * cosine
-        along = along + part * np.float32(even)
-        aslant = aslant + part * np.float32(odd)
+        even, odd = polarised_function(mu, m)
+        along = along + part * np.float32(even * multiple)
+        aslant = aslant + part * np.float32(odd * across)
+        if m > 0:
+            turned = first + lanes * (EVEN - 1 + m)
+            part = turning * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
+            along = along + part * np.float32(odd * multiple)
+            aslant = aslant + part * np.float32(even * across)
+        following = multiple * cosine - across * sine
+        across = across * cosine + multiple * sine
+        multiple = following
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
     return along / scale, aslant / scale
 

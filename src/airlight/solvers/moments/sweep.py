@@ -20,14 +20,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
+from airlight.kernel.lanes import (
+    INVERSE_PI,
+    LANES,
+    exponential,
+    folded,
+    load,
+    pair,
+    splat,
+    store,
+)
 from airlight.optics.reflection import Reflection, sky_factor
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import (
+    ELEMENTS,
+    EVEN,
     POLARISED,
     legendre_functions,
     polarised_functions,
 )
+from airlight.solvers.moments.sent_light import (
+    contracted,
+    coupled_moments,
+    first_register,
+    odd_moment,
+    sent_by_point,
+)
+from airlight.solvers.moments.star_places import place_stars
 
 Float32Array = NDArray[np.float32]
 
@@ -45,9 +64,10 @@ class Air(NamedTuple):
         Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
-    polarising : array, shape (nc·2·8,)
-        Scattering coefficient times the elements of degree 2 that couple moments and polarised
-        moments, and polarised moments with each other; see ``reduced_optics``. [m⁻¹]
+    polarising : array, shape (nc·4·8,)
+        Scattering coefficient times the elements of degree 2 that couple moments and even polarised
+        moments, and that keep even and odd ones; by how much less Q and U are dimmed than I; see
+        ``reduced_optics``. [m⁻¹]
     """
 
     extinction: Float32Array
@@ -93,6 +113,18 @@ def optical_depth(columns, first, extinction, constituents):
 
 
 @inlined
+def onward_light(columns, first, polarising, constituents):
+    """Transmittance of Q and U over that of I, of eight wavelengths. [1]
+
+    ``columns[first:]`` holds one row of columns; ``polarising`` of ``Air``.
+    """
+    more = splat(0.0)
+    for c in range(constituents):
+        more = more + load(polarising, LANES * (ELEMENTS * c + 3)) * np.float32(columns[first + c])
+    return exponential(more)
+
+
+@inlined
 def strength_of(moments, amounts, point, l, degree, constituents):
     """Scattering by a point in one degree: Σ moments·amount of eight wavelengths. [1]"""
     strength = splat(0.0)
@@ -101,134 +133,6 @@ def strength_of(moments, amounts, point, l, degree, constituents):
             amounts[point, c]
         )
     return strength
-
-
-@inlined
-def contracted(factors, first, field, low, high, f, m, degree):
-    """Moments of one m, times the scattering by a point in each degree, between two radii.
-
-    Parameters
-    ----------
-    factors : array
-        Strength of each degree times Legendre function, (l, m) at l(l + 1)/2 + m from ``first`` on.
-    first : int
-        Index of the first factor, in lanes.
-    field : array
-        Field as in ``sweep_radius``.
-    low, high : int
-        Index of the nodes of the lower and the upper radius, in lanes.
-    f : float32
-        Weight of the upper radius. [1]
-    m, degree : int
-        Order of these moments, and highest degree.
-    """
-    g = np.float32(1.0) - f
-    total = splat(0.0)
-    for l in range(m, degree + 1):
-        index = l * (l + 1) // 2 + m
-        at = LANES * (1 + index)
-        total = total + load(factors, first + LANES * index) * (
-            g * load(field, low + at) + f * load(field, high + at)
-        )
-    return total
-
-
-@inlined
-def coupled_moments(field, low, high, f, m, degree):
-    """Moments of degree 2 and order m that scattering couples, times s, between two radii.
-
-    Results are that of the radiance and the polarised one; arguments as for ``contracted``.
-    """
-    g = np.float32(1.0) - f
-    bright = LANES * (1 + POLARISED + m)
-    at = LANES * (1 + (degree + 1) * (degree + 2) // 2 + m)
-    return (
-        g * load(field, low + bright) + f * load(field, high + bright),
-        g * load(field, low + at) + f * load(field, high + at),
-    )
-
-
-@inlined
-def star_from_point(turn, point, mu_s, nu):
-    """Cosines of the star's zenith angle and between star and ray, at a point of a ray. [1]
-
-    ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
-    """
-    here = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
-    return here, turn[point, 2] * mu_s + turn[point, 3] * nu
-
-
-@inlined
-def azimuth_cosine(mu, mu_s, nu):
-    """Cosine of the azimuth between a ray and the star, seen from a point of the ray. [1]"""
-    spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
-    return min(max((nu - mu * mu_s) / sqrt(max(spread, 1e-24)), -1.0), 1.0)
-
-
-@inlined
-def gathered(
-    turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree, bright, polarised
-):
-    """I, Q and U sent along a ray by its points, from light scattered before. [1]
-
-    Parameters
-    ----------
-    turn, mu_along : array
-        Arrays of ``Rays``.
-    first, points : int
-        Index of the ray's first point, and number of its points.
-    local : int
-        Index of the first of them in ``rows``.
-    rows : array, shape (points·s·(5 + N)·8,)
-        For each point and sun (s, A_0 s, … A_N s, e_0 s, e_1 s, e_2 s), A_m from ``contracted`` and
-        e_m the polarised light of the point.
-    mu_s, nu : float
-        Cosines of the star at the start of the ray. [1]
-    places : array
-        Lookup table ``Grid.place``.
-    suns, degree : int
-        Number of sun elevations, and highest degree.
-    bright, polarised : bool
-        Whether I, and whether Q and U are found; constants. The others are 0.
-    """
-    block = (degree + 2 + POLARISED) * LANES
-    radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
-    for k in range(points):
-        mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
-        x = sun_index(mu_sk, places)
-        column = min(int(x), suns - 2)
-        f = np.float32(x - column)
-        g = np.float32(1.0) - f
-        step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
-        low = ((local + k) * suns + column) * block
-        high = low + block
-        scale = splat(1.0) / (g * load(rows, low) + f * load(rows, high))
-        if bright:
-            total = g * load(rows, low + LANES) + f * load(rows, high + LANES)
-            before = np.float32(1.0)
-            multiple = step
-            for m in range(1, degree + 1):
-                at = LANES * (1 + m)
-                total = total + multiple * (g * load(rows, low + at) + f * load(rows, high + at))
-                following = np.float32(2.0) * step * multiple - before
-                before = multiple
-                multiple = following
-            radiance = radiance + total * scale
-        if polarised:
-            a0, a1, a2, b1, b2 = polarised_functions(mu_along[first + k])
-            sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
-            at = LANES * (2 + degree)
-            even = g * load(rows, low + at) + f * load(rows, high + at)
-            at = at + LANES
-            once = g * load(rows, low + at) + f * load(rows, high + at)
-            at = at + LANES
-            twice = g * load(rows, low + at) + f * load(rows, high + at)
-            double = np.float32(2.0) * step * step - np.float32(1.0)
-            total = even * np.float32(a0) + once * np.float32(a1 * step)
-            along = along + (total + twice * np.float32(a2 * double)) * scale
-            total = once * np.float32(b1 * sine) + twice * np.float32(2.0 * b2 * sine * step)
-            across = across + total * scale
-    return radiance, along, across
 
 
 @inlined
@@ -307,6 +211,12 @@ def project_polarised(azimuthal, mu, weight, base, out):
     twice = np.float32(weight * a2) * load(azimuthal, 2 * LANES)
     twice = twice + np.float32(weight * b2) * load(azimuthal, 4 * LANES)
     store(out, base + 2 * LANES, load(out, base + 2 * LANES) + twice)
+    once = np.float32(weight * b1) * load(azimuthal, LANES)
+    once = once + np.float32(weight * a1) * load(azimuthal, 3 * LANES)
+    store(out, base + 3 * LANES, load(out, base + 3 * LANES) + once)
+    twice = np.float32(weight * b2) * load(azimuthal, 2 * LANES)
+    twice = twice + np.float32(weight * a2) * load(azimuthal, 4 * LANES)
+    store(out, base + 4 * LANES, load(out, base + 4 * LANES) + twice)
 
 
 @inlined
@@ -319,29 +229,109 @@ def add_polarised(azimuthal, multiples, sines, b, along, across):
         store(azimuthal, at, load(azimuthal, at) + sines[m, b] * across)
 
 
-@compiled_loop
-def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out):
-    """Gather the light scattered once more at all sun elevations of one radius.
+@inlined
+def fill_rows(
+    k, point, rays, air, expansion, grid, field, degree, functions, factors, rows, paired
+):  # fmt: skip
+    """Light that one point of a ray sends along it, under each sun, in ``rows``.
 
     Parameters
     ----------
-    i : int
-        Index of the radius.
-    grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
-        Shell, its rays, and its optics.
-    share : array, shape (r·a·8,)
-        Factors from ``rays_in_sight``. [1]
-    expansion : Harmonics
-        Harmonics of the moments.
-    field : array, shape (r·s·(1 + k)·8,)
-        Moments so far, as (s, M·s) per node; see the head of this file.
-    ground : array, shape (s·2·8,)
-        Irradiance of the ground by the light so far, as (s, E·s) per node.
-    out : array, shape (s·k·8,)
-        Receives the moments at this radius.
-    sky_out : array, shape (s·8,)
-        Receives the irradiance of a level surface by the light from the upper half sphere.
+    k, point : int
+        Index of the point on its ray, and among all.
+    rays, air, expansion, grid, field : arrays and tuples of ``sweep_radius``, borrowed
+    degree : int
+    functions, factors : array
+        Workspace.
+    rows : array
+        Receives the nodes of ``sent_by_point``.
+    paired : bool
+        See ``first_register``; a constant.
     """
+    extinction, moments, polarising = air
+    ray_radii, mu_along, amounts, depths = rays
+    bottom, top, levels, suns, rows_at = grid
+    constituents = amounts.shape[1]
+    orders, polar, sent = EVEN, POLARISED, POLARISED
+    wide = degree + 1
+    if paired:
+        orders, polar, sent = 2, 4, 3
+        wide = degree // 2 + 1
+    terms = first_register(degree + 1, paired) + polar
+    block = (1 + wide + sent) * LANES
+    legendre_functions(mu_along[point], expansion, functions)
+    through = exponential(0.0 - optical_depth(depths[point], 0, extinction, constituents))
+    for l in range(degree + 1):
+        strength = strength_of(moments, amounts, point, l, degree, constituents) * through
+        index = l * (l + 1) // 2
+        at = LANES * first_register(l, paired)
+        if paired:
+            for m in range(0, l, 2):
+                both = pair(np.float32(functions[index + m]), np.float32(functions[index + m + 1]))
+                store(factors, at + LANES // 2 * m, strength * both)
+            if l % 2 == 0:
+                both = pair(np.float32(functions[index + l]), np.float32(0.0))
+                store(factors, at + LANES // 2 * l, strength * both)
+        else:
+            for m in range(l + 1):
+                store(factors, at + LANES * m, strength * np.float32(functions[index + m]))
+    last = ELEMENTS - 1
+    coupling = through * strength_of(polarising, amounts, point, 0, last, constituents)
+    keeping = through * strength_of(polarising, amounts, point, 1, last, constituents)
+    turning = through * strength_of(polarising, amounts, point, 2, last, constituents)
+    onward = onward_light(depths[point], 0, polarising, constituents)
+    # The Legendre functions of degree 2.
+    second_0, second_1, second_2 = functions[3], functions[4], functions[5]
+    a0, a1, a2, b1, b2 = polarised_functions(mu_along[point])
+    x = radius_index(ray_radii[point], bottom, top, rows_at)
+    row = min(int(x), levels - 2)
+    f = np.float32(x - row)
+    g = np.float32(1.0) - f
+    for j in range(suns):
+        low = (row * suns + j) * (1 + terms) * LANES
+        high = low + suns * (1 + terms) * LANES
+        target = (k * suns + j) * block
+        store(rows, target, g * load(field, low) + f * load(field, high))
+        for m in range(wide):
+            total = contracted(factors, 0, field, low, high, f, m, degree, paired)
+            if m < orders:
+                moment, here = coupled_moments(field, low, high, f, m, degree, paired)
+                second = pair(np.float32(second_0), np.float32(second_1))
+                even = pair(np.float32(a0), np.float32(a1))
+                odd = pair(np.float32(0.0), np.float32(b1))
+                if paired:
+                    if m == 1:
+                        second = pair(np.float32(second_2), np.float32(0.0))
+                        even = pair(np.float32(a2), np.float32(0.0))
+                        odd = pair(np.float32(b2), np.float32(0.0))
+                else:
+                    second, even, odd = splat(second_0), splat(a0), splat(0.0)
+                    if m == 1:
+                        second, even, odd = splat(second_1), splat(a1), splat(b1)
+                    if m == 2:
+                        second, even, odd = splat(second_2), splat(a2), splat(b2)
+                total = total + coupling * here * second
+                kept = onward * (coupling * moment + keeping * here)
+                plane, slant = even * kept, odd * kept
+                if paired or m > 0:
+                    kept = onward * turning * odd_moment(field, low, high, f, m, degree, paired)
+                    plane, slant = plane + odd * kept, slant + even * kept
+                at = target + LANES * (1 + wide)
+                store(rows, at + LANES * m, plane)
+                if paired:  # U_1 in the second half, U_2 in the first
+                    if m == 1:
+                        slant = slant + load(rows, at + 2 * LANES)
+                    store(rows, at + 2 * LANES, slant)
+                elif m > 0:
+                    store(rows, at + LANES * (EVEN - 1 + m), slant)
+            store(rows, target + LANES * (1 + m), total)
+
+
+@inlined
+def _sweep(
+    i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out, paired
+):  # fmt: skip
+    """``sweep_radius``, or ``sweep_radius_of_few`` if ``paired``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
     bottom, top, radii, sun_cosines, rows_at, places = grid
     (
@@ -367,52 +357,49 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
     terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    most = 0
+    most = 1
     for a in range(angles):
         most = max(most, starts[i, a + 1] - starts[i, a])
     block = (degree + 2 + POLARISED) * LANES
-    rows = np.empty(max(most, 1) * suns * block, np.float32)
+    if paired:
+        block = (degree // 2 + 5) * LANES
+    rows = np.empty(most * suns * block, np.float32)
     functions = np.empty(harmonics)
     factors = np.empty(harmonics * LANES, np.float32)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
     polarised = np.empty(5 * LANES, np.float32)
+    turned = np.empty(2 * most, np.float32)
+    groups = -(-turns // LANES) * LANES
+    around = np.empty(2 * groups, np.float32)
+    for b in range(groups):
+        cosine = cosines[min(b, turns - 1)]
+        around[b] = np.float32(cosine)
+        around[groups + b] = np.float32(sqrt((1.0 - cosine) * (1.0 + cosine)))
+    table = np.empty(places.size, np.float32)
+    for k in range(places.size):
+        table[k] = np.float32(places[k])
+    columns = np.empty(most * LANES, np.float32)
+    shares = np.empty(most * LANES, np.float32)
+    star_cosines = np.empty(most * LANES, np.float32)
+    star_sines = np.empty(most * LANES, np.float32)
+    along_rays = (ray_radii, mu_along, amounts, depths)
+    optics = (extinction, moments, polarising)
+    shell = (bottom, top, radii.size, suns, rows_at)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
         mu = all_mu[i, a]
+        sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
         below = a < angles // 2
         first = starts[i, a]
         points = starts[i, a + 1] - first
         for k in range(points):
-            legendre_functions(mu_along[first + k], expansion, functions)
-            through = exponential(
-                0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
-            )
-            for l in range(degree + 1):
-                strength = strength_of(moments, amounts, first + k, l, degree, constituents)
-                strength = strength * through
-                for m in range(l + 1):
-                    index = l * (l + 1) // 2 + m
-                    store(factors, LANES * index, strength * np.float32(functions[index]))
-            coupling = through * strength_of(polarising, amounts, first + k, 0, 1, constituents)
-            keeping = through * strength_of(polarising, amounts, first + k, 1, 1, constituents)
-            x = radius_index(ray_radii[first + k], bottom, top, rows_at)
-            row = min(int(x), radii.size - 2)
-            f = np.float32(x - row)
-            g = np.float32(1.0) - f
-            for j in range(suns):
-                low = (row * suns + j) * (1 + terms) * LANES
-                high = low + suns * (1 + terms) * LANES
-                target = (k * suns + j) * block
-                store(rows, target, g * load(field, low) + f * load(field, high))
-                for m in range(degree + 1):
-                    total = contracted(factors, 0, field, low, high, f, m, degree)
-                    if m < POLARISED:
-                        moment, here = coupled_moments(field, low, high, f, m, degree)
-                        total = total + coupling * here * np.float32(functions[POLARISED + m])
-                        at = target + LANES * (2 + degree + m)
-                        store(rows, at, coupling * moment + keeping * here)
-                    store(rows, target + LANES * (1 + m), total)
+            fill_rows(
+                k, first + k, along_rays, optics, expansion, shell, field, degree, functions,
+                factors, rows, paired,
+            )  # fmt: skip
+            turned[2 * k] = np.float32(turns_along[first + k, 0] + turns_along[first + k, 1] * mu)
+            turned[2 * k + 1] = np.float32(turns_along[first + k, 1] * sine)
         reflected = splat(0.0)
         if below:
             through = through_ray(extinction, totals[i, a], 0, constituents)
@@ -422,17 +409,33 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
         exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
             mu_s = sun_cosines[j]
+            sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
             azimuthal[:] = 0.0
             polarised[:] = 0.0
             for b in range(turns):
-                nu = star_from_ray(mu, mu_s, cosines[b])
-                radiance, along, across = gathered(
-                    turns_along, mu_along, first, points, 0, rows, mu_s, nu, places, suns, degree,
-                    True, True,
-                )  # fmt: skip
+                lane = b % LANES
+                if lane == 0:
+                    place_stars(
+                        turned, points, around, b, sine_s, np.float32(mu_s), table, suns, columns,
+                        shares, star_cosines, star_sines,
+                    )  # fmt: skip
+                radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
+                for k in range(points):
+                    at = LANES * k + lane
+                    low = (k * suns + int(columns[at])) * block
+                    light, plane, slant = sent_by_point(
+                        rows, low, low + block, shares[at], star_cosines[at], star_sines[at],
+                        degree, True, True, paired,
+                    )  # fmt: skip
+                    radiance = radiance + light
+                    along = along + plane
+                    across = across + slant
+                if paired:
+                    radiance, along, across = folded(radiance), folded(along), folded(across)
                 radiance = exact * radiance
                 add_polarised(polarised, multiples, sines, b, exact * along, exact * across)
                 if below:
+                    nu = star_from_ray(mu, mu_s, cosines[b])
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
                     radiance = radiance + reflected * sky_at(ground, mu_sg, places, suns)
                 for m in range(degree + 1):
@@ -446,3 +449,41 @@ def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, 
                 at = LANES * j
                 flux = np.float32(all_flux[i, a])
                 store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))
+
+
+@compiled_loop
+def sweep_radius(i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out):
+    """Gather the light scattered once more at all sun elevations of one radius.
+
+    Parameters
+    ----------
+    i : int
+        Index of the radius.
+    grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
+        Shell, its rays, and its optics.
+    share : array, shape (r·a·8,)
+        Factors from ``rays_in_sight``. [1]
+    expansion : Harmonics
+        Harmonics of the moments.
+    field : array, shape (r·s·(1 + k)·8,)
+        Moments so far, as (s, M·s) per node; see the head of this file.
+    ground : array, shape (s·2·8,)
+        Irradiance of the ground by the light so far, as (s, E·s) per node.
+    out : array, shape (s·k·8,)
+        Receives the moments at this radius.
+    sky_out : array, shape (s·8,)
+        Receives the irradiance of a level surface by the light from the upper half sphere.
+    """
+    _sweep(i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out, False)
+
+
+@compiled_loop
+def sweep_radius_of_few(
+    i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out
+):  # fmt: skip
+    """``sweep_radius`` for at most four wavelengths, two moments in a register.
+
+    Both halves of ``share`` and of ``air`` have the same wavelengths; ``field`` has pairs of
+    moments, see ``packing.paired``.
+    """
+    _sweep(i, grid, rays, share, azimuths, air, expansion, field, ground, out, sky_out, True)

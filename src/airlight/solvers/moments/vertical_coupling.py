@@ -12,13 +12,13 @@ sweep's own operator in place of diffusion.
 
 from __future__ import annotations
 
-from math import pi
+from math import acos, cos, pi, sin
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop
+from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.optics.reflection import sky_factor
@@ -26,15 +26,18 @@ from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
+from airlight.solvers.moments.packing import positive
 from airlight.solvers.moments.setup import Block
 from airlight.solvers.moments.sweep import leaving_at_end, optical_depth, through_ray
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
+#: Moments, or their means, and irradiances.
+Light = tuple[Float32Array, Float32Array]
 
 #: Highest degree and order in the m that is inverted; the rest converges by itself.
-_DEGREE: Final = 8
-_ORDER: Final = 3
+DEGREE: Final = 8
+ORDER: Final = 3
 #: Number of sun elevations solved for together.
 _SUNS: Final = 14
 
@@ -114,10 +117,13 @@ class Wandering:
     def __init__(self, block: Block, cancel: Cancel | None = None) -> None:
         setup, rays, share, air = block.setup, block.rays, block.share, block.air
         grid, expansion, parts = setup.grid, setup.expansion, setup.parts
-        wide, leak = (length / grid.bottom_radius for length in block.reach)
-        self.spread = sideways(grid.sun_cosines, wide, leak)
-        self.degree = min(expansion.degree, _DEGREE)
-        self.order = min(expansion.degree, _ORDER)
+        self.block, self.grid = block, grid
+        self.widen(1.0)
+        reach, leak = (length / grid.bottom_radius for length in block.reach)
+        self.wide = sideways(grid.sun_cosines, reach, 0.0)
+        self.leak = sideways(grid.sun_cosines, 0.0, leak)
+        self.degree = min(expansion.degree, DEGREE)
+        self.order = min(expansion.degree, ORDER)
         self.radii = rays.mu.shape[0]
         widths = [self.degree + 1 - m for m in range(self.order + 1)]
         starts = np.concatenate([[0], np.cumsum(widths)])
@@ -125,7 +131,7 @@ class Wandering:
         along = rays.mu_along
         cubics = finer_weights(self.radii, parts).astype(np.float32)
         # The ground's irradiance is one more unknown beside the moments of m = 0.
-        sizes = [self.radii * width + (m == 0) for m, width in enumerate(widths)]
+        self.sizes = sizes = [self.radii * width + (m == 0) for m, width in enumerate(widths)]
         self.factors = [np.zeros((size, size, LANES), np.float32) for size in sizes]
         self.to_sky = np.zeros((self.radii, self.radii * widths[0], LANES), np.float32)
 
@@ -165,49 +171,167 @@ class Wandering:
 
         run_blocks(invert, self.order + 1, cancel=cancel)
 
-    def finish(self, field: Float32Array, sky: Float32Array) -> tuple[Float32Array, Float32Array]:
+    def widen(self, factor: float) -> None:
+        """Spread the light that is added farther sideways than it goes, by a factor. [1]"""
+        reach, leak = (length / self.grid.bottom_radius for length in self.block.reach)
+        self.spread = sideways(self.grid.sun_cosines, factor * reach, factor**2 * leak)
+
+    def finish(self, field: Float32Array, sky: Float32Array, light: Light | None = None) -> Light:
         """Add to moments and irradiances the sum of all further sweeps.
+
+        In deep air further light spreads sideways relative to the light that there is: moments are
+        interpolated as ratios, so that what falls e-fold from one sun to the next stays where it
+        is. Of the first order there is little in the dusk, where light comes from the side; what
+        follows it spreads as it is, as far as light goes, and then relative to the light with it.
+        In other air all of it spreads as it is, as far as light goes and interpolation spreads it.
 
         Parameters
         ----------
         field : array, shape (r, s, k, 8)
-            Change of the moments by the last sweep.
+            Change of the moments by the last sweep, or the first order.
         sky : array, shape (r, s, 8)
             Change of the irradiances.
+        light : two arrays, shapes (r, s, 8), optional
+            Mean radiances and irradiances with that change; without, it is the first order.
         """
-        more_field, more_sky = np.zeros_like(field), np.zeros_like(sky)
         radii, suns = field.shape[:2]
+        more = [np.empty((size, suns, LANES), np.float32) for size in self.sizes]
+        more_sky = np.empty_like(sky)
 
         def solve(index: int) -> None:
             m, first = index % (self.order + 1), index // (self.order + 1) * _SUNS
             here = slice(first, min(first + _SUNS, suns))
-            terms = _indices(m, self.degree)
-            state = np.moveaxis(field[:, here, terms], 1, 2).reshape(radii * len(terms), -1, LANES)
+            width = here.stop - first
+            before = np.empty((self.sizes[m], width, LANES), np.float32)
+            take_terms(field, sky, m, self.degree, first, before)
+            after = before.copy()
+            substitute(self.factors[m].reshape(-1), self.sizes[m], after.reshape(-1), width)
+            more[m][:, here] = after - before
             if m == 0:
-                state = np.concatenate([state, sky[:1, here]])
-            values = np.ascontiguousarray(state)
-            substitute(
-                self.factors[m].reshape(-1), values.shape[0], values.reshape(-1), values.shape[1]
-            )
-            moments = values[: radii * len(terms)]
-            after = np.moveaxis(moments.reshape(radii, len(terms), -1, LANES), 1, 2)
-            more_field[:, here, terms] = after - field[:, here, terms]
-            if m == 0:
-                more_sky[:, here] = np.einsum("rkw,ksw->rsw", self.to_sky, moments)
+                found = np.empty((radii, width, LANES), np.float32)
+                multiply(self.to_sky.reshape(-1), after.reshape(-1), width, found)
+                more_sky[:, here] = found
 
         run_blocks(solve, (self.order + 1) * -(-suns // _SUNS))
-        wide = self._spread(more_field.reshape(radii, suns, -1)).reshape(field.shape)
-        # With the star in the zenith or the nadir the light is the same in all azimuths.
-        level = _indices(0, self.degree)
-        for pole in (0, suns - 1):
-            kept = wide[:, pole, level]
-            wide[:, pole] = 0.0
-            wide[:, pole, level] = kept
-        return field + wide, sky + self._spread(more_sky)
+        spread = self.spread
+        mean, received = np.ones_like(sky), np.ones_like(sky)
+        if self.block.deep:
+            if light is None:
+                more, more_sky = [self.wide @ one for one in more], self.wide @ more_sky
+                light, spread = (field[:, :, 0], sky), self.leak
+            # A change cannot be larger than the light and it together.
+            added = more[0][: radii * (self.degree + 1) : self.degree + 1]
+            mean = positive(np.maximum(light[0], 0.0) + np.abs(added))
+            received = positive(np.maximum(light[1], 0.0) + np.abs(more_sky))
+        field, sky = field.copy(), sky.copy()
 
-    def _spread(self, values: Float32Array) -> Float32Array:
-        """``sideways`` of values (r, s, n); without a library whose threads wait for each other."""
-        return np.asarray(np.einsum("ts,rsn->rtn", self.spread, values), np.float32)
+        def move(i: int) -> None:
+            for m in range(self.order + 1):
+                # With the star in the zenith or the nadir the light is the same in all azimuths.
+                width, inner = self.degree + 1 - m, int(m > 0)
+                shares = (more[m][i * width : (i + 1) * width] / mean[i]).reshape(-1)
+                terms = _indices(m, self.degree)
+                spread_onto(spread, shares, terms, inner, mean[i], field[i])
+            shares = (more_sky[i] / received[i]).reshape(-1)
+            spread_onto(spread, shares, _indices(0, 0), 0, received[i], sky[i, :, None])
+
+        run_blocks(move, radii)
+        return field, sky
+
+
+@compiled_loop
+def take_terms(field, sky, m, degree, first, out):
+    """Take the moments of one m of some suns, and for m = 0 the ground's irradiance.
+
+    Parameters
+    ----------
+    field, sky : array, shapes (r, s, k, 8), (r, s, 8)
+        Moments, and irradiances from above.
+    m, degree : int
+        Order of the moments, and highest degree.
+    first : int
+        Index of the first sun.
+    out : array, shape (n, suns, 8)
+        Receives them by radius and then degree.
+    """
+    row, suns = 0, out.shape[1]
+    given, taken = field.reshape(-1), out.reshape(-1)
+    for i in range(field.shape[0]):
+        for l in range(m, degree + 1):
+            for s in range(suns):
+                at = (i * field.shape[1] + first + s) * field.shape[2] + l * (l + 1) // 2 + m
+                store(taken, LANES * (row * suns + s), load(given, LANES * at))
+            row += 1
+    if m == 0:
+        for s in range(suns):
+            store(taken, LANES * (row * suns + s), load(sky.reshape(-1), LANES * (first + s)))
+
+
+@compiled_loop
+def spread_onto(matrix, values, terms, inner, scale, out):
+    """Add values at the suns, multiplied by a matrix (s, s) and by ``scale``, to some terms.
+
+    Parameters
+    ----------
+    matrix : array, shape (s, s)
+        Matrix from ``sideways``. [1]
+    values : array, shape (n·s·8,)
+        Values by term and sun.
+    terms : array, shape (n,)
+        Indices of their terms in ``out``.
+    inner : int
+        1 if the first and the last sun are left out, else 0.
+    scale : array, shape (s, 8)
+        Factors of the sums at each sun.
+    out : array, shape (s, k, 8)
+        Receives the sums.
+    """
+    suns = matrix.shape[0]
+    for n in range(len(terms)):
+        for t in range(inner, suns - inner, 4):
+            # Four at a time, so that each value is loaded once for all of them.
+            second, third = min(t + 1, suns - 1), min(t + 2, suns - 1)
+            fourth = min(t + 3, suns - 1)
+            one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+            for s in range(suns):
+                value = load(values, LANES * (n * suns + s))
+                one = one + matrix[t, s] * value
+                two = two + matrix[second, s] * value
+                three = three + matrix[third, s] * value
+                four = four + matrix[fourth, s] * value
+            last = suns - inner
+            add_at(out, t, terms[n], one * load(scale[t], 0))
+            if t + 1 < last:
+                add_at(out, t + 1, terms[n], two * load(scale[t + 1], 0))
+            if t + 2 < last:
+                add_at(out, t + 2, terms[n], three * load(scale[t + 2], 0))
+            if t + 3 < last:
+                add_at(out, t + 3, terms[n], four * load(scale[t + 3], 0))
+
+
+@inlined
+def add_at(out, sun, term, value):
+    """Add eight lanes to one term of a sun, ``out[sun, term]``."""
+    row = out[sun, term]
+    store(row, 0, load(row, 0) + value)
+
+
+@compiled_loop
+def multiply(matrix, values, suns, out):
+    """Multiply values (k, s, 8) by a matrix (r, k, 8) of each wavelength, into ``out`` (r, s, 8).
+
+    Matrix and values are flat; ``suns`` is the number s. Further values are left out.
+    """
+    flat = out.reshape(-1)
+    radii = out.shape[0]
+    terms = matrix.size // (radii * LANES)
+    for r in range(radii):
+        for s in range(suns):
+            total = splat(0.0)
+            for k in range(terms):
+                factor = load(matrix, LANES * (r * terms + k))
+                total = total + factor * load(values, LANES * (k * suns + s))
+            store(flat, LANES * (r * suns + s), total)
 
 
 def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array:
@@ -227,23 +351,48 @@ def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array
     reach, leak : float
         Lengths over the planet's radius. [rad]
     """
-    angle = np.arccos(sun_cosines)
-    between = 0.5 * (angle[1:] + angle[:-1])
-    edges = np.concatenate([[-1.0], np.cos(between), [1.0]])
-    step = -np.diff(angle)
-    flux = (reach**2 + 0.5 * leak * step) * np.sin(between) / step
-    matrix = np.diag(np.diff(edges))
-    spread = matrix.copy()
-    low = np.arange(flux.size)
-    for j, k in ((low, low + 1), (low + 1, low)):
-        spread[j, j] += flux
-        spread[j, k] -= flux
-    return np.linalg.solve(spread, matrix).astype(np.float32)
+    suns = sun_cosines.size
+    spread, measure = np.zeros(suns * suns), np.empty(suns)
+    sideways_equations(sun_cosines, reach, leak, spread, measure)
+    matrix = np.linalg.solve(spread.reshape(suns, suns), np.diag(measure))
+    return np.asarray(matrix, np.float32)
 
 
-def _indices(m: int, degree: int) -> list[int]:
+def sideways_equations(sun_cosines, reach, leak, spread, measure):
+    """Equations of ``sideways``: the matrix is spread⁻¹ times the measure of each elevation.
+
+    Parameters
+    ----------
+    sun_cosines, reach, leak :
+        As in ``sideways``.
+    spread : array, shape (s·s,)
+        Receives the measure less the flux to and from the neighbours; 0 before. [1]
+    measure : array, shape (s,)
+        Receives the part of the sphere's cosines that belongs to each elevation. [1]
+    """
+    suns = sun_cosines.size
+    below = -1.0
+    for j in range(suns):
+        spread[j * suns + j] -= below
+        measure[j] = -below
+        below = 1.0
+        if j < suns - 1:
+            angle, further = acos(sun_cosines[j]), acos(sun_cosines[j + 1])
+            between, step = 0.5 * (angle + further), angle - further
+            below = cos(between)
+            flux = (reach * reach + 0.5 * leak * step) * sin(between) / step
+            spread[j * suns + j] += flux
+            spread[j * suns + j + 1] -= flux
+            spread[(j + 1) * suns + j] -= flux
+            spread[(j + 1) * suns + j + 1] += flux
+        spread[j * suns + j] += below
+        measure[j] += below
+
+
+def _indices(m: int, degree: int) -> NDArray[np.int64]:
     """Indices of (m, m) to (degree, m) among the moments."""
-    return [l * (l + 1) // 2 + m for l in range(m, degree + 1)]
+    l = np.arange(m, degree + 1)
+    return l * (l + 1) // 2 + m
 
 
 def _functions(mu: FloatArray, expansion: Harmonics) -> FloatArray:

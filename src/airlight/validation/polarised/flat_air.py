@@ -13,7 +13,6 @@ from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers import Solution
-from airlight.validation.energy_planets import VAST
 from airlight.validation.published.row import Solve
 from airlight.validation.suite import Bar, Part, ReportTable
 
@@ -25,6 +24,9 @@ RADIANCE_BAR, DEGREE_BAR = 0.1, 0.001
 #: Cosine of the star's zenith angle, and optical depth, of all values. [1]
 SUN, DEPTH = 0.2, 0.5
 _HEIGHT, _SCALE_HEIGHT = 100e3, 8e3
+#: Radius of the Earth's ground [m], and how many times as large that of flat air is. [1]
+_EARTH: Final = 6.36e6
+RADII: Final = (1_000, 10_000)
 _WAVELENGTH: Final = 550.0
 #: A line this far from the vertical has azimuths; its light is that of the vertical. [deg]
 _TILT: Final = 0.01
@@ -62,14 +64,14 @@ def coulson_values() -> dict[float, Values]:
     }
 
 
-def flat_rayleigh(albedo: float) -> Planet:
-    """Flat air of the tables under a point star of irradiance 1."""
-    bottom = VAST * 6360e3
+def flat_rayleigh(albedo: float, times: int = RADII[-1]) -> Planet:
+    """Flat air of the tables under a point star of irradiance 1, on so many radii of the Earth."""
+    radius = times * _EARTH
     column = _SCALE_HEIGHT * -np.expm1(-_HEIGHT / _SCALE_HEIGHT)
     return Planet(
         name="flat Rayleigh air",
-        bottom_radius=bottom,
-        top_radius=bottom + _HEIGHT,
+        bottom_radius=radius,
+        top_radius=radius + _HEIGHT,
         ground=Ground(albedo=albedo),
         star=Star(irradiance=1.0, angular_radius=0.0),
         constituents=(
@@ -105,35 +107,39 @@ def flat_air(solve: Solve) -> tuple[list[Bar], list[Part]]:
         See ``published.row.Solve``.
     """
     bars, rows = [], []
-    for quality in ("default", "fine"):
+    for quality, times in (("default", RADII[-1]), *(("fine", one) for one in RADII)):
         light, degree = [], []
         for albedo, values in coulson_values().items():
             of_i, of_degree = differences(
-                solve(flat_rayleigh(albedo), (_WAVELENGTH,), quality), values
+                solve(flat_rayleigh(albedo, times), (_WAVELENGTH,), quality), values
             )
             light.append(np.abs(of_i).max())
             degree.append(np.abs(of_degree).max())
             rows += [
-                (quality, f"{albedo:g}", f"{mu:g}", f"{azimuth:g}", f"{i:+.3f}", f"{q:+.5f}",
-                 f"{u:+.5f}")
+                (quality, f"{times}", f"{albedo:g}", f"{mu:g}", f"{azimuth:g}", f"{i:+.3f}",
+                 f"{q:+.5f}", f"{u:+.5f}")
                 for mu, azimuth, i, (q, u) in zip(
                     values.mu, values.azimuth, of_i, of_degree, strict=True
                 )
             ]  # fmt: skip
         if quality == "fine":
             source = "the aim; corrected Coulson tables"
+            name = f"Rayleigh air on {times} radii, fine"
             bars += [
-                Bar(name="flat Rayleigh air, fine: I", got=float(max(light)),
-                    allowed=RADIANCE_BAR, unit="%", source=source),
-                Bar(name="flat Rayleigh air, fine: Q/I and U/I", got=float(max(degree)),
-                    allowed=DEGREE_BAR, source=source),
+                Bar(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_BAR, unit="%",
+                    source=source),
+                Bar(name=f"{name}: Q/I and U/I", got=float(max(degree)), allowed=DEGREE_BAR,
+                    source=source),
             ]  # fmt: skip
     return bars, [
         ReportTable(
             title="Flat Rayleigh air of depth 0.5 against the corrected Coulson tables",
-            columns=["quality", "albedo", "μ", "azimuth [°]", "I [%]", "Q/I", "U/I"],
+            columns=["quality", "radii", "albedo", "μ", "azimuth [°]", "I [%]", "Q/I", "U/I"],
             rows=rows,
             note="Differences, ours less theirs; light that leaves the top, star 78.5° from the "
-            "zenith. Natraj, Li & Yung (2009), Astrophysical Journal 691, 1909.",
+            "zenith, on a ground of so many radii of the Earth. A line that leaves the top at a "
+            "cosine of 0.02 meets most of the air 4000 km on: on 1000 radii its cosine is 0.0206 "
+            "there and its light 0.16 % too bright, which is no error of the solver: that case is "
+            "not flat. Natraj, Li & Yung (2009), Astrophysical Journal 691, 1909.",
         )
     ]

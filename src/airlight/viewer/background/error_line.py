@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Final
 
 from airlight.errors import AirlightError
+from airlight.plain_text import plain
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -34,7 +35,7 @@ def one_line(error: Exception) -> str:
     """
     if isinstance(error, AirlightError):
         return str(error)
-    return f"{type(error).__name__}: {' '.join(str(error).split())}"
+    return plain(f"{type(error).__name__}: {' '.join(str(error).split())}")
 
 
 class Faults:

@@ -29,6 +29,8 @@ from airlight.viewer.session.solve_request import SolveRequest, Versions
 PATIENCE: Final = 3.0
 #: Number of solutions kept, so that an undo or a switch to the other side is immediate.
 MOST_KEPT: Final = 4
+#: Part of a task after which the time left is told. [1]
+_TELLING: Final = 0.1
 #: Shortest time between progress reports. [s]
 _REPORT_EVERY: Final = 0.1
 
@@ -85,6 +87,8 @@ class SolverStatus:
         Version of the planet in work, or of the last one.
     error : str
         One-line error if the planet of ``version`` is invalid or cannot be solved; else empty.
+    left : float or None
+        Time left, as that task has gone so far; None before that can be told. [s]
     """
 
     busy: bool = False
@@ -93,6 +97,22 @@ class SolverStatus:
     total: int = 0
     version: int = 0
     error: str = ""
+    left: float | None = None
+
+    @property
+    def text(self) -> str:
+        """Current task with its progress and the time left; empty if idle.
+
+        Examples
+        --------
+        >>> SolverStatus(busy=True, doing="solving, default", done=1, total=4, left=31.2).text
+        'solving, default 25 %, about 31 s left …'
+        """
+        if not self.busy:
+            return ""
+        part = f" {100 * self.done // self.total} %" if self.total else ""
+        left = "" if self.left is None or self.left < 1.0 else f", about {self.left:.0f} s left"
+        return f"{self.doing}{part}{left} …"
 
 
 class Solving:
@@ -293,10 +313,14 @@ class Solving:
         self._tell()
 
     def _reporter(self, request: SolveRequest, doing: str) -> Progress:
+        began = time.perf_counter()
+
         def report(done: int, total: int, message: str) -> None:
             now = time.perf_counter()
+            share = done / max(total, 1)
+            left = (now - began) * (1.0 / share - 1.0) if share >= _TELLING else None
             self._status = SolverStatus(
-                busy=True, doing=doing, done=done, total=total, version=request.version
+                busy=True, doing=doing, done=done, total=total, version=request.version, left=left
             )
             if now - self._reported >= _REPORT_EVERY:
                 self._reported = now

@@ -14,7 +14,7 @@ from airlight.ephemeris import moon_formula, sun_formula
 from airlight.geometry.bending import raised_star
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
-from airlight.gpu.emit.shader_types import F32, I32, LocalArray, Table, Value
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
 from airlight.optics.moon_phase import moon_share
 from airlight.pixels.disc_shading import SHADING, phase_shading
 from airlight.pixels.light_shown import light_shown
@@ -26,9 +26,18 @@ from airlight.scene.moon_light import bright_limb
 from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.acceleration import combine
-from airlight.solvers.moments.convergence import change_at, count_at, rest_after
-from airlight.solvers.moments.packing import level_weight, thick_share
+from airlight.solvers.moments.convergence import (
+    change_at,
+    count_at,
+    is_near,
+    rest_after,
+    trusted_part,
+)
+from airlight.solvers.moments.elimination import factorise, substitute
+from airlight.solvers.moments.grid import radius_index
+from airlight.solvers.moments.packing import floor_below, level_weight, thick_share
 from airlight.solvers.moments.reduced_optics import reduce_optics
+from airlight.solvers.moments.vertical_coupling import sideways_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
 #: Formulas with the types of their arguments, by default all numbers. An array that a formula
@@ -70,6 +79,13 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     count_at: (),
     rest_after: (F32, F32, I32),
     combine: (LocalArray(1), I32, LocalArray(1)),
+    is_near: (),
+    floor_below: (),
+    trusted_part: (),
+    radius_index: (F32, F32, F32, Table("row")),
+    sideways_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
+    factorise: (LocalArray(1, VEC4), I32),
+    substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
     reduce_optics: (
         Table("scattering", 2),
         Table("absorption", 2),

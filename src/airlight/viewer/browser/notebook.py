@@ -217,7 +217,7 @@ class Viewer(anywidget.AnyWidget):
         if self._pictures.preparing is not None and self._pictures.waits:
             self.status = self._pictures.preparing.text(now)
         elif now.busy:
-            self.status = now.doing
+            self.status = now.text
         elif solved is not None:
             self.status = f"{solved.quality}, {solved.seconds:.2f} s"
 

@@ -31,7 +31,7 @@ from airlight.viewer.parameters.view_parameters import VIEW_VALUES
 from airlight.viewer.session.session import Session
 
 #: Largest size of a page. [byte]
-LARGEST: Final = 3_000_000
+LARGEST: Final = 5_000_000
 #: Note of a page about the planet's parameters.
 NOTE: Final = "The planet is as it was solved; the desktop viewer edits it: airlight view {name}"
 
@@ -96,7 +96,9 @@ def page_data(
     """
     numbers, tables = solution_package(solution)
     solver = solver_data(solution)
-    planet = None if solver is None else solution.planet
+    if solver["plan"]["tables"]["ratios"]["shape"][:3] == numbers["uniforms"]["table_columns"][1:]:
+        solver["scalars"]["ratios"] = None  # the picture has the same table
+    planet = solution.planet
     edited = () if planet is None else amounts_of(planet, MOST)
     body = None if solution.planet is None else solution.planet.body
     parameters = page_parameters(dated=body is not None)
@@ -166,7 +168,7 @@ def export_page(
     view : mapping, optional
         Initial view values by path; without any, those of the first viewpoint. [parameter.unit]
     quality : str
-        ``preview``, ``default`` or ``fine``; replaced by ``preview`` above 3 MB.
+        ``preview``, ``default`` or ``fine``; replaced by ``preview`` above 5 MB.
     wavelengths : str
         Number of wavelengths, ``three`` or ``four``.
     cache : bool
@@ -183,7 +185,7 @@ def export_page(
     ParameterError
         If the planet or a view value is invalid.
     FileError
-        If the page cannot be written, or would be larger than 3 MB even at ``preview``.
+        If the page cannot be written, or would be larger than 5 MB even at ``preview``.
     """
     check_target(output)
     session = Session(planet)
@@ -212,7 +214,8 @@ def export_page(
             break
     if len(content) > LARGEST:
         size = f"{len(content) / 1e6:.1f} MB"
-        reason = f"the page would have {size}, more than 3 MB, even at the quality preview"
+        most = f"{LARGEST / 1e6:g} MB"
+        reason = f"the page would have {size}, more than {most}, even at the quality preview"
         raise FileError(output, reason)
     with whole_file(output) as place:
         place.write_bytes(content)

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import Any, Final
 
 from airlight.errors import ParameterError
+from airlight.plain_text import is_plain
 
 Value = float | str | bool
 
@@ -102,6 +103,8 @@ class Parameter:
             least, most = max(self.least, 0.0), min(self.most, LONGEST_TEXT)
             if not isinstance(value, str) or not least <= len(value) <= most:
                 raise ParameterError(self.path, value, f"{least:g} to {most:g} letters")
+            if not is_plain(value.replace("\n", " ") if math.isinf(self.most) else value):
+                raise ParameterError(self.path, value, "letters without control characters")
             return value
         return self._number(value)
 

@@ -251,7 +251,7 @@ def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
     Parameters
     ----------
     view : mapping
-        View values by path.
+        View values by path; those of the sky's date are missing where a planet has none.
 
     Examples
     --------
@@ -260,8 +260,7 @@ def uniforms_of(view: Mapping[str, Value]) -> dict[str, float]:
     """
     return {
         one.uniform: float(one.options.index(str(value)) if one.options else value)
-        for one, value in ((one, view[one.path]) for one in VIEW_VALUES)
-        if one.uniform
+        for one, value in ((one, view[one.path]) for one in VIEW_VALUES if one.uniform)
     }
 
 

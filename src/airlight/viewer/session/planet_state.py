@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
+from airlight.planets.parameters import MISSING
 from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.nested_tables import Tables, differences
 from airlight.planets.reading.planet_file import planet_file
@@ -54,6 +55,7 @@ class PlanetState:
         text, file, folder = planet_text(name_or_path)
         tables = nested_tables(text, file)
         try:
+            _check_tables(tables)
             base = spelled_out(tables, folder)
             state = cls(str(name_or_path), base, base)
             _ = state.parameters
@@ -112,3 +114,13 @@ class PlanetState:
     def key(self) -> str:
         """Fingerprint of the tables and the switches, which determine the solution."""
         return f"{self.tables_key} {self.off}"
+
+
+def _check_tables(tables: Tables) -> None:
+    """Refuse a planet without the tables that the viewer's parts are made of."""
+    for name in ("shell", "ground", "star"):
+        if not isinstance(tables.get(name), dict):
+            raise ParameterError(name, tables.get(name, MISSING), f"a table [{name}]")
+    constituents = tables.get("constituents", MISSING)
+    if not isinstance(constituents, list) or not constituents:
+        raise ParameterError("constituents", constituents, "one or more tables [[constituents]]")

@@ -24,7 +24,7 @@ function render({ model, el }) {
     state,
     radius: () => model.get("picture").radius ?? 1,
     status: () => model.get("status"),
-    stale: () => (model.get("stale") ? "solving …" : ""),
+    stale: () => (model.get("stale") ? working(model.get("status")) : ""),
     device: model.get("device"),
     devices: { kernel: KernelDevice },
     picture: async (device, tell) => {
@@ -40,7 +40,10 @@ function render({ model, el }) {
   on("parameters", () => viewer.declare(model.get("parameters"), model.get("values")));
   on("picture", () => viewer.take(model.get("picture")));
   on("title", () => viewer.retitle(model.get("title")));
-  on("status", () => viewer.showStatus());
+  on("status", () => {
+    viewer.showStatus();
+    viewer.showWork();
+  });
   on("stale", () => viewer.showWork());
   on("can", () => {
     state.showing = model.get("can").showing;
@@ -68,3 +71,8 @@ function first(model, on) {
 }
 
 export default { render };
+
+/** Words of a status that says what is being done; it ends in an ellipsis then. */
+function working(status) {
+  return status.endsWith("…") ? status : "solving …";
+}

@@ -160,6 +160,29 @@ class PictureArea:
         white = imgui.get_color_u32(imgui.ImVec4(*style.TEXT_COLOR))
         drawing.add_text(at, white, words)
 
+    def draw_working(self, words: str, into: Rectangle) -> None:
+        """Say in a corner of a picture that is not the one requested what is being done.
+
+        Parameters
+        ----------
+        words : str
+            Current work; nothing is drawn if empty.
+        into : Rectangle
+            Rectangle of the picture.
+        """
+        from imgui_bundle import imgui
+
+        if not words:
+            return
+        drawing = imgui.get_background_draw_list()
+        size = imgui.calc_text_size(words)
+        at = imgui.ImVec2(into.left + 22.0, into.top + 18.0)
+        low = imgui.ImVec2(at.x - 10.0, at.y - 6.0)
+        high = imgui.ImVec2(at.x + size.x + 10.0, at.y + size.y + 6.0)
+        shade = imgui.get_color_u32(imgui.ImVec4(0.0, 0.0, 0.0, 0.7))
+        drawing.add_rect_filled(low, high, shade, 4.0)
+        drawing.add_text(at, imgui.get_color_u32(imgui.ImVec4(*style.TEXT_COLOR)), words)
+
     def draw_mark(self, into: Rectangle, place: tuple[float, float]) -> None:
         """Draw a small circle at a position, in fractions of width and height. [1]"""
         from imgui_bundle import imgui

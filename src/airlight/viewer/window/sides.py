@@ -14,7 +14,6 @@ from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 from airlight.viewer.session.compared_side import SessionSide
 from airlight.viewer.session.session import Session
-from airlight.viewer.window.panels.status import working_text
 
 #: Time for which a picture counts as new. [s]
 _FRESH: Final = 0.5
@@ -116,7 +115,7 @@ class Sides:
             return ""
         solving = self._solvings[side]
         if solved is None or solved.version != self._session.versions.planet:
-            return "" if solving.idle else f"{side}: {working_text(solving.status) or 'solving …'}"
+            return "" if solving.idle else f"{side}: {solving.status.text or 'solving …'}"
         if shown.request.same_light(self._request(side, solved)) or not self._threads[side].busy:
             return ""
         return f"{side}: drawing …"

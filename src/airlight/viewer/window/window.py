@@ -37,7 +37,6 @@ from airlight.viewer.window.panels.status import (
     picture_text,
     solver_text,
     where_text,
-    working_text,
 )
 from airlight.viewer.window.picture_area import PictureArea, Rectangle, layout
 from airlight.viewer.window.sides import Sides
@@ -148,7 +147,7 @@ class Window:
     def progress(self) -> str:
         """What is being done, and how far it is, until there is a picture."""
         status = self._sides.status
-        return working_text(status) if self._preparing is None else self._preparing.text(status)
+        return status.text if self._preparing is None else self._preparing.text(status)
 
     def shown(self, side: str = "") -> Picture | None:
         """Picture of a side in the last frame, by default of the edited one."""
@@ -255,6 +254,9 @@ class Window:
             self.area.draw(shown, None, fitting)
             if self.session.has_other:
                 self.area.draw_outdated(self._sides.outdated(), fitting, 0.0, 1.0)
+            else:
+                words = self._sides.outdated().removeprefix(f"{self.session.showing}: ")
+                self.area.draw_working(words, fitting)
         reading = self._probing.reading
         if self.panel.probes and reading is not None:
             self.area.draw_mark(fitting, reading.place)
@@ -288,7 +290,7 @@ class Window:
             frame=f"window: {self._times.milliseconds:.0f} ms",
             picture="" if shown is None else picture_text(shown),
             solver=solver_text(self._sides.solved(), status),
-            working=working_text(status),
+            working=status.text,
             message=self._saving.message if self._saving.busy else self.messages.text,
             error=self.problem or self._saving.error or self._probing.error,
         )

@@ -61,7 +61,8 @@ class Rayleigh(FormulaPhase):
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """See ``PhaseFunction``; in closed form."""
         part = vectorized(anisotropy)(self.parameters_at(np.atleast_1d(wavelengths))[0])
-        return np.stack([-np.sqrt(6.0) / 10.0 * part, 0.6 * part], axis=-1)
+        none = np.zeros_like(part)
+        return np.stack([-np.sqrt(6.0) / 10.0 * part, 0.6 * part, none, none], axis=-1)
 
     def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]"""

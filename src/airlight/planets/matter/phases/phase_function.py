@@ -81,19 +81,23 @@ class PhaseFunction(Record, ABC):
         return np.zeros((*np.shape(nu), np.size(wavelengths)))
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        r"""Elements of degree 2 that polarise, shape (nl, 2). [1]
+        r"""Elements of degree 2 that polarise, and a forward part, shape (nl, 4). [1]
 
         .. math:: 2\pi \int F_{12}\, d^2_{02}(\theta)\, d\nu, \quad
                   \pi \int \left[(F_{22} + F_{33})\, d^2_{22}
-                  + (F_{22} - F_{33})\, d^2_{2,-2}\right] d\nu
+                  \pm (F_{22} - F_{33})\, d^2_{2,-2}\right] d\nu, \quad
+                  \pi \int (F_{22} + F_{33})\, d^5_{22}\, d\nu
 
         Hovenier, van der Mee & Domke (2004), Transfer of Polarized Light in Planetary Atmospheres,
-        section 2.8: their β₁ and α₂ of degree 2, over 5.
+        section 2.8: their β₁, α₂ and α₃ of degree 2, over 5, and their α₂ + α₃ of degree 5, over
+        22. β₁ couples radiance and even polarised light, α₂ keeps the even, α₃ the odd.
+        The last is the part of polarised light that counts as not scattered, see
+        ``solvers.moments.reduced_optics``.
         """
         return np.array([self._polarising_moment(float(nm)) for nm in np.atleast_1d(wavelengths)])
 
-    def _polarising_moment(self, wavelength: float) -> tuple[float, float]:
-        coupling, keeping = 0.0, 0.0
+    def _polarising_moment(self, wavelength: float) -> tuple[float, float, float, float]:
+        coupling, even, odd, forward = 0.0, 0.0, 0.0, 0.0
         share = (np.arange(_STEPS_A_CELL) + 0.5) / _STEPS_A_CELL
         for row in self.sampled(wavelength):
             width = np.diff(np.radians(row.angles))[:, None]
@@ -108,9 +112,13 @@ class PhaseFunction(Record, ABC):
                     np.interp(np.degrees(angle), row.angles, one) for one in row.ratios[:2]
                 )
             coupling += float(light @ (across * (np.sqrt(6.0) / 4.0) * (1.0 - nu**2)))
-            both = (1.0 + turned) * (1.0 + nu) ** 2 + (1.0 - turned) * (1.0 - nu) ** 2
-            keeping += float(light @ both) / 8.0
-        return coupling, keeping
+            ahead, behind = 0.5 * (1.0 + nu), 0.5 * (1.0 - nu)
+            same, other = (1.0 + turned) * ahead**2, (1.0 - turned) * behind**2
+            even += float(light @ (same + other)) / 2.0
+            odd += float(light @ (same - other)) / 2.0
+            fifth = ahead**3 - behind * (21.0 * ahead**2 - behind * (63.0 * ahead - 35.0 * behind))
+            forward += float(light @ (same * fifth)) / 2.0
+        return coupling, even, odd, forward
 
     @abstractmethod
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
@@ -167,6 +175,13 @@ class FormulaPhase(PhaseFunction):
         cosines = np.asarray(nu, dtype=np.float64)[..., None]
         formula: Any = vectorized(type(self).formula)
         return np.asarray(formula(cosines, *self.parameters_at(wavelengths)))
+
+    def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """See ``PhaseFunction``: once for all wavelengths of the same parameters."""
+        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        given = self.parameters_at(nm).reshape(-1, nm.size)
+        _, first, each = np.unique(given, axis=1, return_index=True, return_inverse=True)
+        return np.asarray(super().polarising_moments(nm[first])[each.ravel()])
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
         """Table whose straight logarithms equal the formula to a part in 100 000."""

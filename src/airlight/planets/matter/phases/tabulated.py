@@ -91,8 +91,10 @@ def _listed(
     if isinstance(values, list) and values and all(isinstance(row, list) for row in values):
         if wavelengths is None:
             raise ParameterError(field, len(values), "one list, or wavelengths for the lists")
-        return tuple(quantity_list(row, unit, f"{field}[{i}]") for i, row in enumerate(values))
-    return (quantity_list(values, unit, field),)
+        return tuple(
+            quantity_list(row, unit, f"{field}[{i}]", bare=True) for i, row in enumerate(values)
+        )
+    return (quantity_list(values, unit, field, bare=True),)
 
 
 @parameters
@@ -143,9 +145,9 @@ class TabulatedPhase(PhaseFunction):
             name="values",
             label="phase function",
             help="Values at these angles; the integral over the sphere is 1.",
-            note="One list, or one list per wavelength. Linear in the logarithm between angles. A"
-            " table whose integral is off 1 by more than 0.001 is refused; the error names the"
-            " integral to divide by.",
+            note="One list, or one list per wavelength, in /sr where no unit is given. Linear in"
+            " the logarithm between angles. A table whose integral is off 1 by more than 0.001 is"
+            " refused; the error names the integral to divide by.",
             unit="1/sr",
             read=_values,
             shown="/sr",

@@ -4,7 +4,14 @@
  * Arrays of light have shape (node, wavelength), with four wavelengths per node. The formulas per
  * node or wavelength are those of solvers/moments/convergence.py and acceleration.py.
  */
-import { change_at, combine, count_at, rest_after } from "../generated/formulas.js";
+import {
+  change_at,
+  combine,
+  count_at,
+  is_near,
+  rest_after,
+  trusted_part,
+} from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
 
 /** Largest value of each wavelength. */
@@ -51,6 +58,85 @@ export function mixingWeights(residuals, lane) {
   const products = changes.flatMap((a) => [...changes, last].map((b) => product(a, b, lane)));
   combine(products, residuals.length, weights);
   return [...weights];
+}
+
+/**
+ * Weight of the light completed along the vertical, by node and wavelength; see `trust` in
+ * solvers/moments/convergence.py.
+ *
+ * @param {Float32Array} mean Mean radiance, by radius, sun and wavelength.
+ * @param {number} suns
+ * @param {number[]} sidelit Part of the largest mean radiance below which light comes from the side.
+ */
+export function trust(mean, suns, sidelit) {
+  const most = brightest(mean).map((x) => Math.max(x, 1e-30));
+  const column = new Float64Array(suns * LANES).fill(-Infinity);
+  mean.forEach((value, i) => {
+    column[i % column.length] = Math.max(column[i % column.length], value);
+  });
+  return Float64Array.from(mean, (value, i) => {
+    const lane = i % LANES;
+    const bright = (value / most[lane]) * (column[i % column.length] / most[lane]);
+    return trusted_part(Math.max(bright, 0), sidelit[lane]);
+  });
+}
+
+/**
+ * Values at the nodes of a light: an array of moments (node, term), then irradiances (node).
+ *
+ * @param {Float32Array} light
+ * @param {number} nodes
+ * @param {number} terms
+ * @param {number} term Number of the moment.
+ */
+export function momentOf(light, nodes, terms, term) {
+  const values = new Float32Array(nodes * LANES);
+  for (let i = 0; i < values.length; i++) {
+    values[i] = light[(Math.floor(i / LANES) * terms + term) * LANES + (i % LANES)];
+  }
+  return values;
+}
+
+/** Replace the moments or the irradiance of nodes by others, where a test of both fails. */
+export function replaceUnless(test, light, other, nodes, terms) {
+  for (let node = 0; node < nodes; node++) {
+    for (let lane = 0; lane < LANES; lane++) {
+      const mean = node * terms * LANES + lane;
+      const sky = (nodes * terms + node) * LANES + lane;
+      if (!test(light[sky], other[sky], lane, "sky")) light[sky] = other[sky];
+      if (test(light[mean], other[mean], lane, "mean")) continue;
+      for (let term = 0; term < terms; term++) light[mean + term * LANES] = other[mean + term * LANES];
+    }
+  }
+}
+
+/**
+ * Next guess: for each wavelength its own combination of the last images, where that is trusted.
+ *
+ * @param {Float32Array[]} images The latest last.
+ * @param {number[][]} weights Weights of the images, by wavelength.
+ * @param {Float64Array} trusted From `trust`.
+ * @param {number} nodes
+ * @param {number} terms
+ */
+export function mixed(images, weights, trusted, nodes, terms) {
+  const last = images[images.length - 1];
+  const most = {
+    mean: brightest(momentOf(last, nodes, terms, 0)),
+    sky: brightest(last.subarray(nodes * terms * LANES)),
+  };
+  const light = last.map((value, i) => {
+    const texel = Math.floor(i / LANES);
+    const node = texel < nodes * terms ? Math.floor(texel / terms) : texel - nodes * terms;
+    let total = 0;
+    images.forEach((image, k) => {
+      total += weights[i % LANES][k] * image[i];
+    });
+    return value + trusted[node * LANES + (i % LANES)] * (total - value);
+  });
+  const near = (value, computed, lane, part) => is_near(value, computed, most[part][lane]);
+  replaceUnless(near, light, last, nodes, terms);
+  return light;
 }
 
 function product(a, b, lane) {

@@ -36,7 +36,8 @@ export function isPlain({ amounts, ground }) {
  * @param {{amounts: number[], ground: number}} edit
  * @returns {object} Tables by name, four wavelengths per texel: `extinction`, `moments` and
  *     `polarising` without forward peaks, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
- *     of each constituent; and `thick`, the weight of the night side.
+ *     of each constituent; `thick`, the weight of the night side, and `transport`, the depth in which
+ *     each scattering counts by 1 - g, of each wavelength.
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
  */
 export function editedAir(air, { amounts, ground }) {
@@ -46,7 +47,7 @@ export function editedAir(air, { amounts, ground }) {
   const size = scattering.values.length;
   const extinction = new Float32Array(size);
   const moments = new Float32Array(size * (degree + 1));
-  const polarising = new Float32Array(2 * size);
+  const polarising = new Float32Array(4 * size);
   const depths = new Float64Array(3 * LANES);
   const read = [scattering, absorption, phases, turning, columns];
   reduce_optics(...read, degree, extinction, moments, polarising, depths);
@@ -66,6 +67,7 @@ export function editedAir(air, { amounts, ground }) {
     strongest: Float32Array.from(split(whole), (row) => Math.max(...row)),
     brightest: Float32Array.from(split(scattering.values), (row) => Math.max(...row)),
     thick: depth.map(thick_share),
+    transport,
   };
 }
 

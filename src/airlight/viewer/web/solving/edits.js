@@ -21,6 +21,7 @@ export class Edits {
     this.shown = null;
     this.work = null;
     this.text = "";
+    this.progress = "";
     this.stop = viewer.state.follow((changed) => {
       if ([...changed].some((path) => SOLVED.test(path))) this.follow();
     });
@@ -37,7 +38,7 @@ export class Edits {
 
   /** Words while the picture shows an older edit; none once it shows the newest. */
   get stale() {
-    return this.shown !== this.wanted && this.work ? "solving …" : "";
+    return this.shown !== this.wanted && this.work ? `solving${this.progress} …` : "";
   }
 
   /** Promise that the picture shows the newest edit. */
@@ -60,14 +61,18 @@ export class Edits {
 
   async show(edit) {
     const { viewer, description, plain } = this;
-    this.text = "";
+    this.text = this.progress = "";
     if (isPlain(edit)) return viewer.take(plain);
     const air = editedAir(description.air, edit);
     this.text = "solving";
     viewer.showStatus();
     const began = performance.now();
-    this.solver ??= await Solver.make(viewer.device, description);
-    const light = await this.solver.light(air, () => edit !== this.wanted || viewer.closed);
+    this.solver ??= await Solver.make(viewer.device, description, plain);
+    const stale = () => edit !== this.wanted || viewer.closed;
+    const light = await this.solver.light(air, stale, (share) => {
+      this.progress = progressText(share, performance.now() - began);
+      viewer.showWork();
+    });
     if (!light) return;
     const { sweeps, residual } = this.solver;
     const seconds = ((performance.now() - began) / 1000).toPrecision(2);
@@ -83,4 +88,11 @@ export class Edits {
   close() {
     this.stop();
   }
+}
+
+/** Progress, and the time left as it has gone so far. [ms] */
+function progressText(share, elapsed) {
+  if (share >= 1) return " and drawing";
+  const left = (elapsed / 1000) * (1 / share - 1);
+  return `, ${Math.round(100 * share)} %${left >= 1 ? `, about ${Math.round(left)} s left` : ""}`;
 }

@@ -10,6 +10,7 @@ from typing import Final
 from airlight.errors import AirlightError
 from airlight.exports.picture import picture_suffix, write_picture
 from airlight.paint.scene_painter import ScenePainter
+from airlight.plain_text import plain
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
 from airlight.viewer.background.error_line import one_line
@@ -244,11 +245,10 @@ class SaveDialog:
         if asks == "film":
             self._draw_times()
         style.colored(_WORDS[asks], style.QUIET)
-        folder = Path(path).expanduser().parent.resolve()
-        style.colored(f"in {folder}", style.QUIET)
+        style.colored(_where(path), style.QUIET)
         if imgui.button("save") or entered:
             self.asks = ""
-            target = str(Path(path).expanduser())
+            target = str(_expanded(path))
             size = SIZES[self._size][1]
             if asks == "picture":
                 save_picture(target, size)
@@ -269,3 +269,19 @@ class SaveDialog:
         _, self.hours = imgui.slider_float("of the sun's time", self.hours, 0.1, 24.0, "%.1f h")
         imgui.set_next_item_width(200.0)
         _, self.seconds = imgui.slider_float("length", self.seconds, 1.0, 60.0, "%.0f s")
+
+
+def _expanded(path: str) -> Path:
+    """Path with the user's home; as it is where there is none."""
+    try:
+        return Path(path).expanduser()
+    except RuntimeError:
+        return Path(path)
+
+
+def _where(path: str) -> str:
+    """Line about the folder of a path, or the reason why it has none."""
+    try:
+        return plain(f"in {_expanded(path).parent.resolve()}")
+    except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
+        return plain(error)

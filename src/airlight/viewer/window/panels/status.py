@@ -92,18 +92,10 @@ def picture_text(shown: Picture) -> str:
     return f"{shown.by}: {shown.width}×{shown.height} in {_seconds(shown.seconds)}{fine}"
 
 
-def working_text(status: SolverStatus) -> str:
-    """Current task of the solver with its progress; empty if idle."""
-    if not status.busy:
-        return ""
-    part = f" {100 * status.done // status.total} %" if status.total else ""
-    return f"{status.doing}{part} …"
-
-
 def solver_text(solved: Solved | None, status: SolverStatus) -> str:
     """Quality and time of a solution, and the solver's current task."""
     done = "" if solved is None else f"{solved.quality}: {_seconds(solved.seconds)}"
-    return ", ".join(one for one in (done, working_text(status)) if one)
+    return ", ".join(one for one in (done, status.text) if one)
 
 
 def _length(metres: float) -> str:

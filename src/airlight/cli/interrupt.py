@@ -1,0 +1,98 @@
+"""Ctrl-C within a second: what is waited for is left behind.
+
+Python notices a signal between two of its own instructions, and the compiler of kernels, or a block
+of a computation on all threads, may keep it from that for minutes. A thread reads the signals that
+the interpreter notes at once, gives the command a moment to end by itself, and then ends the
+process. Nothing half-written stays: files are written beside their target and renamed, and those
+begun are removed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import sys
+import threading
+from typing import Final
+
+from airlight.cli.console import note
+
+#: Time that a command has to end by itself. [s]
+PATIENCE: Final = 0.4
+#: Exit status of an interrupted process, 128 + SIGINT.
+INTERRUPTED: Final = 130
+#: Set when the command itself has said that it was cancelled.
+answered: Final = threading.Event()
+
+
+def end_at_once() -> None:
+    """End the process at SIGINT without more ado, until ``end_when_interrupted``.
+
+    A process that has been told to ignore the signal goes on to do so.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        return
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, _end_at_once)
+
+
+def _end_at_once(*_: object) -> None:
+    with contextlib.suppress(OSError, ValueError):
+        note("cancelled")
+        sys.stderr.flush()
+    os._exit(INTERRUPTED)
+
+
+def end_when_interrupted() -> None:
+    """Watch for SIGINT and SIGTERM from now on, in the process of a command.
+
+    Where signals cannot be watched (Windows, a thread that is not the first), nothing changes.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        return
+    if signal.getsignal(signal.SIGINT) is _end_at_once:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    if sys.platform == "win32":
+        return
+    sys.unraisablehook = _unraisable
+    heard, told = os.pipe()
+    os.set_blocking(told, False)
+    signal.signal(signal.SIGTERM, _terminated)
+    signal.set_wakeup_fd(told, warn_on_full_buffer=False)
+    threading.Thread(target=_watch, args=(heard,), name="airlight-interrupt", daemon=True).start()
+
+
+def _watch(heard: int) -> None:
+    while True:
+        number = os.read(heard, 1)
+        if number and number[0] in (signal.SIGINT, signal.SIGTERM):
+            threading.Event().wait(PATIENCE)
+            _leave(128 + number[0])
+
+
+def _unraisable(what: sys.UnraisableHookArgs) -> None:
+    """Say nothing of an interruption that a callback swallowed, as those of the compiler do."""
+    if not isinstance(what.exc_value, (KeyboardInterrupt, SystemExit)):
+        sys.__unraisablehook__(what)
+
+
+def _terminated(*_: object) -> None:
+    answered.set()
+    raise SystemExit(128 + signal.SIGTERM)
+
+
+def _leave(status: int) -> None:
+    """End the process, without waiting for what its threads do."""
+    begun = sys.modules.get("airlight.exports.beginnings")
+    if begun is not None:
+        begun.remove_all()
+    processes = sys.modules.get("multiprocessing")
+    try:
+        for child in processes.active_children() if processes is not None else ():
+            child.kill()
+        if not answered.is_set():
+            note("cancelled")
+            sys.stderr.flush()
+    finally:
+        os._exit(status)

@@ -1,0 +1,36 @@
+"""Files and folders that are being written, so that a process that ends can remove them."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+_begun: Final[set[Path]] = set()
+
+
+@contextlib.contextmanager
+def begun(path: Path) -> Iterator[None]:
+    """Note a path while it is written, and remove what is left of it at the end."""
+    _begun.add(path)
+    try:
+        yield
+    finally:
+        _remove(path)
+        _begun.discard(path)
+
+
+def remove_all() -> None:
+    """Remove all that is being written, before the process ends without its ``finally`` blocks."""
+    for path in tuple(_begun):
+        _remove(path)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        with contextlib.suppress(OSError):
+            path.unlink(missing_ok=True)

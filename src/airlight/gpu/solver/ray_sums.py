@@ -1,0 +1,196 @@
+"""Sums over the points of a ray that a device's passes make, one azimuth at a time.
+
+The processor's loops make them for eight azimuths at once (``solvers.moments.first_order`` and
+``sweep``); both share what a single point sends.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from airlight.geometry.bending import star_points
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
+from airlight.solvers.moments.first_order import ISOTROPIC, SECOND, through_row
+from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED
+from airlight.solvers.moments.sent_light import sent_by_point
+from airlight.solvers.moments.sweep import sun_index
+
+
+@inlined
+def star_from_point(turn, point, mu_s, nu):
+    """Cosines of the star's zenith angle and between star and ray, at a point of a ray. [1]
+
+    ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
+    """
+    here = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
+    return here, turn[point, 2] * mu_s + turn[point, 3] * nu
+
+
+@inlined
+def azimuth_cosine(mu, mu_s, nu):
+    """Cosine of the azimuth between a ray and the star, seen from a point of the ray. [1]"""
+    spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
+    return min(max((nu - mu * mu_s) / sqrt(max(spread, 1e-24)), -1.0), 1.0)
+
+
+@inlined
+def depth_towards(ratios, row, f, place, distance, extinction, constituents):
+    """Optical depth from a point to the top of the shell, in a tabled direction. [1]
+
+    Parameters
+    ----------
+    ratios : array, shape (radii, directions, nc, 2)
+        Ratios of a ``ColumnTable``, from ``mean_density_ratios``.
+    row, f : int, float
+        Index of the radius below the point, and the point's fraction of the step above it.
+    place : int
+        Index of the direction.
+    distance : float
+        Distance to the top. [m]
+    extinction : array, shape (nc·8,)
+        Extinction coefficients. [m⁻¹]
+    constituents : int
+    """
+    tau = splat(0.0)
+    for c in range(constituents):
+        scale = ratios[row, place, c, 0] * (1.0 - f) + ratios[row + 1, place, c, 0] * f
+        scaled = ratios[row, place, c, 1] * (1.0 - f) + ratios[row + 1, place, c, 1] * f
+        tau = tau + load(extinction, LANES * c) * np.float32(distance * scaled / scale)
+    return tau
+
+
+@inlined
+def depth_in_row(ratios, q, place, bottom, top, extinction, constituents):
+    """``depth_towards`` from a radius q; the directions are even in the distance to the top. [1]"""
+    x = altitude_coordinate(q, bottom, top)
+    row = min(int(x * (ratios.shape[0] - 1)), ratios.shape[0] - 2)
+    f = x * (ratios.shape[0] - 1) - row
+    shortest = top - q
+    longest = (1.0 + x) * sqrt((top - bottom) * (top + bottom))
+    distance = shortest + place * ((longest - shortest) / (ratios.shape[1] - 1))
+    return depth_towards(ratios, row, f, place, distance, extinction, constituents)
+
+
+@inlined
+def fill_phases(moments, nu, degree, constituents, phases):
+    """Compute the phase function times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
+    for c in range(constituents):
+        total = splat(0.0)
+        before, value = 0.0, 1.0
+        for l in range(degree + 1):
+            total = total + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
+                (2 * l + 1) * ISOTROPIC * value
+            )
+            following = ((2 * l + 1) * nu * value - l * before) / (l + 1)
+            before, value = value, following
+        store(phases, LANES * c, total)
+
+
+@inlined
+def fill_polarising(polarising, nu, constituents, phases):
+    """Compute F₁₂ of degree 2 times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
+    part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
+    for c in range(constituents):
+        store(phases, LANES * c, load(polarising, LANES * ELEMENTS * c) * part)
+
+
+@inlined
+def scattered_once(
+    turn, radii, first, points, strong, strengths, phases, across, constituents, deep, depths,
+    directions, mu_s, nu, bottom, top, star_radius, lift,
+):  # fmt: skip
+    """Light sent along a ray by its points, from the star's own. [sr⁻¹]
+
+    Results are I, and Q in the frame of the plane through ray and star.
+
+    Parameters
+    ----------
+    turn, radii : array
+        Arrays ``turn`` and ``radius`` of ``Rays``.
+    first, points : int
+        Index of the ray's first point, and number of its points.
+    strong, deep : int
+        Index of the first of them in ``strengths`` and ``depths``.
+    strengths : array, shape (points·(nc + 1)·8,)
+        Amount of each constituent at a point times the transmittance on the way from it [m], and
+        ``onward_light`` on that way [1].
+    phases, across : array, shape (nc·8,)
+        Arrays from ``fill_phases`` and ``fill_polarising``. [m⁻¹ sr⁻¹]
+    constituents : int
+    depths : array, shape (points·directions·8,)
+        Depths from ``depth_in_row``. [1]
+    directions : int
+    mu_s, nu : float
+        Cosines of the star at the start of the ray. [1]
+    bottom, top, star_radius, lift :
+        As in ``star_points``.
+    """
+    radiance, polarised = splat(0.0), splat(0.0)
+    for k in range(points):
+        q = radii[first + k]
+        mu_sk, _ = star_from_point(turn, first + k, mu_s, nu)
+        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
+        if seen <= 0.0:
+            continue
+        x = direction_coordinate(q, low, bottom, top) * (directions - 1)
+        light = through_row(depths, deep + k, x, directions)
+        if high > low:
+            x = direction_coordinate(q, high, bottom, top) * (directions - 1)
+            light = light + through_row(depths, deep + k, x, directions)
+            light = light * np.float32(0.5)
+        source, turned = splat(0.0), splat(0.0)
+        at = LANES * (strong + k) * (constituents + 1)
+        for c in range(constituents):
+            amount = load(strengths, at + LANES * c)
+            source = source + load(phases, LANES * c) * amount
+            turned = turned + load(across, LANES * c) * amount
+        light = np.float32(seen) * light
+        radiance = radiance + light * source
+        polarised = polarised + light * turned * load(strengths, at + LANES * constituents)
+    return radiance, polarised
+
+
+@inlined
+def gathered(
+    turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree, bright, polarised
+):
+    """I, Q and U sent along a ray by its points, from light scattered before. [1]
+
+    Parameters
+    ----------
+    turn, mu_along : array
+        Arrays of ``Rays``.
+    first, points : int
+        Index of the ray's first point, and number of its points.
+    local : int
+        Index of the first of them in ``rows``.
+    rows : array, shape (points·s·(7 + N)·8,)
+        For each point and sun the node of ``sent_by_point``.
+    mu_s, nu : float
+        Cosines of the star at the start of the ray. [1]
+    places : array
+        Lookup table ``Grid.place``.
+    suns, degree : int
+        Number of sun elevations, and highest degree.
+    bright, polarised : bool
+        Whether I, and whether Q and U are found; constants. The others are 0.
+    """
+    block = (degree + 2 + POLARISED) * LANES
+    radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
+    for k in range(points):
+        mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
+        x = sun_index(mu_sk, places)
+        column = min(int(x), suns - 2)
+        step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
+        sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
+        low = ((local + k) * suns + column) * block
+        light, plane, slant = sent_by_point(
+            rows, low, low + block, np.float32(x - column), step, sine, degree, bright, polarised,
+            False,
+        )  # fmt: skip
+        radiance, along, across = radiance + light, along + plane, across + slant
+    return radiance, along, across

@@ -1,0 +1,128 @@
+"""Compiled code on disk with a checksum: what is damaged counts as absent and is compiled again.
+
+Numba trusts its cache: a flipped bit in a file of machine code would be run, a truncated index is
+an error of ``pickle``, a full disk one of the command. It also writes a file before it reads one,
+so that a folder that cannot be written would not be read.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import pickle
+import secrets
+from functools import cache
+from pathlib import Path
+from typing import Any, Final
+
+from numba.core.caching import _CacheLocator
+
+#: Length of the checksum at the end of a file. [byte]
+_LENGTH: Final = 32
+
+
+class CompiledFolder(_CacheLocator):
+    """Folder of the code compiled from one source file, which may be closed to writing.
+
+    Parameters
+    ----------
+    folder : Path
+        Path in which the source's fingerprint stands, so that no older code is found in it.
+    line : int
+        Line of the function, which tells it from others of its name.
+    """
+
+    def __init__(self, folder: Path, line: int) -> None:
+        self._folder, self._line = folder, line
+
+    def from_function(self, py_func: Any, py_file: str) -> CompiledFolder:
+        """Return this folder: it is one function's."""
+        return self
+
+    def ensure_cache_path(self) -> None:
+        """Make the folder if that is possible."""
+        with contextlib.suppress(OSError):
+            self._folder.mkdir(parents=True, exist_ok=True)
+
+    def get_cache_path(self) -> str:
+        """Path of the folder."""
+        return str(self._folder)
+
+    def get_source_stamp(self) -> str:
+        """The same for ever: the fingerprint stands in the path."""
+        return ""
+
+    def get_disambiguator(self) -> str:
+        """Line of the function."""
+        return str(self._line)
+
+
+def check_files(files: Any) -> None:
+    """Make the cache of one function check what it reads, and do without what it cannot write.
+
+    Code files have names that no other process gives. Numba numbers them by its index at that
+    moment: two processes that compile a function for different types at once would take the same
+    number, and one's code would later run as the other's. With distinct names, at worst an entry of
+    the index is lost and compiled again.
+
+    Parameters
+    ----------
+    files : numba.core.caching.IndexDataCacheFile
+        Index and data files of the function.
+    """
+    own_load = files._load_index
+    pattern = files._data_name_pattern
+    files._data_name_pattern = pattern.replace("{number:d}", f"{_process()}-{{number:d}}")
+
+    def dumped(name: str, value: object) -> bytes:
+        content: bytes = files._dump(value)
+        return content + _checksum(name, content)
+
+    def load_data(name: str) -> Any:
+        return pickle.loads(_sound(name, Path(files._data_path(name)).read_bytes()))
+
+    def save_data(name: str, data: Any) -> None:
+        with files._open_for_write(files._data_path(name)) as stream:
+            stream.write(dumped(name, data))
+
+    def load_index() -> dict[Any, str]:
+        try:
+            return dict(own_load())
+        except Exception:  # pickle raises many kinds for a damaged file
+            return {}
+
+    def save(key: Any, data: Any) -> None:
+        entries = load_index()
+        others = {name for one, name in entries.items() if one != key}
+        names = (files._data_name(k) for k in range(1, len(others) + 2))
+        name = entries.get(key) or next(one for one in names if one not in others)
+        with contextlib.suppress(OSError):  # a full or closed disk: the code is in memory
+            save_data(name, data)  # before its entry, by which other processes see it
+            files._save_index({**entries, key: name})
+
+    files._load_data, files._save_data = load_data, save_data
+    files._load_index, files.save = load_index, save
+
+
+@cache
+def _process() -> str:
+    return secrets.token_hex(6)
+
+
+def _checksum(name: str, content: bytes) -> bytes:
+    """Checksum of a file and its name, so that another function's file is refused too."""
+    return hashlib.sha256(name.encode() + b"\0" + content).digest()
+
+
+def _sound(name: str, whole: bytes) -> bytes:
+    """Content of a file without its checksum.
+
+    Raises
+    ------
+    OSError
+        If it is damaged, which Numba takes as absent.
+    """
+    content = whole[:-_LENGTH]
+    if whole[-_LENGTH:] != _checksum(name, content):
+        raise OSError(f"{name} is damaged")
+    return content

@@ -1,0 +1,181 @@
+"""Kernels that other kernels call, compiled only as far as their callers need them.
+
+Numba makes machine code of every function that a loop reaches, with wrappers for calls from Python
+and from C, although the loop takes in its intermediate code and optimises that once more: in a
+tower of kernels, again on each floor. Here a kernel that is compiled for a caller stays
+intermediate code, which is optimised once, in the loop. If Python calls it, it is compiled to
+the end.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any, Final
+
+from llvmlite import binding
+from numba.core import sigutils
+from numba.core.caching import CompileResultCacheImpl, FunctionCache
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompilerBase, DefaultPassBuilder, compile_result
+from numba.core.compiler_machinery import register_pass
+from numba.core.registry import CPUDispatcher
+from numba.core.typed_passes import NativeLowering
+
+from airlight.kernel.compiled_files import CompiledFolder, check_files
+
+#: Word for intermediate code among Numba's words for the forms of a library on disk.
+_INTERMEDIATE: Final = "intermediate"
+
+_here = threading.local()
+
+
+@contextlib.contextmanager
+def _for_a_caller() -> Iterator[None]:
+    """Compile for a caller, on this thread, as long as the block lasts."""
+    before = _is_for_a_caller()
+    _here.for_a_caller = True
+    try:
+        yield
+    finally:
+        _here.for_a_caller = before
+
+
+def _is_for_a_caller() -> bool:
+    return getattr(_here, "for_a_caller", False)
+
+
+class IntermediateCode(JITCodeLibrary):
+    """Library of a function as LLVM's intermediate code, with that of all that it calls."""
+
+    def _optimize_final_module(self) -> None:
+        """Leave the code to the caller's optimisation."""
+
+    def _finalize_final_module(self) -> None:
+        """Close the library; no machine code is made of it."""
+        self._finalize_dynamic_globals()
+        self._finalized = True
+
+    def serialize_using_object_code(self) -> tuple[str, str, bytes]:
+        """Name, form and code, for the disk."""
+        self._ensure_finalized()
+        return self.name, _INTERMEDIATE, self._final_module.as_bitcode()
+
+    @classmethod
+    def read(cls, codegen: Any, name: str, code: bytes) -> IntermediateCode:
+        """Library from its name and code."""
+        library = cls(codegen, name)
+        library._final_module = binding.parse_bitcode(code)
+        library._finalize_final_module()
+        return library
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _Lowering(NativeLowering):
+    """Lowering to machine code, or to intermediate code for a caller."""
+
+    _name = "lowering_for_callers"
+
+    def run_pass(self, state: Any) -> bool:
+        if not _is_for_a_caller():
+            return bool(super().run_pass(state))
+        state.library = IntermediateCode(state.targetctx.codegen(), state.func_id.func_qualname)
+        state.flags.no_compile = True
+        state.flags.no_cpython_wrapper = True
+        state.flags.no_cfunc_wrapper = True
+        changed = super().run_pass(state)
+        entry_point = object()  # by which Numba finds the code again
+        state["cr"] = state["cr"]._replace(cfunc=entry_point)
+        state.targetctx.insert_user_function(entry_point, state["cr"].fndesc, [state.library])
+        return bool(changed)
+
+
+class _Compiler(CompilerBase):
+    """Numba's passes for compiled functions, with this module's lowering."""
+
+    def define_pipelines(self) -> list[Any]:
+        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        passes.passes = [
+            (_Lowering if one is NativeLowering else one, text) for one, text in passes.passes
+        ]
+        passes.finalize()
+        return [passes]
+
+
+class _Files(CompileResultCacheImpl):
+    """Compiled functions on disk, in both forms."""
+
+    def __init__(self, py_func: Any, folder: Path) -> None:
+        self._locator_classes = [CompiledFolder(folder, py_func.__code__.co_firstlineno)]
+        super().__init__(py_func)
+
+    def rebuild(self, target_context: Any, payload: Any) -> Any:
+        (name, form, code), *fields = payload
+        if form != _INTERMEDIATE:
+            return super().rebuild(target_context, payload)
+        fndesc, environment, signature, objectmode, lifted, text, reload_init, *_ = fields
+        return compile_result(
+            target_context=target_context,
+            typing_context=target_context.typing_context,
+            library=IntermediateCode.read(target_context.codegen(), name, code),
+            environment=environment,
+            entry_point=object(),
+            fndesc=fndesc,
+            type_annotation=text,
+            signature=signature,
+            objectmode=objectmode,
+            lifted=lifted,
+            reload_init=reload_init,
+            referenced_envs=(),
+        )
+
+
+class _Cache(FunctionCache):
+    """Cache of compiled functions; what Python calls has to be there as machine code."""
+
+    def __init__(self, py_func: Any, folder: Path) -> None:
+        self._impl_class = partial(_Files, folder=folder)
+        super().__init__(py_func)
+        check_files(self._cache_file)
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        found = super().load_overload(sig, target_context)
+        return None if _is_intermediate(found) and not _is_for_a_caller() else found
+
+
+class CompiledKernel(CPUDispatcher):
+    """Compiled function that is intermediate code for its callers and machine code for Python."""
+
+    def __init__(self, py_func: Any, **options: Any) -> None:
+        options = {"nopython": True, "boundscheck": None, **options}
+        super().__init__(py_func=py_func, targetoptions=options, pipeline_class=_Compiler)
+
+    def keep_in(self, folder: Path) -> None:
+        """Keep what is compiled in a folder, and take from there what is."""
+        self._cache = _Cache(self.py_func, folder)
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Types of a call by another kernel, for which this one is compiled."""
+        with _for_a_caller():
+            return super().get_call_template(args, kws)
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for a signature, unless that has been done as far as it is needed."""
+        types, _ = sigutils.normalize_signature(sig)
+        if not _is_for_a_caller() and _is_intermediate(self.overloads.get(tuple(types))):
+            del self.overloads[tuple(types)]
+        return super().compile(sig)
+
+    def add_overload(self, cres: Any) -> None:
+        """Keep what is compiled; only machine code can be called from Python."""
+        if _is_intermediate(cres):
+            self.overloads[tuple(cres.signature.args)] = cres
+        else:
+            super().add_overload(cres)
+
+
+def _is_intermediate(compiled: Any) -> bool:
+    return isinstance(getattr(compiled, "library", None), IntermediateCode)

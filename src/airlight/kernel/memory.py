@@ -1,0 +1,164 @@
+"""Memory that is free on this machine, asked before work that may need more."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Final
+
+from airlight.errors import CostError, FileError
+from airlight.kernel.large_arrays import LARGE, free_disk
+
+#: Largest picture that is decoded. [pixel]
+MOST_PIXELS: Final = 200_000_000
+#: Memory of a drawn pixel from its light to its file, measured at 2560 x 1440. [byte]
+_DRAWN: Final = 32
+#: The same where its light, glare and colours are kept in files: 3.3 measured at 8192 x 8192, and
+#: as much again; and size of these files: 12 of light, 12 of a second one, 6 of glare, up to 6 of
+#: colours. [byte]
+_FILED_DRAWN: Final = 7
+_ON_DISK: Final = 36
+#: Light of a pixel. [byte]
+_LIGHT: Final = 12
+#: Memory of a decoded pixel: of Pillow's own and of the array, in eight bits a channel. [byte]
+DECODED: Final = 8
+#: Files of the kernel that say what is free, and what a container may take.
+_MEMINFO: Final = Path("/proc/meminfo")
+_GROUP: Final = Path("/sys/fs/cgroup")
+
+
+def free_memory() -> float:
+    """Memory that this process may still take; infinite where the system does not say. [byte]
+
+    The least of: what the machine has free, what its container may take, what the process may.
+    """
+    free = [_of_machine(), _of_container(), _of_process()]
+    return min(free)
+
+
+def check_memory(needed: float, work: str) -> None:
+    """Refuse work that needs more memory than is free.
+
+    Parameters
+    ----------
+    needed : float
+        Estimate of the memory. [byte]
+    work : str
+        Subject of the error: ``"a picture of 20000x10000 pixels"``.
+
+    Raises
+    ------
+    CostError
+        If the machine has less.
+
+    Examples
+    --------
+    >>> check_memory(1e6, "a small picture")
+    >>> try:
+    ...     check_memory(1e18, "a picture of 300000000x300000000 pixels")
+    ... except CostError as error:
+    ...     print(str(error).partition(";")[0])
+    a picture of 300000000x300000000 pixels needs about 1e+09 GB of memory
+    """
+    free = free_memory()
+    if needed > free:
+        raise CostError(
+            f"{work} needs about {needed / 1e9:.2g} GB of memory; {free / 1e9:.2g} GB are free here"
+        )
+
+
+def check_drawn(width: int, height: int, layers: int = 1) -> None:
+    """Refuse a picture that does not fit into the memory, before it is drawn.
+
+    A large one needs less of it where the disk has room, see ``kernel.large_arrays``.
+
+    Parameters
+    ----------
+    width, height : int
+        Size. [pixel]
+    layers : int
+        Number of pictures of that size.
+
+    Raises
+    ------
+    CostError
+        If the machine has less.
+    """
+    pixels = float(width) * height * layers
+    needed = _DRAWN * pixels
+    filed = _LIGHT * pixels >= LARGE and free_disk() >= _ON_DISK * pixels
+    # A limit of the process counts what is in files, too.
+    if filed and _of_process() >= _ON_DISK * pixels:
+        needed = _FILED_DRAWN * pixels
+    check_memory(needed, f"a picture of {width}x{height} pixels")
+
+
+def check_picture(file: str | Path, width: int, height: int, each: int = DECODED) -> None:
+    """Refuse a picture by the size in its header, before any of it is decoded.
+
+    Parameters
+    ----------
+    file : str or Path
+        Subject of the error.
+    width, height : int
+        Size. [pixel]
+    each : int
+        Memory of a pixel while it is decoded. [byte]
+
+    Raises
+    ------
+    FileError
+        If it has more than 200 million pixels.
+    CostError
+        If the machine has less memory than they take.
+
+    Examples
+    --------
+    >>> check_picture("dome.exr", 100_000, 50_000)
+    Traceback (most recent call last):
+    ...
+    airlight.errors.FileError: dome.exr: has 100000 x 50000 pixels; allowed: 200000000 in all
+    """
+    if width * height > MOST_PIXELS:
+        raise FileError(file, f"has {width} x {height} pixels; allowed: {MOST_PIXELS} in all")
+    check_memory(float(each) * width * height, f"{file}, a picture of {width}x{height} pixels,")
+
+
+def _of_machine() -> float:
+    try:
+        text = _MEMINFO.read_text(encoding="ascii")
+        return 1024.0 * float(text.split("MemAvailable:")[1].split()[0])
+    except (OSError, ValueError, IndexError):
+        return _physical()
+
+
+def _physical() -> float:
+    try:
+        return float(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
+    except (AttributeError, OSError, ValueError):
+        return float("inf")
+
+
+def _of_container() -> float:
+    """Memory left to the container; its cache of files is given back when it is needed. [byte]"""
+    try:
+        most = float((_GROUP / "memory.max").read_text(encoding="ascii"))
+        taken = float((_GROUP / "memory.current").read_text(encoding="ascii"))
+        words = (_GROUP / "memory.stat").read_text(encoding="ascii").split()
+        uses = dict(zip(words[::2], map(float, words[1::2]), strict=True))
+        return most - taken + uses["active_file"] + uses["inactive_file"]
+    except (OSError, ValueError, KeyError):  # "max", or no container
+        return float("inf")
+
+
+def _of_process() -> float:
+    try:
+        import resource
+
+        most = resource.getrlimit(resource.RLIMIT_AS)[0]
+        if most == resource.RLIM_INFINITY:
+            return float("inf")
+        pages = float(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+        return most - pages * os.sysconf("SC_PAGE_SIZE")
+    except (ImportError, OSError, ValueError, IndexError):
+        return float("inf")

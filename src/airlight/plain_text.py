@@ -1,0 +1,45 @@
+"""Text from outside as text: names, paths and values without characters that steer a terminal."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+#: Characters that are not shown but obeyed, or that no output can encode: control characters, marks
+#: that turn the direction of writing, separators of lines, halves of surrogate pairs.
+_OBEYED: Final = re.compile(
+    "[\x00-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff\ud800-\udfff]"
+)
+
+
+def is_plain(text: str) -> bool:
+    r"""Whether a text has only characters that are shown.
+
+    Examples
+    --------
+    >>> is_plain("Snow ❄ [/x] $x_{$"), is_plain("a\x1b[31mb"), is_plain("a\nb"), is_plain("\udc80")
+    (True, False, False, False)
+    """
+    return _OBEYED.search(text) is None
+
+
+def plain(text: object) -> str:
+    r"""One line of text in which characters that are not shown stand as their escapes.
+
+    Parameters
+    ----------
+    text : object
+        Text, or what ``str`` makes one of. Line breaks and tabs become spaces.
+
+    Returns
+    -------
+    str
+        Line that every stream can encode and every terminal only shows.
+
+    Examples
+    --------
+    >>> print(plain("a\x1b[31mred\n  \udc80"))
+    a\x1b[31mred \udc80
+    """
+    line = re.sub(r"[ \t]*[\r\n\t]+[ \t]*", " ", str(text))
+    return _OBEYED.sub(lambda match: ascii(match[0])[1:-1], line)

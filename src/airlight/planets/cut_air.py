@@ -1,0 +1,58 @@
+"""Air above the top of the shell: what a low top cuts off from profiles that go on."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+
+from airlight.optics.density_profile import DensitySegments
+from airlight.planets.planet import Planet
+
+#: Scale heights below a top that cuts nothing off that is worth a word: exp(-8) is 0.03 %.
+ENOUGH: Final = 8.0
+#: Distance below the top over which the last scale height is measured, over the thickness. [1]
+_STEP: Final = 1e-3
+
+
+def cut_air(planet: Planet) -> list[str]:
+    """Name the constituents that end at the top of the shell rather than by themselves.
+
+    Above the top each is taken to go on with the scale height that it has there, H, so that the
+    column n H is missing. Uniform layers have no scale height and are not named.
+
+    Parameters
+    ----------
+    planet : Planet
+
+    Returns
+    -------
+    list of str
+        One line for each constituent whose density falls by less than exp(8) up to the top.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> cut_air(load_planet("earth"))
+    []
+    >>> low = load_planet("earth-bruneton", {"shell.top_radius": "6400 km"})
+    >>> print(cut_air(low)[0])
+    air ends at 40 km, 5 of its scale heights up: 0.67 % of its column is cut off
+    """
+    thickness = planet.thickness
+    rows = [one.profile.row(thickness) for one in planet.constituents]
+    heights = np.append(np.linspace(0.0, 1.0 - _STEP, 400), 1.0) * thickness
+    lines = []
+    for one, density in zip(planet.constituents, DensitySegments.from_rows(rows).at(heights),
+                            strict=True):  # fmt: skip
+        below, top, largest = float(density[-2]), float(density[-1]), float(density.max())
+        if not 0.0 < top < below or math.log(largest / top) >= ENOUGH - 1e-6:
+            continue
+        height = _STEP * thickness / math.log(below / top)
+        column = float(one.profile.column(thickness))
+        share = top * height / (column + top * height)
+        up = f"{math.log(largest / top):.2g} of its scale heights up"
+        lines.append(f"{one.name} ends at {thickness / 1e3:.4g} km, {up}: {100.0 * share:.2g} % of "
+                     "its column is cut off")  # fmt: skip
+    return lines

@@ -1,0 +1,468 @@
+"""March of lines of sight that differ in the place of the star alone.
+
+Texels of a table with the same radius and view lie on one line, under many suns. Its points, the
+columns up to them and what the field's harmonics give in a direction do not depend on the star, so
+they are found once for all stars that cut the line into the same panels. Points and stars are those
+of ``march``: the loop over stars is inside that over points, and sums over the harmonics of one
+azimuthal order are taken before those over orders.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.path import MAX_EDGES
+from airlight.kernel import compiled_loop, inlined
+from airlight.kernel.borrowing import borrowed
+from airlight.kernel.lanes import LANES, load, maximum, splat, store
+from airlight.kernel.threads import run_blocks
+from airlight.solvers.moments.grid import radius_index
+from airlight.solvers.moments.harmonics import (
+    ELEMENTS,
+    EVEN,
+    POLARISED,
+    legendre_functions,
+    moment_count,
+)
+from airlight.solvers.moments.march import FAINT, line_azimuth, star_columns
+from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
+from airlight.solvers.moments.march_tables import MarchTables, new_workspace
+from airlight.solvers.moments.packing import pack
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.moments.source import star_at, through_columns
+from airlight.solvers.moments.sweep import sun_index
+from airlight.solvers.moments.widened_peaks import add_peaks, more_light, peaked_share
+from airlight.solvers.sight import Sight
+
+FloatArray = NDArray[np.float64]
+Float32Array = NDArray[np.float32]
+
+#: Lines of sight in one block of work, and largest number of stars of one line.
+_BLOCK: Final = 4096
+_STARS: Final = 512
+
+
+class StarsWorkspace(NamedTuple):
+    """Workspace of one thread beside that of the march; n stars, w lanes.
+
+    Attributes
+    ----------
+    edges : array, shape (n, MAX_EDGES)
+        Ends of the panels under each star. [m]
+    before : array, shape (n, nc)
+        Columns up to the next panel. [m]
+    next, counts, rules : array, shape (n,)
+        Index of the next panel, number of edges, and start of the quadrature.
+    faint : array, shape (n,)
+        Light scattered before is left out at points that scatter less. [1]
+    together : array, shape (n,)
+        Indices of the stars that share a panel.
+    through, through_once : array, shape (w,)
+        Transmittance to a point times its weight, of all light and of that scattered once. [m]
+    scattering : array, shape (nc·w,)
+        Scattering coefficients at a point. [m⁻¹]
+    factors : array, shape (k·w,)
+        Harmonics of the line at a point times the moments' strengths. [m⁻¹]
+    orders : array, shape (suns·(N + 2)·w,)
+        Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
+        field's scale, for each sun of the field.
+    made : array, shape (suns,)
+        Whether these are made for the point.
+    sums : array, shape (n·(4 + nc)·w,)
+        Sums over the line for each star: all light, three of ``add_peaks``, light scattered once by
+        each constituent.
+    """
+
+    edges: FloatArray
+    before: FloatArray
+    next: NDArray[np.int64]
+    counts: NDArray[np.int64]
+    rules: NDArray[np.int64]
+    faint: FloatArray
+    together: NDArray[np.int64]
+    through: Float32Array
+    through_once: Float32Array
+    scattering: Float32Array
+    factors: Float32Array
+    orders: Float32Array
+    made: NDArray[np.bool_]
+    sums: Float32Array
+
+
+def _new_workspace(light: MarchTables) -> StarsWorkspace:
+    lanes, count = light.lanes, light.constituents
+    return StarsWorkspace(
+        edges=np.empty((_STARS, MAX_EDGES)),
+        before=np.empty((_STARS, count)),
+        next=np.empty(_STARS, np.int64),
+        counts=np.empty(_STARS, np.int64),
+        rules=np.empty(_STARS, np.int64),
+        faint=np.empty(_STARS),
+        together=np.empty(_STARS, np.int64),
+        through=np.empty(lanes, np.float32),
+        through_once=np.empty(lanes, np.float32),
+        scattering=np.empty(count * lanes, np.float32),
+        factors=np.empty(moment_count(light.degree) * lanes, np.float32),
+        orders=np.empty(light.suns * (light.degree + 2) * lanes, np.float32),
+        made=np.empty(light.suns, np.bool_),
+        sums=np.empty(_STARS * (4 + count) * lanes, np.float32),
+    )
+
+
+def light_apart(
+    solution: MomentsSolution, sight: Sight, orders: int, *, thinned: bool
+) -> tuple[FloatArray, FloatArray]:
+    """Air's light, and that scattered once by each constituent apart.
+
+    Parameters
+    ----------
+    solution : MomentsSolution
+    sight : Sight
+        n lines of sight; neighbours with equal radius, view and length are marched together.
+    orders : int
+        Orders of the light as for ``MomentsSolution.marched``.
+    thinned : bool
+        Whether the light scattered once is the solution's own, in air thinned by its forward peaks,
+        which are widened; otherwise it is that of single scattering proper.
+
+    Returns
+    -------
+    light : array, shape (n, nl)
+        Radiance of the air. [sr⁻¹]
+    once : array, shape (n, nc, nl)
+        Light scattered once by each constituent, to be multiplied by its phase function. [1]
+    """
+    light, paths = solution.light, solution.paths
+    sight = paths.sight(sight)
+    seen = paths.seen_nu(sight)
+    n, count, constituents = sight.r.size, solution.wavelengths.size, light.constituents
+    out, once = np.empty((n, count)), np.empty((n, constituents, count))
+
+    def run(index: int) -> None:
+        rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
+        phase = pack(paths.medium.phase_function(seen[rows])).reshape(seen[rows].size, -1)
+        half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
+        result = np.empty((phase.shape[0], (1 + constituents) * light.lanes), np.float32)
+        _march_all(
+            sight.r[rows], sight.mu[rows], sight.mu_s[rows], sight.nu[rows], half_sine,
+            sight.length[rows], orders, thinned, phase, light, new_workspace(light),
+            _new_workspace(light), result,
+        )  # fmt: skip
+        parts = result.reshape(-1, 1 + constituents, light.lanes)[:, :, :count]
+        out[rows], once[rows] = parts[:, 0], parts[:, 1:]
+
+    run_blocks(run, -(-n // _BLOCK))
+    return out, once
+
+
+@compiled_loop
+def _march_all(
+    r, mu, mu_s, nu, half_sine, length, orders, thinned, phase, light, work, stars, out
+):  # fmt: skip
+    light, work, stars = borrowed((light, work, stars))
+    apart = False
+    if not thinned:
+        for k in range(light.extinction.size):
+            apart = apart or light.extinction[k] != light.true_extinction[k]
+    first = 0
+    while first < r.size:
+        last = first + 1
+        while (
+            last < r.size and last - first < stars.counts.size and r[last] == r[first]
+            and mu[last] == mu[first] and length[last] == length[first]
+        ):  # fmt: skip
+            last += 1
+        if length[first] > 0.0:
+            _march_line(
+                first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, thinned, phase,
+                light, work, stars, out,
+            )  # fmt: skip
+        else:
+            out[first:last] = 0.0
+        first = last
+
+
+@inlined
+def _march_line(
+    first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, thinned, phase, light, work,
+    stars, out,
+):  # fmt: skip
+    """March the line under the stars ``first`` to ``last``; arguments as in ``_march_all``."""
+    lanes, count = light.lanes, last - first
+    width = (4 + light.constituents) * lanes
+    for index in range(count):
+        k = first + index
+        edges, rule, day = place_panels(r[k], mu[k], mu_s[k], nu[k], length[k], light, work)
+        stars.next[index], stars.counts[index], stars.rules[index] = 0, edges, rule
+        for edge in range(edges):
+            stars.edges[index, edge] = work.edges[edge]
+        scatters = 0.0
+        for c in range(light.constituents):
+            scatters += light.brightest[c] * work.totals[c]
+            stars.before[index, c] = 0.0
+        points = int(light.rules[rule]) * (edges - 1)
+        stars.faint[index] = FAINT * min(scatters, 1.0) / points if day else 0.0
+    for at in range(0, count * width, LANES):
+        store(stars.sums, at, splat(0.0))
+    members = _next_panel(count, light, stars)
+    while members > 0:
+        lead = stars.together[0]
+        panel, edges, rule = stars.next[lead], stars.counts[lead], stars.rules[lead]
+        for edge in range(edges):
+            work.edges[edge] = stars.edges[lead, edge]
+        for c in range(light.constituents):
+            work.before[c] = stars.before[lead, c]
+        place_panel(r[first], mu[first], panel, edges, rule, light, work)
+        panel_columns(rule, light, work)
+        n = int(light.rules[rule])
+        for k in range(n):
+            _add_point(
+                members, first, k, n, r[first], mu[first], mu_s, nu, orders, apart, phase, light,
+                work, stars,
+            )  # fmt: skip
+        for member in range(members):
+            index = stars.together[member]
+            stars.next[index] += 1
+            for c in range(light.constituents):
+                stars.before[index, c] = work.before[c]
+        members = _next_panel(count, light, stars)
+    for index in range(count):
+        star, sums = first + index, index * width
+        for at in range(0, lanes, LANES):
+            more = splat(0.0)
+            if light.widened:
+                for part in range(3):
+                    value = load(stars.sums, sums + (1 + part) * lanes + at)
+                    store(work.peaks, part * lanes + at, value)
+                more = more_light(half_sine[star], light, work, at)
+            found = load(stars.sums, sums + at)
+            if light.widened and orders != 0:
+                found = found + more * load(work.peaks, at)
+            store(out[star], at, found)
+            for c in range(light.constituents):
+                once = load(stars.sums, sums + (4 + c) * lanes + at)
+                if thinned and light.widened:
+                    once = once * (np.float32(1.0) + more * peaked_share(c, light, at))
+                store(out[star], (1 + c) * lanes + at, once)
+
+
+@inlined
+def _next_panel(count, light, stars):
+    """Find the nearest panel that is not marched, and the stars that share it.
+
+    Parameters
+    ----------
+    count : int
+        Number of stars.
+    light, stars : MarchTables, StarsWorkspace
+        Tables of the solution; workspace, whose ``together`` receives the indices of the stars.
+
+    Returns
+    -------
+    int
+        Number of stars; 0 at the end of the line.
+    """
+    lead = -1
+    for index in range(count):
+        panel = stars.next[index]
+        if panel < stars.counts[index] - 1 and (
+            lead < 0 or stars.edges[index, panel] < stars.edges[lead, stars.next[lead]]
+        ):
+            lead = index
+    if lead < 0:
+        return 0
+    start, end = stars.edges[lead, stars.next[lead]], stars.edges[lead, stars.next[lead] + 1]
+    points = light.rules[stars.rules[lead]]
+    members = 0
+    for index in range(lead, count):
+        panel = stars.next[index]
+        if (
+            panel < stars.counts[index] - 1
+            and stars.edges[index, panel] == start
+            and stars.edges[index, panel + 1] == end
+            and light.rules[stars.rules[index]] == points
+        ):
+            stars.together[members] = index
+            members += 1
+    return members
+
+
+@inlined
+def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, light, work, stars):
+    """Add the light of point k of a panel, of n points, to the sums of each star."""
+    lanes, constituents = light.lanes, light.constituents
+    width = (4 + constituents) * lanes
+    q = min(max(work.radius[k], light.bottom), light.top)
+    t = work.distance[k]
+    mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
+    scatters = 0.0
+    for c in range(constituents):
+        work.rho[c] = work.density[c * n + k]
+        work.depths[c] = work.columns[c * n + k]
+        scatters += light.brightest[c] * work.density[c * n + k]
+    angle = 0.0
+    if light.bend > 0.0:
+        angle = bend_angle(r, mu, light.bend, work.columns[(constituents - 1) * n + k])
+    weight = np.float32(work.weight[k])
+    for at in range(0, lanes, LANES):
+        through = through_columns(work.depths, light.extinction, constituents, lanes, at)
+        store(stars.through, at, through * weight)
+        if apart:
+            through = through_columns(work.depths, light.true_extinction, constituents, lanes, at)
+            store(stars.through_once, at, through * weight)
+        for c in range(constituents):
+            here = c * lanes + at
+            store(stars.scattering, here, load(light.scattering, here) * work.rho[c])
+    x = radius_index(q, light.bottom, light.top, light.row)
+    row = min(int(x), light.radii - 2)
+    f = np.float32(x - row)
+    ready = False
+    for member in range(members):
+        index = stars.together[member]
+        star, sums = first + index, index * width
+        mu_sq, nu_q = min(max((r * mu_s[star] + t * nu[star]) / q, -1.0), 1.0), nu[star]
+        if light.bend > 0.0:
+            mu_sq, nu_q = turned(mu_q, mu_sq, nu_q, angle)
+            mu_sq = min(max(mu_sq, -1.0), 1.0)
+        seen, spread = star_columns(q, mu_sq, light, work)
+        if seen > 0.0:
+            _add_star(seen, spread, sums, orders, apart, phase[star], light, work, stars)
+        gathers = orders != 1 and scatters * work.weight[k] >= stars.faint[index]
+        if gathers:
+            if not ready:
+                _place_direction(mu_q, light, work, stars)
+                ready = True
+            y = sun_index(mu_sq, light.place)
+            sun = min(int(y), light.suns - 2)
+            if not (stars.made[sun] and stars.made[sun + 1]):
+                _add_degrees(row, sun, f, light, stars)
+            _add_gathered(
+                sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), sums, light, stars
+            )
+
+
+@inlined
+def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
+    """Add the star's light scattered once at a point to the sums from index ``sums`` on."""
+    lanes, constituents = light.lanes, light.constituents
+    for at in range(0, lanes, LANES):
+        star = load(stars.through, at) * star_at(
+            seen, work.here, work.there, spread, light.extinction, constituents, lanes, at
+        )
+        if orders != 0:
+            source = splat(0.0)
+            for c in range(constituents):
+                here = c * lanes + at
+                source = source + load(stars.scattering, here) * load(phase, here)
+            store(stars.sums, sums + at, load(stars.sums, sums + at) + star * source)
+        if light.widened:
+            for part in range(3):
+                store(
+                    work.peaks, part * lanes + at, load(stars.sums, sums + (1 + part) * lanes + at)
+                )
+            add_peaks(star, np.float32(1.0), spread, phase, light, work, at)
+            for part in range(3):
+                store(
+                    stars.sums, sums + (1 + part) * lanes + at, load(work.peaks, part * lanes + at)
+                )
+        if apart:
+            star = load(stars.through_once, at) * star_at(
+                seen, work.here, work.there, spread, light.true_extinction, constituents, lanes, at
+            )
+        for c in range(constituents):
+            own = sums + (4 + c) * lanes + at
+            once = star * load(stars.scattering, c * lanes + at)
+            store(stars.sums, own, load(stars.sums, own) + once)
+
+
+@inlined
+def _place_direction(mu, light, work, stars):
+    """Harmonics of the line at a point times the moments' strengths, for a new point."""
+    lanes, degree = light.lanes, light.degree
+    terms = (degree, light.start, light.ahead, light.back)
+    legendre_functions(mu, terms, work.functions)
+    for node in range(light.suns):
+        stars.made[node] = False
+    for at in range(0, lanes, LANES):
+        for l in range(degree + 1):
+            strength = splat(0.0)
+            for c in range(light.constituents):
+                moment = load(light.moments, lanes * (c * (degree + 1) + l) + at)
+                strength = strength + moment * work.rho[c]
+            for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
+                store(stars.factors, index * lanes + at, strength * work.functions[index])
+        coupling = splat(0.0)
+        for c in range(light.constituents):
+            coupling = coupling + load(light.polarising, lanes * ELEMENTS * c + at) * work.rho[c]
+        last = (degree + 1) * (degree + 2) // 2
+        for m in range(EVEN):
+            factor = coupling * work.functions[3 + m]
+            store(stars.factors, (last + m) * lanes + at, factor)
+
+
+@inlined
+def _add_degrees(row, sun, f, light, stars):
+    """Sum the field over degrees, for two suns, between two rows; f is the share of the second."""
+    lanes, degree = light.lanes, light.degree
+    last = (degree + 1) * (degree + 2) // 2
+    block = lanes * (1 + last + POLARISED)
+    near = (row * light.suns + sun) * block
+    far = near + light.suns * block
+    g = np.float32(1.0) - f
+    first = sun * (degree + 2) * lanes
+    second = first + (degree + 2) * lanes
+    for at in range(0, lanes, LANES):
+        for m in range(degree + 1):
+            # Four sums that do not wait for each other.
+            low, high, next_low, next_high = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+            for l in range(m, degree + 1):
+                index = l * (l + 1) // 2 + m
+                here = lanes * (1 + index) + at
+                factor = load(stars.factors, index * lanes + at)
+                low = low + factor * load(light.field, near + here)
+                high = high + factor * load(light.field, far + here)
+                next_low = next_low + factor * load(light.field, near + block + here)
+                next_high = next_high + factor * load(light.field, far + block + here)
+            if m < EVEN:
+                here = lanes * (1 + last + m) + at
+                factor = load(stars.factors, (last + m) * lanes + at)
+                low = low + factor * load(light.field, near + here)
+                high = high + factor * load(light.field, far + here)
+                next_low = next_low + factor * load(light.field, near + block + here)
+                next_high = next_high + factor * load(light.field, far + block + here)
+            store(stars.orders, first + m * lanes + at, g * low + f * high)
+            store(stars.orders, second + m * lanes + at, g * next_low + f * next_high)
+        here = (degree + 1) * lanes + at
+        low, high = load(light.field, near + at), load(light.field, far + at)
+        store(stars.orders, first + here, g * low + f * high)
+        low, high = load(light.field, near + block + at), load(light.field, far + block + at)
+        store(stars.orders, second + here, g * low + f * high)
+    stars.made[sun] = True
+    stars.made[sun + 1] = True
+
+
+@inlined
+def _add_gathered(sun, share, cosine, sums, light, stars):
+    """Add light scattered before at a point, between two suns of the field, to a star's sum."""
+    lanes, degree = light.lanes, light.degree
+    e = np.float32(share)
+    h = np.float32(1.0) - e
+    near = sun * (degree + 2) * lanes
+    far = near + (degree + 2) * lanes
+    for at in range(0, lanes, LANES):
+        gathered = splat(0.0)
+        earlier, multiple = cosine, 1.0  # cos (m - 1)φ and cos mφ
+        for m in range(degree + 1):
+            here = m * lanes + at
+            part = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
+            gathered = gathered + part * np.float32(multiple)
+            earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
+        here = (degree + 1) * lanes + at
+        scale = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
+        # A sum of few harmonics may be negative where there is almost no light.
+        gathered = maximum(gathered / scale, 0.0) * load(stars.through, at)
+        store(stars.sums, sums + at, load(stars.sums, sums + at) + gathered)

@@ -1,0 +1,165 @@
+"""Light that a point sends along a ray, from the moments of the light there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, load, pair, splat
+from airlight.solvers.moments.harmonics import EVEN
+
+
+@inlined
+def first_register(l, paired):
+    """Index of the first register with moments of degree l. [1]
+
+    A register has one moment of eight wavelengths, or if ``paired`` two of four wavelengths: those
+    of m = 0 and 1, of 2 and 3, and so on; the last of an even degree has one.
+    """
+    index = l * (l + 1) // 2
+    if paired:
+        index = ((l + 1) // 2) * ((l + 2) // 2)
+    return index
+
+
+@inlined
+def contracted(factors, first, field, low, high, f, m, degree, paired):
+    """Moments of one m, times the scattering by a point in each degree, between two radii.
+
+    Parameters
+    ----------
+    factors : array
+        Strength of each degree times Legendre function, in the order of ``first_register`` from
+        ``first`` on.
+    first : int
+        Index of the first factor, in lanes.
+    field : array
+        Field as in ``sweep_radius``.
+    low, high : int
+        Index of the nodes of the lower and the upper radius, in lanes.
+    f : float32
+        Weight of the upper radius. [1]
+    m, degree : int
+        Order of these moments, or number of their pair; and highest degree.
+    paired : bool
+        See ``first_register``; a constant.
+    """
+    g = np.float32(1.0) - f
+    total = splat(0.0)
+    lowest = m
+    if paired:
+        lowest = 2 * m
+    for l in range(lowest, degree + 1):
+        index = first_register(l, paired) + m
+        at = LANES * (1 + index)
+        total = total + load(factors, first + LANES * index) * (
+            g * load(field, low + at) + f * load(field, high + at)
+        )
+    return total
+
+
+@inlined
+def coupled_moments(field, low, high, f, m, degree, paired):
+    """Moments of degree 2 and order m that scattering couples, times s, between two radii.
+
+    Results are that of the radiance and the even polarised one; arguments as for ``contracted``.
+    """
+    g = np.float32(1.0) - f
+    bright = LANES * (1 + first_register(2, paired) + m)
+    at = LANES * (1 + first_register(degree + 1, paired) + m)
+    return (
+        g * load(field, low + bright) + f * load(field, high + bright),
+        g * load(field, low + at) + f * load(field, high + at),
+    )
+
+
+@inlined
+def odd_moment(field, low, high, f, m, degree, paired):
+    """Odd polarised moment of degree 2 and order m, times s; arguments as for ``contracted``.
+
+    Its order is 1 or 2; or if ``paired`` 0 for that of 1, in the second half, and 1 for that of 2,
+    in the first.
+    """
+    place = first_register(degree + 1, paired) + EVEN - 1 + m
+    if paired:
+        place = first_register(degree + 1, paired) + 2 + m
+    at = LANES * (1 + place)
+    return (np.float32(1.0) - f) * load(field, low + at) + f * load(field, high + at)
+
+
+@inlined
+def sent_by_point(rows, low, high, f, step, sine, degree, bright, polarised, paired):
+    """I, Q and U sent along a ray by one of its points, from light scattered before. [1]
+
+    Parameters
+    ----------
+    rows : array
+        For each node the factor s; then A_m s from ``contracted``, in the order of
+        ``first_register``; then Q_0 s, Q_1 s, Q_2 s, U_1 s and U_2 s, the polarised light of the
+        point. If ``paired`` the latter are in three registers: Q_0 and Q_1, Q_2, U_2 and U_1.
+    low, high : int
+        Index of the nodes of the lower and the higher sun, in lanes.
+    f : float32
+        Weight of the higher sun. [1]
+    step, sine : float32
+        Cosine and sine of the azimuth between ray and star. [1]
+    degree : int
+        Highest degree.
+    bright, polarised : bool
+        Whether I, and whether Q and U are found; constants. The others are 0.
+    paired : bool
+        See ``first_register``; a constant. The results are then sums over the four lanes of each
+        wavelength's two parts: see ``folded``.
+    """
+    g = np.float32(1.0) - f
+    one, two = np.float32(1.0), np.float32(2.0)
+    scale = splat(1.0) / (g * load(rows, low) + f * load(rows, high))
+    radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
+    double = two * step * step - one
+    last = degree + 1
+    if paired:
+        last = degree // 2 + 1
+    at = LANES
+    if bright:
+        if paired:
+            # cos mφ and cos (m + 1)φ, by steps of two
+            cosines, earlier, by = pair(one, step), pair(double, step), splat(two * double)
+            for m in range(last):
+                at = LANES * (1 + m)
+                radiance = radiance + cosines * (
+                    g * load(rows, low + at) + f * load(rows, high + at)
+                )
+                later = by * cosines - earlier
+                earlier = cosines
+                cosines = later
+        else:
+            radiance = g * load(rows, low + at) + f * load(rows, high + at)
+            before, multiple = one, step
+            for m in range(1, degree + 1):
+                at = LANES * (1 + m)
+                radiance = radiance + multiple * (
+                    g * load(rows, low + at) + f * load(rows, high + at)
+                )
+                following = two * step * multiple - before
+                before = multiple
+                multiple = following
+        radiance = radiance * scale
+    if polarised:
+        at = LANES * (1 + last)
+        even = g * load(rows, low + at) + f * load(rows, high + at)
+        at = at + LANES
+        once = g * load(rows, low + at) + f * load(rows, high + at)
+        at = at + LANES
+        twice = g * load(rows, low + at) + f * load(rows, high + at)
+        if paired:
+            along = even * pair(one, step) + once * double
+            across = twice * pair(two * sine * step, sine)
+        else:
+            along = even + once * step + twice * double
+            at = at + LANES
+            once = g * load(rows, low + at) + f * load(rows, high + at)
+            at = at + LANES
+            twice = g * load(rows, low + at) + f * load(rows, high + at)
+            across = once * sine + twice * (two * sine * step)
+        along, across = along * scale, across * scale
+    return radiance, along, across

@@ -1,0 +1,222 @@
+"""Places of the star as seen from the points of a ray, for eight azimuths in the lanes."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from airlight.geometry.bending import HIGH
+from airlight.geometry.shell import horizon_cosine
+from airlight.geometry.sun_disc import visible_fraction, visible_spread
+from airlight.kernel import inlined
+from airlight.kernel.lanes import (
+    LANES,
+    floored,
+    largest,
+    load,
+    looked_up,
+    maximum,
+    minimum,
+    splat,
+    square_root,
+    store,
+    where_positive,
+)
+from airlight.mappings.transmittance import altitude_coordinate
+
+#: Nodes of the table of a star's visible part.
+DISC_NODES: Final = 256
+
+
+@inlined
+def place_stars(
+    turned, points, azimuths, first, sine_s, mu_s, places, suns, columns, shares, steps, sines
+):  # fmt: skip
+    """Directions of the star at the points of a ray, for eight azimuths in the lanes.
+
+    The star's component across the plane of the ray is the same everywhere; the other two turn by
+    the angle at the planet's centre, and by that of the bending.
+
+    Parameters
+    ----------
+    turned : array, shape (points·2,)
+        Cosine and sine of that angle at the points. [1]
+    points : int
+    azimuths : array, shape (2·c,)
+        Cosines, then sines of the azimuths in whole groups of eight. [1]
+    first : int
+        Index of the first azimuth.
+    sine_s, mu_s : float32
+        Sine and cosine of the star's zenith angle at the start of the ray. [1]
+    places : array
+        ``Grid.place`` in single precision.
+    suns : int
+        Number of sun elevations.
+    columns, shares, steps, sines : array, shape (points·8,)
+        Receive the node of the lower sun, the weight of the higher, and cosine and sine of the
+        azimuth between ray and star. [1]
+    """
+    ahead = load(azimuths, first) * sine_s
+    aside = load(azimuths, azimuths.size // 2 + first) * sine_s
+    half = np.float32(0.5 * (places.size - 1))
+    for k in range(points):
+        keep, turn = turned[2 * k], turned[2 * k + 1]
+        here = ahead * turn + keep * mu_s
+        along = ahead * keep - turn * mu_s
+        x = minimum(maximum((here + np.float32(1.0)) * half, 0.0), np.float32(2.0) * half)
+        node = minimum(floored(x), np.float32(places.size - 2))
+        low = looked_up(places, node)
+        index = low + (looked_up(places, node + np.float32(1.0)) - low) * (x - node)
+        node = minimum(floored(index), np.float32(suns - 2))
+        store(columns, LANES * k, node)
+        store(shares, LANES * k, index - node)
+        scale = splat(1.0) / square_root(along * along + aside * aside + np.float32(1e-30))
+        store(steps, LANES * k, along * scale)
+        store(sines, LANES * k, aside * scale)
+
+
+@inlined
+def fill_disc(out):
+    """Visible part of a star by its elevation over its radius, from -1 to 1.
+
+    ``out``, shape (3·n,), receives ``visible_fraction``, and the mean elevation of the visible part
+    above the centre and its deviation, over the star's radius. [1]
+    """
+    nodes = out.size // 3
+    for k in range(nodes):
+        x = 2.0 * k / (nodes - 1) - 1.0
+        mean, deviation = visible_spread(x, 1.0)
+        out[k] = np.float32(visible_fraction(x, 1.0))
+        out[nodes + k] = np.float32(mean - x)
+        out[2 * nodes + k] = np.float32(deviation)
+
+
+@inlined
+def fill_lift(lift, q, bottom, top, first, out):
+    """Row of the table ``lift`` at a radius, and the true horizon's cosine there. [1]
+
+    ``out`` receives from ``first`` on the raise, and then the flattening, at its columns; 0 and 1
+    where light goes straight.
+    """
+    columns = max(lift.shape[1], 2)
+    horizon = horizon_cosine(q, bottom)
+    if lift.shape[0] == 0:
+        for k in range(columns):
+            out[first + k], out[first + columns + k] = np.float32(0.0), np.float32(1.0)
+        return horizon
+    x = altitude_coordinate(q, bottom, top) * (lift.shape[0] - 1)
+    row = min(int(x), lift.shape[0] - 2)
+    f = x - row
+    for k in range(columns):
+        for part in range(2):
+            between = lift[row, k, part] * (1.0 - f) + lift[row + 1, k, part] * f
+            out[first + part * columns + k] = np.float32(between)
+    return horizon - (lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f)
+
+
+@inlined
+def place_lights(
+    turned, places, points, ahead, mu_s, star_radius, lifts, columns, disc, directions, seen,
+    low_at, high_at, kinds,
+):  # fmt: skip
+    """Star as seen from the points of a ray, for eight azimuths in the lanes: ``star_points``.
+
+    Parameters
+    ----------
+    turned : array, shape (points·2,)
+        As in ``place_stars``.
+    places : array, shape (points·7,)
+        Radius [m], (top - radius)(top + radius) [m²], shortest distance to the top [m], steps of
+        the tabled directions over their distance [m⁻¹], cosine of the true horizon, that of the
+        geometric one, and sine of its zenith angle. [1]
+    points : int
+    ahead : lanes
+        Component of the star along the ray's plane, at its start. [1]
+    mu_s : float32
+        Cosine of the star's zenith angle there. [1]
+    star_radius : float32
+        Angular radius of the star; not 0. [rad]
+    lifts : array, shape (points·2·columns,)
+        Rows from ``fill_lift``.
+    columns : int
+    disc : array
+        Table from ``fill_disc``.
+    directions : int
+        Number of tabled directions.
+    seen : array, shape (points·8,)
+        Receives the visible part of the star. [1]
+    low_at, high_at : array, shape (points·8,)
+        Receive the fractional indices of the two directions that represent it. [1]
+    kinds : array, shape (points,)
+        Receives 0 where the star is not seen, 1 where one direction suffices, else 2.
+
+    Returns
+    -------
+    bool
+        Whether the star is seen from any point.
+    """
+    one = np.float32(1.0)
+    nodes = disc.size // 3
+    half = np.float32(0.5 * (nodes - 1))
+    last = np.float32(directions - 1)
+    lit = False
+    for k in range(points):
+        here = ahead * turned[2 * k + 1] + turned[2 * k] * mu_s
+        q, across = places[7 * k], places[7 * k + 1]
+        shortest, scale = places[7 * k + 2], places[7 * k + 3]
+        horizon, lowest, sine = places[7 * k + 4], places[7 * k + 5], places[7 * k + 6]
+        above = here - horizon
+        highest = largest(above)
+        kinds[k] = 0
+        if highest <= -star_radius * sine:
+            continue
+        lit = True
+        share = minimum(maximum(above, 0.0) / (one - horizon), 1.0)
+        share = square_root(share) * np.float32(columns - 1)
+        node = minimum(floored(share), np.float32(columns - 2))
+        e = share - node
+        node = node + np.float32(2 * columns * k)
+        low = looked_up(lifts, node)
+        raised = low + (looked_up(lifts, node + one) - low) * e
+        node = node + np.float32(columns)
+        low = looked_up(lifts, node)
+        squeeze = low + (looked_up(lifts, node + one) - low) * e
+        middle = minimum(here + raised, 1.0)
+        least = 0.0 - largest(0.0 - above)
+        kinds[k] = 1
+        part = squeeze
+        top_point = middle
+        if least <= np.float32(HIGH) * star_radius * sine:
+            kinds[k] = 2
+            x = minimum(maximum(above / (star_radius * sine), -1.0), 1.0)
+            x = (x + one) * half
+            node = minimum(floored(x), np.float32(nodes - 2))
+            e = x - node
+            low = looked_up(disc, node)
+            part = squeeze * (low + (looked_up(disc, node + one) - low) * e)
+            # Where the star is high it is seen at its centre.
+            near = minimum(maximum((HIGH * star_radius * sine - above) * np.float32(1e9), 0.0), 1.0)
+            size = squeeze * (sine * star_radius) * near
+            node = node + np.float32(nodes)
+            low = looked_up(disc, node)
+            centre = middle + size * (low + (looked_up(disc, node + one) - low) * e)
+            node = node + np.float32(nodes)
+            low = looked_up(disc, node)
+            apart = size * (low + (looked_up(disc, node + one) - low) * e)
+            middle = maximum(centre - apart, lowest)
+            top_point = minimum(centre + apart, 1.0)
+        store(seen, LANES * k, part)
+        x = (way_to_top(middle * q, across) - shortest) * scale
+        store(low_at, LANES * k, minimum(maximum(x, 0.0), last))
+        x = (way_to_top(top_point * q, across) - shortest) * scale
+        store(high_at, LANES * k, minimum(maximum(x, 0.0), last))
+    return lit
+
+
+@inlined
+def way_to_top(upwards, across):
+    """``distance_to_top`` in single precision, from q·mu and (top - q)(top + q): no difference."""
+    away = maximum(upwards, 0.0 - upwards)
+    far = away + square_root(away * away + across)
+    return where_positive(upwards, across / maximum(far, np.float32(1e-30)), far)

@@ -1,0 +1,249 @@
+r"""Forward peaks, widened by the scattering that counts as unscattered.
+
+The sweeps count the part f of each scattering as unscattered, and the march adds the star's light
+scattered once by the whole phase function, dimmed by the air so thinned. Light that meets the peak
+is then counted as unscattered on its way and as scattered where it meets it: too much by x/(1 -
+exp(-x)), where x is the depth of the peak on the whole way from the star to the observer, and not
+as wide as several scatterings make it.
+
+With moments p_l of the phase function the peak is what the sweeps leave out: q_l = f up to their
+degree and p_l beyond. Light that goes through a depth x/f of scattering by the peak alone has, if
+its angles are small, the moments exp(-x (1 - χ_l)), χ_l = q_l/f (Goudsmit & Saunderson 1940, Phys.
+Rev. 57, 24), exp(-x) of it unscattered. Of n scatterings each point of the way is given the n-th
+part, so that per scattering at a point the phase function p becomes
+
+.. math:: p + f B, \quad B = \sum_l \frac{2l + 1}{4\pi} P_l(\nu)
+          \left[\frac{e^{-x (1 - \chi_l)} - e^{-x}}{x} - \chi_l\right].
+
+Its integral is right for any x, and the energy with it. The table holds f B/p: how much brighter
+the light scattered once is, as a function of the angle and of x.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from math import pi, sqrt
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, load, maximum, splat, store
+from airlight.planets.medium import Medium
+from airlight.solvers.moments.reduced_optics import MOST_PEAK, NEGLIGIBLE, Optics
+
+FloatArray = NDArray[np.float64]
+
+#: Numbers of angles, at even steps of the fourth root of sin(θ/2), and of depths x, at even steps
+#: of x/(x + MIDDLE): the last is infinite.
+ANGLES: Final = 128
+DEPTHS: Final = 20
+MIDDLE: Final = 2.0
+#: Vertical depth of the peaks below which they are not widened. [1]
+_FAINT: Final = 1e-4
+#: Numbers of moments: of most particles, and of those with sharper peaks.
+_MOMENTS: Final = (400, 4000)
+#: Moment over the peak's part below which further ones are left out; they count by their square.
+_LAST: Final = 5e-3
+#: Least strength of peaks on a line, so that their mean depth exists. [1]
+_LEAST: Final = 1e-30
+
+
+@inlined
+def clear_peaks(light, work):
+    """Set sums over a line's peaks to zero; arguments as in ``add_peaks``."""
+    for at in range(0, 3 * light.lanes, LANES):
+        store(work.peaks, at, splat(0.0))
+
+
+@inlined
+def add_peaks(star, dimmed, spread, phase, light, work, at):
+    """Add a point's scattering by forward peaks to the sums over its line.
+
+    Parameters
+    ----------
+    star : lanes
+        Irradiance by the star at the point, times its weight, as transmitted to the line's start.
+        [m]
+    dimmed : lanes or float
+        Part of it that comes. [1]
+    spread : bool
+        Whether two points represent the star.
+    phase : array, shape (nc·w,)
+        Phase functions. [sr⁻¹]
+    light, work : MarchTables, MarchWorkspace
+        Tables of the solution; workspace with density and columns of the point, whose peaks receive
+        the light scattered once by constituents with peaks [sr⁻¹], that counted as unscattered [1],
+        and the latter times the peaks' depth on its way. [1]
+    at : int
+        Index of the first lane.
+    """
+    peaked, strength, depth = splat(0.0), splat(0.0), splat(0.0)
+    for c in range(light.constituents):
+        here = light.lanes * c + at
+        part = load(light.true_extinction, here) - load(light.extinction, here)
+        column = work.here[c]
+        if spread:
+            column = 0.5 * (column + work.there[c])
+        depth = depth + part * np.float32(work.depths[c] + column)
+        part = part * work.rho[c]
+        strength = strength + part
+        peaked = peaked + part * load(light.sharpness, here) * load(phase, here)
+    strength = strength * star
+    count, means = light.lanes + at, 2 * light.lanes + at
+    store(work.peaks, at, load(work.peaks, at) + peaked * (star * dimmed))
+    store(work.peaks, count, load(work.peaks, count) + strength)
+    store(work.peaks, means, load(work.peaks, means) + strength * depth)
+
+
+@inlined
+def more_light(half_sine, light, work, at):
+    """Additional light of widened peaks, per light scattered once by them. [1]
+
+    Parameters
+    ----------
+    half_sine : float
+        sin(θ/2) of the angle to the apparent star. [1]
+    light, work, at :
+        Arguments of ``add_peaks``, after the whole line.
+    """
+    u = sqrt(sqrt(half_sine)) * (ANGLES - 1)
+    node = min(int(u), ANGLES - 2)
+    f = np.float32(u - node)
+    strength = maximum(load(work.peaks, light.lanes + at), _LEAST)
+    depth = load(work.peaks, 2 * light.lanes + at) / strength
+    place = depth / (depth + np.float32(MIDDLE)) * np.float32(DEPTHS - 1)
+    more = splat(0.0)
+    for k in range(DEPTHS):
+        away = place - np.float32(k)
+        share = maximum(np.float32(1.0) - maximum(away, 0.0 - away), 0.0)
+        first = light.lanes * (k * ANGLES + node) + at
+        low = load(light.widening, first)
+        more = more + share * (low + f * (load(light.widening, first + light.lanes) - low))
+    return more
+
+
+@inlined
+def peaked_share(constituent, light, at):
+    """Part of a constituent's light scattered once that widens: 0 without a peak. [1]
+
+    Parameters
+    ----------
+    constituent : int
+        Index of the constituent.
+    light, at :
+        Arguments of ``add_peaks``.
+    """
+    here = light.lanes * constituent + at
+    part = load(light.true_extinction, here) - load(light.extinction, here)
+    return part * load(light.sharpness, here) / maximum(load(light.scattering, here), _LEAST)
+
+
+def sharpness(optics: Optics) -> FloatArray:
+    """Reciprocal of the part of a scattering that is peak, in thick air; 0 without a peak. [1]
+
+    Parameters
+    ----------
+    optics : Optics
+        Optics of the medium.
+
+    Returns
+    -------
+    array, shape (nc, nl)
+    """
+    part = np.minimum(optics.phases[:, :, -1], MOST_PEAK)
+    peaked = (part > NEGLIGIBLE) & (optics.medium.scattering > 0.0)
+    return np.asarray(np.divide(1.0, part, out=np.zeros_like(part), where=peaked))
+
+
+def peak_widening(optics: Optics) -> FloatArray | None:
+    """Table of the additional light of widened peaks, per light scattered once by them.
+
+    Constituents with peaks are mixed by their vertical scattering depths.
+
+    Parameters
+    ----------
+    optics : Optics
+        Optics of the medium.
+
+    Returns
+    -------
+    array, shape (``DEPTHS``, ``ANGLES``, nl), or None
+        Additional light, never below -1 [1]; none where nothing counts as unscattered.
+    """
+    medium = optics.medium
+    weight = sharpness(optics) > 0.0
+    depth = (medium.extinction - optics.extinction) * medium.columns[:, None]
+    if depth.sum(axis=0).max() < _FAINT:
+        return None
+    amount = np.where(weight, medium.scattering * medium.columns[:, None], 0.0)
+    amount /= np.maximum(amount.sum(axis=0), _LEAST)
+    part = (amount * np.minimum(optics.phases[:, :, -1], MOST_PEAK)).sum(axis=0)
+    moments = _mixed_moments(medium, amount, part)
+    place = np.arange(DEPTHS - 1) / (DEPTHS - 1)
+    x = (MIDDLE * place / (1.0 - place))[:, None]
+    nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, ANGLES) ** 8
+    harmonics = _legendre(len(moments) - 1)
+    phase = (medium.phase_function(nu) * amount).sum(axis=1)
+    table = np.zeros((DEPTHS, ANGLES, medium.wavelengths.size))
+    inside = optics.degree + 1
+    for w in np.flatnonzero(part > NEGLIGIBLE):
+        smooth = harmonics[:, :inside] @ (moments[:inside, w] - part[w])
+        chi = np.clip(moments[:, w] / part[w], -1.0, 1.0)
+        chi[:inside] = 1.0
+        unscattered = np.exp(-x)
+        several = unscattered * (np.expm1(x * chi) / np.maximum(x, 1e-12) - chi)
+        several[0] = 0.0
+        wide = np.zeros((DEPTHS, ANGLES))
+        wide[:-1] = part[w] * (several @ harmonics.T)
+        once = np.ones((DEPTHS, 1))
+        once[:-1] = -np.expm1(-x)
+        peak = phase[:, w] - smooth
+        light = np.divide(
+            wide - once * peak, phase[:, w], out=np.zeros_like(wide), where=phase[:, w] > 0.0
+        )
+        table[:, :, w] = np.maximum(light, -1.0)
+    return table
+
+
+def _mixed_moments(medium: Medium, amount: FloatArray, part: FloatArray) -> FloatArray:
+    """Moments of the mixture, as many as count, shape (l, nl). [1]"""
+    peaked = part > NEGLIGIBLE
+    part = part[peaked]
+    for count in _MOMENTS:
+        nu, weights = _quadrature(count)
+        kept = (medium.phase_function(nu) * amount).sum(axis=1) * weights[:, None]
+        moments = np.empty((count + 1, kept.shape[1]))
+        before, value = np.zeros_like(nu), np.ones_like(nu)
+        for l in range(count + 1):
+            moments[l] = value @ kept
+            before, value = value, ((2 * l + 1) * nu * value - l * before) / (l + 1)
+            if l % 32 == 31 and (np.abs(moments[l - 15 : l + 1, peaked]) < _LAST * part).all():
+                return np.asarray(moments[: l + 1] / np.maximum(moments[0], _LEAST))
+    return np.asarray(moments / np.maximum(moments[0], _LEAST))
+
+
+@cache
+def _quadrature(degree: int) -> tuple[FloatArray, FloatArray]:
+    """Cosines and weights over the sphere, for a peak at 1 and for moments up to a degree."""
+    narrow = np.geomspace(1e-4, 0.04, 20)
+    wide = np.linspace(0.04, pi, 2 + degree // 4)
+    edges = np.concatenate([[0.0], narrow, wide[1:]])
+    x, w = np.polynomial.legendre.leggauss(8)
+    half = 0.5 * np.diff(edges)
+    angle = (edges[:-1] + half)[:, None] + half[:, None] * x
+    weights = 2.0 * pi * half[:, None] * w * np.sin(angle)
+    return np.cos(angle).ravel(), weights.ravel()
+
+
+@cache
+def _legendre(degree: int) -> FloatArray:
+    """(2l + 1)/(4π) P_l at the angles of the table, shape (``ANGLES``, degree + 1). [sr⁻¹]"""
+    nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, ANGLES) ** 8
+    values = np.empty((degree + 1, ANGLES))
+    before, value = np.zeros(ANGLES), np.ones(ANGLES)
+    for l in range(degree + 1):
+        values[l] = (2 * l + 1) / (4.0 * pi) * value
+        before, value = value, ((2 * l + 1) * nu * value - l * before) / (l + 1)
+    return values.T.copy()
