@@ -146,14 +146,26 @@ def device(lacking: Callable[[str], NoReturn]) -> Device:
         lacking(str(reason))
 
 
+def _shared_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Temporary folder of this run, of all its workers."""
+    base = tmp_path_factory.getbasetemp()
+    return base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+
+
 @pytest.fixture(scope="session", autouse=True)
 def own_solutions(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """A fresh folder for solutions; compiled code stays where it is, shared between runs."""
+    """A fresh folder for solutions, particles' optics and rates, which the workers of a run share.
+
+    Compiled code stays where it is, shared between runs.
+    """
+    from airlight.kernel import cost
     from airlight.kernel import disk as cache
 
-    folder = tmp_path_factory.mktemp("cache")
+    folder = _shared_folder(tmp_path_factory) / "cache"
+    folder.mkdir(exist_ok=True)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(cache, "cache_folder", lambda: folder)
+        patch.setattr(cost, "cache_folder", lambda: folder)
         yield folder / "solutions"
 
 
@@ -163,8 +175,7 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[]
 
     Whoever asks while another makes it waits; so nothing that is made asks in its turn.
     """
-    base = tmp_path_factory.getbasetemp()
-    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "once"
+    folder = _shared_folder(tmp_path_factory) / "once"
 
     def made(name: str, make: Callable[[], Any]) -> Any:
         folder.mkdir(exist_ok=True)
@@ -212,18 +223,14 @@ def solved() -> Callable[..., MomentsSolution]:
 def target_folder(
     once: Callable[[str, Callable[[], Any]], Any], tmp_path_factory: pytest.TempPathFactory
 ) -> Callable[[str, str], Path]:
-    """Folder of a ``--layout`` of a preset, of full size, made once in a run."""
-    from airlight import load_planet, solve
-    from airlight.planets import replace
-    from airlight.targets import target_of
+    """Folder that ``bake --layout`` writes for a preset, of full size, made once in a run."""
+    from airlight.cli import main
 
     def folder(layout: str, name: str) -> Path:
         def make() -> str:
-            program = target_of(layout)
-            planet = replace(load_planet(name), refraction="none")
-            solution = solve(planet, program.wavelengths, "preview", cache=False)
             made = tmp_path_factory.mktemp(layout) / name
-            program.write(solution, made)
+            words = ["bake", name, "--layout", layout, "--quality", "preview", "-o", str(made)]
+            assert main(words) == 0
             return str(made)
 
         return Path(once(f"{layout}-{name}", make))

@@ -75,3 +75,15 @@ def test_a_unit_that_is_not_known_or_of_something_else_is_named(text: str, words
         units.quantity(text, "m", "radius")
     assert words in str(caught.value)
     assert "with a unit such as 'm'" in str(caught.value)
+
+
+@pytest.mark.parametrize("number", [5, 5.0, "5", "-1e3", 1e-300])
+def test_a_number_without_a_unit_is_refused_where_there_is_a_unit(number: float | str) -> None:
+    with pytest.raises(ParameterError, match="a number with its unit, such as"):
+        units.quantity(number, "Pa", "pressure")
+    assert units.quantity(number, "1") == float(number)
+    assert units.quantity(number, "Pa", bare=True) == float(number)
+
+
+def test_zero_needs_no_unit() -> None:
+    assert units.quantities([0, "0", "0.0", "5 km"], "m") == [0.0, 0.0, 0.0, 5000.0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 
@@ -128,6 +129,27 @@ def test_an_unknown_planet_is_one_line(capsys: pytest.CaptureFixture[str]) -> No
         assert "vulcan" in error_line(capsys)
 
 
+@pytest.mark.parametrize(
+    ("interruption", "ended", "line"),
+    [(KeyboardInterrupt(), 130, "airlight: cancelled\n"), (SystemExit(143), 143, "")],
+)
+def test_an_interruption_that_a_library_wraps_is_no_error_of_ours(
+    interruption: BaseException,
+    ended: int,
+    line: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    # While a class is made, Python raises RuntimeError from whatever __set_name__ raises: Ctrl-C
+    # while matplotlib was imported was an internal error.
+    def interrupted(*_: object, **__: object) -> int:
+        raise RuntimeError("Error calling __set_name__ on 'locs'") from interruption
+
+    monkeypatch.setattr(import_module("airlight.cli.app"), "app", interrupted)
+    assert main(["planets"]) == ended
+    assert capsys.readouterr().err == line
+
+
 @pytest.mark.parametrize("interruption", [KeyboardInterrupt, Cancelled])
 def test_an_interrupted_command_says_cancelled_and_leaves_nothing(
     interruption: type[BaseException],
@@ -197,3 +219,10 @@ def test_a_write_protected_picture_is_kept(
     assert main(["render", "earth", "-o", str(target)]) == 2
     assert "is write-protected" in error_line(capsys)
     assert target.read_text() == "precious"
+
+
+@pytest.mark.parametrize("name", app.COMMANDS)
+def test_the_list_of_commands_says_what_each_command_says_of_itself(name: str) -> None:
+    command = app.Commands().get_command(None, name)
+    assert command.help.split("\n\n")[0].replace("\n", " ") == app.COMMANDS[name]
+    assert command.name == name

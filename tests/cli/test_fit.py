@@ -26,7 +26,7 @@ def sky(tmp_path: Path) -> Path:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", ["fit.html", "fit.md"])
+@pytest.mark.parametrize("page", [pytest.param("fit.html", marks=pytest.mark.validation), "fit.md"])
 def test_fit_writes_planet_and_report(
     sky: Path, tmp_path: Path, page: str, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import subprocess
 import sys
@@ -53,5 +54,87 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
             process.kill()
     assert process.returncode == 130
     assert out == ""
-    assert err == "airlight: cancelled\n"
+    *announced, cancelled = err.splitlines()
+    assert cancelled == "airlight: cancelled"
+    # a fine solve is long; the signal may come before its length is known
+    announcement = re.compile(r"airlight: solving the light of \d+ wavelengths: about .+")
+    assert all(announcement.fullmatch(one) for one in announced)
+    assert len(announced) < 2
     assert [file.name for file in tmp_path.iterdir()] == ["cases.csv"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process")
+def test_what_cannot_be_interrupted_is_left_within_a_second(tmp_path: Path) -> None:
+    # blocks on other threads, as a compiler's, end a minute later: nobody waits for them
+    script = (
+        "import sys, time, importlib\n"
+        "from airlight.kernel.threads import run_blocks\n"
+        "from airlight.exports.whole_file import whole_file\n"
+        "home = importlib.import_module('airlight.cli.planets')\n"
+        "def stuck():\n"
+        "    with whole_file('a.png') as part:\n"
+        "        part.write_text('half')\n"
+        "        print('begun', flush=True)\n"
+        "        run_blocks(lambda k: time.sleep(60.0), 4)\n"
+        "from airlight.cli import run_process\n"
+        "home.planets = stuck\n"
+        "sys.argv = ['airlight', 'planets']\n"
+        "sys.exit(run_process())\n"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", script],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    ) as process:
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline() == "begun\n"
+            time.sleep(0.2)
+            process.send_signal(signal.SIGINT)
+            begun = time.monotonic()
+            _, err = process.communicate(timeout=50)
+            seconds = time.monotonic() - begun
+        finally:
+            process.kill()
+    assert process.returncode == 130
+    assert err == "airlight: cancelled\n"
+    assert list(tmp_path.iterdir()) == []
+    assert seconds < 2.0  # 0.4 s of patience, and what a busy machine adds
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no SIGINT to one process")
+def test_a_command_that_is_still_imported_ends_in_a_line() -> None:
+    script = (
+        "import sys, os, signal\n"
+        "class Finder:\n"
+        "    def find_spec(self, name, path=None, target=None):\n"
+        "        if name == 'airlight.cli.app':\n"
+        "            os.kill(os.getpid(), signal.SIGINT)\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "sys.meta_path.insert(0, Finder())\n"
+        "from airlight.cli import run_process\n"
+        "sys.argv = ['airlight', 'planets']\n"
+        "sys.exit(run_process())\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "airlight: cancelled\n")
+
+
+def test_an_interruption_that_a_callback_swallows_is_no_traceback() -> None:
+    # ctypes calls back from the compiler; Python prints what such a callback raises, and goes on
+    script = (
+        "import ctypes\n"
+        "from airlight.cli.interrupt import end_when_interrupted\n"
+        "end_when_interrupted()\n"
+        "def raised(kind):\n"
+        "    raise (KeyboardInterrupt, ValueError)[kind]\n"
+        "call = ctypes.CFUNCTYPE(None, ctypes.c_int)(raised)\n"
+        "call({})\n"
+    )
+    for kind, shown in ((0, False), (1, True)):
+        words = [sys.executable, "-c", script.format(kind)]
+        done = subprocess.run(words, capture_output=True, text=True)
+        assert (done.returncode, "Traceback" in done.stderr) == (0, shown)

@@ -24,11 +24,20 @@ KNOWN: Any = Known()
 
 @pytest.mark.parametrize(
     ("text", "metres"),
-    [("400km", 4e5), ("10 m", 10.0), ("10", 10.0), ("1e8m", 1e8), ("1 au", 149_597_870_700.0)],
+    [("400km", 4e5), ("10 m", 10.0), ("0", 0.0), ("1e8m", 1e8), ("1 au", 149_597_870_700.0)],
 )
 def test_lengths_carry_their_unit(text: str, metres: float) -> None:
     # the astronomical unit: IAU 2012 resolution B2
     assert_allclose(options.length(text, "--altitude"), metres, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [("10", "such as '10 m'"), ("1.5 R_earth", "the unit 'R_earth' is not known"), ("5 Pa", "Pa")],
+)
+def test_a_length_without_a_unit_of_length_is_refused(text: str, part: str) -> None:
+    with pytest.raises(ParameterError, match=part):
+        options.length(text, "--altitude")
 
 
 @pytest.mark.parametrize(

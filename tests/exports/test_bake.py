@@ -203,7 +203,8 @@ def test_a_table_ends_at_the_lowest_sun_asked_for(earth: Any) -> None:
 
 @pytest.mark.parametrize("packing", ["separate", "combined"])
 def test_higher_orders_are_the_light_less_the_first_order(earth: Any, packing: str) -> None:
-    # A law: all light is the first order and the others, by the solver itself, at the texels.
+    # A law: all light is the first order and the others, by the solver itself, at the texels. Its
+    # first order is that of air thinned by its peaks: 4e-4 more than single scattering proper.
     baked = bake(
         earth, size=(6, 12, 8, 5), points=20, higher_orders=True, packing=packing, balance=False
     )
@@ -211,7 +212,7 @@ def test_higher_orders_are_the_light_less_the_first_order(earth: Any, packing: s
     every, first = AirLight(earth).with_first(lines_of_sight(positions, earth.medium))
     higher = baked.tables["higher-order"].at(positions)
     by_rayleigh = 3.0 / (16.0 * np.pi) * (1.0 + positions.nu**2)
-    assert_allclose(higher * by_rayleigh[:, None], every - first, rtol=2e-4, atol=1e-9)
+    assert_allclose(higher * by_rayleigh[:, None], every - first, rtol=1e-3, atol=1e-9)
 
 
 @pytest.mark.parametrize("smooth_phase", ["own", "rayleigh"])
@@ -436,8 +437,7 @@ def test_no_scan_finds_much_worse_than_the_errors_that_are_written(
     shell = (medium.bottom_radius, medium.top_radius)
     positions = peaked_positions(*shell, 60_000, 99)
     sight = lines_of_sight(positions, medium)
-    exact = AirLight(earth)(sight)
-    whole = np.maximum(AirLight(earth).with_ground(sight), exact)
+    exact, whole = AirLight(earth).before_the_ground(sight)
     off = np.abs(bruneton.light.relative_radiance(positions) - exact) / np.maximum(whole, DIM)
     off = np.where(whole > DIM, off, 0.0).max(axis=-1)
     found = regions(positions, shell[0])

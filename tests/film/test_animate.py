@@ -66,13 +66,13 @@ def drawn(rock: Path, folder: Path, **options: object) -> tuple[int, int]:
 
 
 @pytest.mark.slow
-def test_one_process_and_four_workers_write_the_same_bytes(tmp_path: Path) -> None:
+def test_one_process_and_two_workers_write_the_same_bytes(tmp_path: Path) -> None:
     film = load_film("earth-atmosphere-plus", AIR)
-    for workers in (1, 4):
+    for workers in (1, 2):
         animate(film, tmp_path / str(workers), width=48, height=27, how=HOW, workers=workers)
-    one, four = (contents(tmp_path / str(workers)) for workers in (1, 4))
+    one, two = (contents(tmp_path / str(workers)) for workers in (1, 2))
     assert len(one) == 8
-    assert one == four
+    assert one == two
     assert len(set(one.values())) == 8
 
 
@@ -172,7 +172,8 @@ def test_ctrl_c_ends_all_processes_in_two_lines(rock: Path, tmp_path: Path) -> N
     finally:
         process.kill()
     assert process.returncode == 130
-    lines = said.decode().splitlines()
+    # a machine that has measured slow pictures also announces 3000 of them
+    lines = [line for line in said.decode().splitlines() if "3000 frames of" not in line]
     assert lines[0].endswith("2 processes")
     assert lines[1].endswith("the same command draws the rest")
     assert lines[2:] == ["airlight: cancelled"]

@@ -78,7 +78,7 @@ def test_keys_reach_the_view_and_the_planet(tmp_path: Path) -> None:
 def test_the_clock_runs_evenly_and_moves_the_sun() -> None:
     film = load_film("earth", {
         "film.frames": 3, "film.start": "2026-06-21T18:00Z", "film.end": "2026-06-21T20:00Z",
-        "view.latitude": 59.33, "view.longitude": 18.07, "view.look_at": "NW",
+        "view.latitude": "59.33 deg", "view.longitude": "18.07 deg", "view.look_at": "NW",
     })  # fmt: skip
     scenes = [film.still(n, 16, 9, HOW).scene for n in range(3)]
     assert [one.time.hour for one in scenes] == [18, 19, 20]

@@ -186,7 +186,9 @@ def frame() -> object:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["exr", "png", "png16"])
+@pytest.mark.parametrize(
+    "kind", ["exr", "png", pytest.param("png16", marks=pytest.mark.validation)]
+)
 def test_photograph_of_unknown_exposure_gives_the_optical_depth(
     frame: object, tmp_path: Path, kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -113,17 +113,17 @@ struct Results {{ @location(0) first: vec4f, @location(1) second: vec4f }}
 
 
 def _declared(name: str, shape: tuple[int, ...], scalar: bool, binding: int) -> str:
-    """Declare a table's texture and the two functions that read it."""
-    lengths = ", ".join(str(length) for length in shape)
+    """Declare a table's texture and the functions that read it."""
+    sizes = "\n".join(
+        f"fn size_{name}_{axis}() -> i32 {{ return {length}; }}"
+        for axis, length in enumerate(shape)
+    )
     place = "vec2i(index & 2047, index >> 11)"
     kind, taken = ("f32", ".x") if scalar else ("vec4f", "")
     return f"""
 @group(0) @binding({binding}) var texture_{name}: texture_2d<f32>;
 fn read_{name}(index: i32) -> {kind} {{ return textureLoad(texture_{name}, {place}, 0){taken}; }}
-fn size_{name}(axis: i32) -> i32 {{
-  var lengths = array<i32, {len(shape)}>({lengths});
-  return lengths[axis];
-}}"""
+{sizes}"""
 
 
 def _taken_apart(

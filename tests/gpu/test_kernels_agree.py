@@ -22,6 +22,7 @@ from airlight.color.gamut import in_gamut
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
 from airlight.gpu.emit.shader_types import Bundle, Constant, Table
+from airlight.gpu.solver import ray_sums
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
 from airlight.optics.reflection import LAWS, NUMBERS, Reflection
@@ -34,7 +35,7 @@ from airlight.scene.projections.fisheye import fisheye_ray
 from airlight.scene.projections.octahedral import octahedral_ray
 from airlight.scene.projections.perspective import perspective_ray
 from airlight.scene.projections.projected import projected_ray, projected_rays
-from airlight.solvers.moments import convergence, harmonics, levels, packing, sweep
+from airlight.solvers.moments import convergence, harmonics, levels, march, packing, sweep
 
 EPS = 2.0**-23
 COUNT = 3000
@@ -306,7 +307,8 @@ STEPS = [
     ),
     Case(convergence.is_near, (OTHER, POSITIVE, 10.0)),
     # Over the sines, whose product is at least 0.02 here; 1 - μ² from cosines accurate to EPS.
-    Case(sweep.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
+    Case(ray_sums.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
+    Case(march.line_azimuth, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(sweep.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
     Case(sky_table.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
     Case(ground_angles.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),

@@ -16,8 +16,8 @@ from airlight.gpu.device.fragment_pass import declared_bindings
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.solver import planning as solver_planning
 from airlight.gpu.solver.passes import PASSES, shader
-from airlight.gpu.solver.planning import ThickAir, plan_for
-from airlight.gpu.solver.solver import fields_on, solve_on
+from airlight.gpu.solver.planning import plan_for
+from airlight.gpu.solver.solver import ThickAir, fields_on, solve_on
 from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets import replace
 from airlight.planets.medium import Medium
@@ -83,7 +83,7 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
     paths = LightPaths.of(medium_of(name, **changes))
     plan = plan_for(paths, PREVIEW)
     block = Setup(paths=paths, settings=PREVIEW).block(slice(None))
-    first, first_sky = gather(block, first_order_radius, block.setup.ratios, paths.lift)
+    first, first_sky = gather(block, first_order_radius, block.setup.star_ratios, paths.lift)
     packed = pack_light(first, first_sky[:1], block.level, block.setup.parts)
     second, second_sky = gather(block, sweep_radius, *packed)
     with borrowed_sweeper(device) as gpu:

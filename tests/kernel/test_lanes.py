@@ -7,7 +7,23 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, exponential, load, maximum, splat, store
+from airlight.kernel.lanes import (
+    FEW,
+    LANES,
+    exponential,
+    floored,
+    folded,
+    largest,
+    load,
+    load_two,
+    looked_up,
+    maximum,
+    pair,
+    splat,
+    square_root,
+    store,
+    where_positive,
+)
 
 
 @compiled_loop
@@ -35,6 +51,20 @@ def arithmetic(x, y, number, whole, out):
 @compiled_loop
 def copy_from(x, first, out, to):
     store(out, to, load(x, first))
+
+
+@compiled_loop
+def across_lanes(x, y, out):
+    a, b = load(x, 0), load(y, 0)
+    store(out, 0, pair(a, b))
+    store(out, 8, pair(np.float32(2.0), 3.0))
+    store(out, 16, folded(a))
+    store(out, 24, load_two(x, 1, 4))
+    store(out, 32, floored(a))
+    store(out, 40, square_root(b))
+    store(out, 48, looked_up(y, load(x, 8)))
+    store(out, 56, splat(largest(a)))
+    store(out, 64, where_positive(a, b, splat(7.0)))
 
 
 def exponentials(x: np.ndarray) -> np.ndarray:
@@ -100,3 +130,22 @@ def test_load_and_store_move_eight_neighbours_and_touch_nothing_else(first: int,
     expected = np.full(32, -1, np.float32)
     expected[to : to + LANES] = x[first : first + LANES]
     assert_array_equal(out, expected)
+
+
+def test_lanes_are_paired_folded_and_looked_up() -> None:
+    # Second method: NumPy's own slices, sums, floor, root and fancy index.
+    rng = np.random.default_rng(5)
+    x = rng.uniform(-3.0, 3.0, 16).astype(np.float32)
+    which = rng.integers(0, 16, LANES)
+    x[LANES:] = which
+    y = rng.uniform(0.0, 5.0, 16).astype(np.float32)
+    out = np.empty(9 * LANES, np.float32)
+    across_lanes(x, y, out)
+    a, b = x[:LANES], y[:LANES]
+    halves = a[:FEW] + a[FEW:]
+    expected = [
+        np.concatenate([a[:FEW], b[FEW:]]), [2.0] * FEW + [3.0] * FEW, np.tile(halves, 2),
+        np.concatenate([x[1 : 1 + FEW], x[4 : 4 + FEW]]), np.floor(a), np.sqrt(b), y[which],
+        [a.max()] * LANES, np.where(a > 0.0, b, 7.0),
+    ]  # fmt: skip
+    assert_allclose(out.reshape(9, LANES), np.array(expected), rtol=2e-7)

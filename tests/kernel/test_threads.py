@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import threading
 import time
+import warnings
 
 import pytest
 from numpy.testing import assert_array_equal
@@ -110,3 +113,28 @@ def test_a_number_of_threads_that_is_none_is_ignored(
 def test_the_environment_names_the_number_of_threads(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("AIRLIGHT_THREADS", "5")
     assert thread_count() == 5
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_a_forked_process_has_threads_of_its_own() -> None:
+    # it inherits the pool, but not the threads: its blocks waited for ever
+    done: list[int] = []
+    run_blocks(done.append, 8)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # Python 3.12 warns of forked threads
+        child = os.fork()
+    if child == 0:
+        inside: list[int] = []
+        run_blocks(inside.append, 8)
+        os._exit(0 if sorted(inside) == list(range(8)) else 1)
+    until = time.monotonic() + 60.0
+    while time.monotonic() < until:
+        ended, status = os.waitpid(child, os.WNOHANG)
+        if ended:
+            break
+        time.sleep(0.01)
+    else:
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        pytest.fail("the forked process hangs")
+    assert os.waitstatus_to_exitcode(status) == 0

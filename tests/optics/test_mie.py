@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.errors import ParameterError
+from airlight.errors import Cancelled, ParameterError
 from airlight.optics import mie
 from airlight.optics.size_distribution import Sizes, gamma_sizes, single_size
 
@@ -204,3 +204,11 @@ def test_tiny_spheres_polarise_as_molecules_do():
     assert_allclose(f12, -(1.0 - nu**2) / (1.0 + nu**2), atol=1e-3)
     assert_allclose(f33, 2.0 * nu / (1.0 + nu**2), atol=1e-3)
     assert_allclose(f34, 0.0, atol=1e-3)
+
+
+def test_a_cancelled_average_ends_between_radii():
+    asked = iter((False, False, True))
+    sizes = gamma_sizes(2e-6, 0.2, 800)
+    with pytest.raises(Cancelled):
+        mie.scattering(sizes, 550.0, 1.33 + 0j, [0.0], cancel=lambda: next(asked))
+    assert next(asked, None) is None

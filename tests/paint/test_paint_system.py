@@ -16,7 +16,7 @@ from airlight.paint.scene_lights import SceneLights
 from airlight.scene import Camera, Scene
 from airlight.scene.local_ground import local_ground
 from airlight.spectra.limb_darkening import solar_darkening
-from airlight.system import System
+from airlight.system import System, load_system
 from airlight.system.body import Body
 from airlight.system.light import Light
 from airlight.system.stars import stars
@@ -38,19 +38,27 @@ def drawn(scene: System, **options: object) -> np.ndarray:
     return paint_system(scene, **(SIZE | {"wavelengths": NM, "quality": "preview"} | options)).rgb
 
 
-@pytest.mark.parametrize("altitude", [2.0, 400e3])
-def test_a_planet_alone_is_drawn_as_render_draws_it(altitude: float) -> None:
+@pytest.mark.parametrize(("altitude", "polariser"), [(2.0, 35.0), (400e3, None)])
+def test_a_planet_alone_is_drawn_as_render_draws_it(
+    altitude: float, polariser: float | None
+) -> None:
     # The sun 10 degrees above the horizon in the east; the camera to the south-east, rolled.
     up, east = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
     sun = np.sin(np.radians(10.0)) * up + np.cos(np.radians(10.0)) * east
     got = drawn(system(
         EARTH, lights=(Light(star=SUN, direction=tuple(sun)),),
         observer=Observer(body="earth", altitude=altitude),
-        view=View(look_zenith=95.0, look_bearing=135.0, roll=20.0, field_of_view=70.0),
+        view=View(
+            look_zenith=95.0, look_bearing=135.0, roll=20.0, field_of_view=70.0,
+            polariser=polariser,
+        ),
     ))  # fmt: skip
     # Azimuth 45: to the right of the sun, which stands at bearing 90.
     scene = Scene(
-        camera=Camera(**SIZE, field_of_view=70.0, look_zenith=95.0, look_azimuth=45.0, roll=20.0),
+        camera=Camera(
+            **SIZE, field_of_view=70.0, look_zenith=95.0, look_azimuth=45.0, roll=20.0,
+            polariser=polariser,
+        ),
         altitude=altitude, sun_zenith=80.0, sun_azimuth=90.0, ground="detailed",
     )  # fmt: skip
     planet = local_ground(airlight.load_planet("earth"), latitude=0.0, longitude=0.0,
@@ -60,6 +68,28 @@ def test_a_planet_alone_is_drawn_as_render_draws_it(altitude: float) -> None:
     # The star's disc is drawn line by line here, and has a dark rim.
     disc = expected.max(axis=-1) > 20.0 * np.median(expected)
     assert_allclose(got[~disc], expected[~disc], rtol=1e-3, atol=1e-6 * np.median(expected))
+
+
+def test_a_filter_halves_the_light_of_moons_and_stars() -> None:
+    # Unpolarised light, whatever the axis: a half-lit moon, a star's disc and the points of stars.
+    scene = System(
+        name="x", bodies=(MOON,), lights=(Light(star=SUN, direction=(0.2, 1.0, 0.0)),),
+        observer=Observer(position=(3.7e8, 0.0, 0.0)), stars=True,
+        view=View(direction=(1.0, 0.4, 0.0), field_of_view=120.0),
+    )  # fmt: skip
+    open_, *behind = (
+        drawn(replace(scene, view=replace(scene.view, polariser=angle))) for angle in (None, 0, 70)
+    )
+    assert np.count_nonzero(open_) > 50
+    for one in behind:
+        assert_allclose(one, 0.5 * open_, rtol=1e-6)
+
+
+def test_a_filter_is_refused_where_a_moons_shadow_falls() -> None:
+    scene = load_system("solar-eclipse-2017")
+    turned = replace(scene, view=replace(scene.view, polariser=30.0))
+    with pytest.raises(ParameterError, match=r"camera\.polariser is 30\.0; allowed: none where a"):
+        drawn(turned, width=8, height=6)
 
 
 def test_the_full_moons_light_is_that_of_its_picture() -> None:

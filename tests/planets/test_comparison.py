@@ -111,7 +111,10 @@ def test_planets_known_at_different_wavelengths_meet_where_both_are_known():
 
 
 def test_planets_known_nowhere_together_are_compared_without_light():
-    star = {"wavelengths": [1500, 1600], "irradiance": [1.0, 1.0], "angular_radius": 0.25}
+    star = {
+        "wavelengths": "1500, 1600 nm", "irradiance": ["1 W/m^2/nm", "1 W/m^2/nm"],
+        "angular_radius": "0.25 deg",
+    }  # fmt: skip
     changes = {"star": star, "ground.albedo": 0.2, "ozone": None}
     del changes["ozone"]
     infrared = load_planet(
@@ -124,8 +127,8 @@ def test_planets_known_nowhere_together_are_compared_without_light():
                 {
                     "name": "air",
                     "profile": {"kind": "exponential", "scale_height": "8 km"},
-                    "wavelengths": [1500, 1600],
-                    "absorption": [1e-6, 2e-6],
+                    "wavelengths": "1500, 1600 nm",
+                    "absorption": "1e-6, 2e-6 /m",
                 }
             ],
         },
@@ -150,7 +153,7 @@ def test_parameters_of_nested_parts_are_listed_with_their_units():
 
 def test_long_tables_differ_though_they_are_equally_long():
     table = [0.0] * 12
-    altitudes = [float(h) for h in range(12)]
+    altitudes = [f"{h} m" for h in range(12)]
     changes = [{**dict.fromkeys(("kind",), "tabulated")} for _ in range(2)]
     for index, change in enumerate(changes):
         densities = [*table]

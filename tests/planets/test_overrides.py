@@ -17,10 +17,10 @@ from airlight.planets.reading.reader import read_planet
 FILE = """
 name = "Test"
 shell = { bottom_radius = "6360 km", top_radius = "6460 km" }
-star = { irradiance = 1.0, angular_radius = "0.25 deg" }
+star = { irradiance = "1 W/m^2/nm", angular_radius = "0.25 deg" }
 
 [ground]
-wavelengths = [680, 550, 440]
+wavelengths = "680, 550, 440 nm"
 albedo = [0.1, 0.2, 0.3]
 
 [[constituents]]
@@ -91,7 +91,10 @@ def test_none_takes_a_key_away_and_makes_room_for_another():
 
 
 def test_arrays_and_tables_of_python_stand_for_those_of_the_file():
-    values = {"ground.albedo": np.array([0.4, 0.5, 0.6]), "constituents[1].wavelengths": (500,)}
+    values = {
+        "ground.albedo": np.array([0.4, 0.5, 0.6]),
+        "constituents[1].wavelengths": ("500 nm",),
+    }
     changed = read_planet(FILE, "t", overrides=values)
     assert_allclose(changed.ground.albedos([680.0, 550.0, 440.0]), [0.4, 0.5, 0.6], rtol=1e-15)
     profile = {"kind": "tent", "center": "25 km", "half_width": "15 km"}

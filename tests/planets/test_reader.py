@@ -29,6 +29,11 @@ def replaced(text, old, new):
     return text.replace(old, new, 1)
 
 
+def degrees(angles):
+    """Angles as a list of a planet file. [deg]"""
+    return [f"{angle} deg" for angle in angles.tolist()]
+
+
 def test_the_file_of_the_format_means_what_it_says(good):
     # every number as it stands in the text, converted by hand
     medium = medium_of(good)
@@ -45,7 +50,7 @@ def test_the_file_of_the_format_means_what_it_says(good):
 
 
 def test_units_may_be_any_of_their_kind(good):
-    other = good.replace('"6360 km"', '"6360000 m"').replace('"8 km"', "8000.0")
+    other = good.replace('"6360 km"', '"6360000 m"').replace('"8 km"', '"8000 m"')
     other = other.replace('"5.802e-6 /m"', '"5.802e-3 /km"').replace(
         '"0.2678 deg"', f'"{np.radians(0.2678)!r} rad"'.replace("np.float64(", "").replace(")", "")
     )
@@ -328,7 +333,7 @@ def test_a_tabulated_phase_function_keeps_its_values_and_its_integral(good):
     angles = np.arange(181.0)
     g = 0.5
     rows = (1 - g * g) / (4 * np.pi * (1 + g * g - 2 * g * np.cos(np.radians(angles))) ** 1.5)
-    table = f'{{ kind = "tabulated", angles = {angles.tolist()}, values = {rows.tolist()} }}'
+    table = f'{{ kind = "tabulated", angles = {degrees(angles)}, values = {rows.tolist()} }}'
     medium = medium_of(
         replaced(good, '{ kind = "cornette-shanks", asymmetry = 0.8 }', table), [550.0]
     )
@@ -345,7 +350,7 @@ def test_a_tabulated_phase_matrix_is_the_one_of_the_file(good):
     values = 3.0 / (16.0 * np.pi) * (1.0 + nu**2)
     f12 = -(1.0 - nu**2) / (1.0 + nu**2)
     table = (
-        f'{{ kind = "tabulated", angles = {angles.tolist()}, values = {values.tolist()}, '
+        f'{{ kind = "tabulated", angles = {degrees(angles)}, values = {values.tolist()}, '
         f"f12 = {f12.tolist()} }}"
     )
     phase = '{ kind = "cornette-shanks", asymmetry = 0.8 }'
@@ -364,7 +369,7 @@ def test_tabulated_phase_functions_are_mixed_linearly_between_wavelengths(good):
     iso = np.full(181, 1.0 / (4.0 * np.pi))
     skew = (1.0 + np.cos(np.radians(angles))) / (4.0 * np.pi)
     values = [iso.tolist(), np.abs(skew).tolist()]
-    table = f'{{ kind = "tabulated", angles = {angles.tolist()}, values = {values} }}'
+    table = f'{{ kind = "tabulated", angles = {degrees(angles)}, values = {values} }}'
     text = replaced(good, '{ kind = "cornette-shanks", asymmetry = 0.8 }', table)
     text = replaced(text, 'name = "aerosol"', 'name = "aerosol"\nwavelengths = "500, 600 nm"')
     medium = medium_of(text, [500.0, 550.0, 600.0])

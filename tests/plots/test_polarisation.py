@@ -15,7 +15,7 @@ from airlight.color.oklab import rgb_to_oklab
 from airlight.errors import ParameterError
 from airlight.observables.neutral_points import neutral_points
 from airlight.plots.polarisation import polarisation_dome, polarisation_plane
-from airlight.plots.polarised_picture import angle_colors, polarised_picture
+from airlight.plots.polarised_picture import angle_colors, is_lit, polarised_picture
 from airlight.scene.frame import Frame
 from airlight.solvers.solution import Solution
 
@@ -109,3 +109,11 @@ def test_scalar_light_has_no_such_figure(known_light: Callable[..., Solution]) -
     plain = known_light(lambda sight, order: np.ones(sight.r.size))
     with pytest.raises(ParameterError, match="stokes is True; allowed: a solver of polarised"):
         polarisation_dome(plain)
+
+
+def test_towns_of_the_night_side_are_dark_beside_the_day() -> None:
+    # Unpolarised and a hundred million times fainter; by night alone the same light is seen. The
+    # disc of a star, unpolarised too, does not make its sky dark.
+    day, town, disc = (900.0, 300.0, 0.0), (1e-5, 0.0, 0.0), (1e8, 0.0, 0.0)
+    assert is_lit(np.transpose([day, town, disc])).tolist() == [True, False, True]
+    assert is_lit(np.transpose([town, (1e-12, 0.0, 0.0)])).tolist() == [True, False]

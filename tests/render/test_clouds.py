@@ -117,7 +117,7 @@ def test_the_shadow_lies_away_from_the_star_by_the_altitude_times_the_tangent(
     # 177 km away; flat ground would have h tan 60° = 173 km. White clouds let nothing through.
     altitude, sun = 100e3, np.radians(60.0)
     solution = cloudy(block(0.0, 20.0), cloud_albedo=1.0, albedo=0.5,
-                      cloud_altitude=altitude)  # fmt: skip
+                      cloud_altitude=f"{altitude} m")  # fmt: skip
     camera = Camera(width=120, height=120, field_of_view=24.0, look_zenith=180.0)
     scene = Scene(camera=camera, altitude=3e6, sun_zenith=60.0, sun_azimuth=sun_azimuth,
                   longitude=20.0)  # fmt: skip
@@ -142,7 +142,7 @@ def test_a_cloud_is_seen_where_it_is_aloft(cloudy: Cloudy) -> None:
     # Geometry: the direction from the observer to the middle of the square, at its altitude; on the
     # ground it would be 1.9° lower.
     altitude = 50e3
-    solution = cloudy(block(0.0, 6.0), cloud_albedo=1.0, albedo=0.0, cloud_altitude=altitude)
+    solution = cloudy(block(0.0, 6.0), cloud_albedo=1.0, albedo=0.0, cloud_altitude=f"{altitude} m")
     scene = Scene(altitude=800e3, sun_zenith=0.0)
     angle = np.radians(6.0)
     radial = np.array([np.cos(angle), np.sin(angle), 0.0])  # in the planet's frame

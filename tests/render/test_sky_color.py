@@ -12,12 +12,12 @@ from airlight.render.sky_color import LOOKS, sky_colors
 def test_under_twice_the_light_the_sky_is_twice_as_bright_and_of_the_same_colour() -> None:
     # radiance is linear in the star's irradiance
     paths = {"star.spectrum": None, "star.angular_radius": "0.27 deg"}
-    nm = [430.0, 690.0]
+    nm = ["430 nm", "690 nm"]
     skies = [
         sky_colors(
             load_planet(
                 "earth-atmosphere-plus",
-                {**paths, "star.wavelengths": nm, "star.irradiance": [level, level]},
+                {**paths, "star.wavelengths": nm, "star.irradiance": [f"{level} W/m^2/nm"] * 2},
             ),
             cache=False,
         )

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray
-from numpy.testing import assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.cli import main
 from airlight.errors import FileError, ParameterError
@@ -56,6 +56,25 @@ def test_a_sweep_holds_the_radiances_of_the_solution(tmp_path: Path) -> None:
     found = data.radiance.sel({"ground.albedo": 0.5, "altitude": 2e3}).isel(planet=0)
     assert_array_equal(found.values, direct.values.astype(np.float32))
     assert data.radiance.units == "W m-2 sr-1 nm-1"
+
+
+def test_polarised_light_is_beside_the_radiance(tmp_path: Path) -> None:
+    # the same call without blocks; and a sweep without Stokes parameters is another one
+    grid, path = small(vary={}, altitude=[0.0]), tmp_path / "a.zarr"
+    sweep(grid, path, quality="preview", stokes=True, workers=1)
+    data = radiances(path).squeeze(("planet", "altitude"))
+    light = solve(load_planet("earth-atmosphere-plus"), wavelengths=NM, quality="preview").radiance(
+        altitude=0.0, sun_zenith=data.sun_zenith.values[:, None, None],
+        view_zenith=data.view_zenith.values[:, None], azimuth=data.azimuth.values, stokes=True,
+    )  # fmt: skip
+    for name, stokes in (("radiance", "I"), ("Q", "Q"), ("U", "U")):
+        assert_array_equal(data[name].values, light.sel(stokes=stokes).values.astype(np.float32))
+    assert_allclose(data.dolp, np.hypot(data.Q, data.U) / data.radiance, rtol=1e-5)
+    assert_allclose(data.aolp, 0.5 * np.degrees(np.arctan2(data.U, data.Q)), atol=1e-3)
+    assert float(data.dolp.max()) > 0.5
+    assert data.U.units == "W m-2 sr-1 nm-1"
+    with pytest.raises(FileError, match="holds the sweep of another grid"):
+        sweep(grid, path, quality="preview", workers=1)
 
 
 @pytest.mark.usefixtures("four_blocks")

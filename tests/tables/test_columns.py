@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -13,6 +14,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.optics.density_profile import DensitySegments, exponential, tent, uniform
+from airlight.tables.column_ratios import mean_density_ratios
 from airlight.tables.columns import ColumnTable, columns
 
 BOTTOM, TOP = 6360e3, 6460e3
@@ -30,6 +32,16 @@ def rays() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     mu[::4] = vectorized(horizon_cosine)(r[::4], BOTTOM) + rng.uniform(-0.02, 0.05, r[::4].size)
     mu[1::8] = rng.uniform(-0.01, 0.01, mu[1::8].size)
     return r, mu, vectorized(ray_length)(r, mu, BOTTOM, TOP)
+
+
+def test_ratios_of_air_that_is_not_there_are_numbers_in_single_precision() -> None:
+    # 1/sqrt of a density of 0 was 1e150: infinite in single precision, and 0 of it no number
+    nothing = DensitySegments.from_rows([exponential(8e3, 1e5), exponential(1e-2, 1e5)])
+    table = ColumnTable.build(BOTTOM, TOP, nothing, (8, 16))
+    table = replace(table, values=table.values * [1.0, 0.0])
+    ratios = mean_density_ratios(table).astype(np.float32)
+    assert np.isfinite(ratios).all()
+    assert_allclose(ratios[..., 1, 1], 0.0, atol=0.0)
 
 
 def test_the_column_of_uniform_air_is_the_length(rays: tuple[np.ndarray, ...]) -> None:

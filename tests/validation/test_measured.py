@@ -324,7 +324,7 @@ def test_asking_to_stop_stops(reference_data: Path) -> None:
         compute(reference_data, cancel=lambda: True)
 
 
-@pytest.mark.slow
+@pytest.mark.validation
 def test_measured_skies_are_met_as_the_league_table_says(
     reference_data: Path, tell: Callable[[str], None]
 ) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import io
+import json
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -263,3 +264,24 @@ def test_closing_ends_a_picture_that_waits(viewer: Any, monkeypatch: pytest.Monk
     viewer.close()
     assert viewer.drawn == {}
     assert not viewer._pictures._thread.is_alive()
+
+
+@pytest.mark.parametrize("name", ["</script><b>", "[/x] $x_{$", "<img src=x onerror=hit()>", "-->"])
+def test_a_name_is_what_it_is_in_the_widget(viewer: Any, name: str) -> None:
+    for path in ("name", "constituents[0].name"):
+        viewer.set(path, name)
+        assert viewer.values[path] == name
+    assert name in json.dumps(viewer.get_state("values"), ensure_ascii=False)
+    assert viewer.message == ""
+
+
+@pytest.mark.parametrize("text", ["a\x1b[31m", "a\x00b", "\udc80", "a\u202eb"])
+def test_a_browser_cannot_give_a_name_that_steers_a_terminal(viewer: Any, text: str) -> None:
+    path = "constituents[0].name"
+    before = viewer.values[path]
+    viewer.set_state({"messages": {"a": [{**edit(1, path, 0.0), "edit": {path: text}}]}})
+    assert viewer.heard == {"a": 1}
+    assert viewer.values[path] == viewer.session.value(path) == before
+    assert "letters without control characters" in viewer.message
+    assert text not in viewer.message
+    json.dumps(viewer.get_state(["values", "message"]), ensure_ascii=False).encode()

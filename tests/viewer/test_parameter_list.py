@@ -208,3 +208,13 @@ def test_the_tone_map_that_the_view_sends_is_the_one_that_the_picture_counts() -
     for name in TONE_MAPS:
         sent = uniforms_of({**DEFAULTS, "display.tone_map": name})["tone_map"]
         assert sent == display_numbers(0.0, name, "srgb")["tone_map"]
+
+
+def test_a_planet_without_a_date_has_all_uniforms() -> None:
+    # a planet of one's own has no date of its sky: its page and its window need none
+    from airlight.viewer.parameters.view_parameters import DEFAULTS, uniforms_of
+    from airlight.viewer.session.session import Session
+
+    session = Session("exoplanet")
+    assert "view.clock" not in session.values
+    assert uniforms_of(session.values) == uniforms_of({**DEFAULTS, **session.values})

@@ -93,3 +93,41 @@ def test_a_side_that_is_being_solved_is_veiled(window: Window, solver: Solver) -
     solver.gate.set()
     after = until(window, lambda: sides.settled and not sides.outdated("A"))
     assert after == pytest.approx(before, abs=1.0)
+
+
+@pytest.mark.slow
+def test_a_picture_of_another_planet_than_the_controls_says_so(
+    device: Device, solver: Solver
+) -> None:
+    # The words are light on a dark ground, in a corner of a bright sky; they go with the new one.
+    pytest.importorskip("imgui_bundle")
+    window = Window(
+        Session("mars"),
+        OffscreenCanvas((800, 600)),
+        device.device,
+        lambda: PicturePainter(device.device, ScenePainter()),
+        cast(Any, solver),
+    )
+    window.actions.shows_panels = False
+    sides = window._sides
+
+    def corner() -> float:
+        picture = cast(OffscreenCanvas, window._canvas).picture
+        place = window.picture_rectangle()
+        assert picture is not None
+        top, left = int(place.top) + 10, int(place.left) + 10
+        return float(np.median(picture[top : top + 30, left : left + 80, :3]))
+
+    try:
+        until(window, lambda: sides.settled and not sides.outdated())
+        before = corner()
+        solver.gate.clear()
+        window.session.set(DEPTH, 1.5)
+        until(window, lambda: sides.outdated())
+        assert corner() < 0.6 * before
+        solver.gate.set()
+        until(window, lambda: sides.settled and not sides.outdated())
+        assert corner() == pytest.approx(before, abs=1.0)
+    finally:
+        solver.gate.set()
+        window.close()

@@ -18,6 +18,7 @@ import numpy as np
 from airlight.gpu.device.device import open_device
 from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
+from airlight.viewer.window.panels.probe import numbers_of
 from airlight.viewer.window.panels.row import parameter_row
 from airlight.viewer.window.start import Start, opened, painter_by
 from airlight.viewer.window.window import Window
@@ -40,6 +41,10 @@ class Answers:
 
     def value(self, path: str) -> Any:
         return self.window.session.value(path)
+
+    def put(self, path: str, value: Any) -> None:
+        """Change a value as Python does."""
+        self.window.session.set(path, value)
 
     def place_of(self, path: str) -> list[float]:
         self.draws(2)  # a list or a search takes its place within a frame
@@ -123,6 +128,16 @@ class Answers:
 
     def typing(self) -> bool:
         return self.window.surface.typing
+
+    def probes(self) -> bool:
+        """Show the probe, or hide it."""
+        self.window.panel.probes = not self.window.panel.probes
+        return self.draws(2)
+
+    def probe_rows(self) -> dict[str, str]:
+        """Names and values of the probe's last reading; none before the first."""
+        reading = self.window._probing.reading
+        return dict(numbers_of(reading.spectrum)) if reading is not None else {}
 
     def picture_place(self) -> list[float]:
         one = self.window.picture_rectangle()

@@ -98,8 +98,12 @@ class Gestures:
         self._press(self.chance.choice(KEYS))
 
     def _press(self, key: str) -> None:
-        if self.page.evaluate(_FOCUSED):
+        if not self.page.evaluate(_FOCUSED):
+            return
+        if key.isascii():
             self.page.keyboard.press(key)
+        else:  # Playwright has no such key
+            self.page.keyboard.type(key)
 
     def _slide(self, touches: Any, fingers: int) -> None:
         starts, ends = ([self._point() for _ in range(fingers)] for _ in range(2))

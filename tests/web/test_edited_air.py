@@ -13,6 +13,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight.gpu.device.flat import read_flat
+from airlight.gpu.solver.passes import ONCE
+from airlight.gpu.solver.planning import plan_for
+from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
@@ -22,7 +26,9 @@ from airlight.solvers.moments.packing import level_weights, pack, thickness
 from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import solve
-from airlight.viewer.browser.page_solver import MOST, solver_data
+from airlight.solvers.moments.vertical_coupling import Wandering
+from airlight.viewer.browser.page_solver import MOST, page_settings, solver_data
+from airlight.viewer.browser.tables_text import from_text
 from airlight.viewer.parameters.amounts import AMOUNTS, amounts_of
 from airlight.viewer.session.session import Session
 
@@ -107,11 +113,76 @@ def test_air_that_is_too_thick_is_refused_in_one_line(
     assert got == "so much air is too thick to be solved here; the desktop viewer solves it"
 
 
-def test_thick_air_has_no_solver_in_the_page() -> None:
-    # Venus: light scatters hundreds of times in its clouds
-    medium = Medium.from_planet(load_planet("venus"), WAVELENGTHS)
-
-    assert solver_data(SimpleNamespace(medium=medium)) is None  # type: ignore[arg-type]
+def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
+    gpu: Any, modules: Callable[..., Any]
+) -> None:
+    # A second method: the matrix that the processor's loops make of the same rays, for any change
+    # of the light. The page's is made of textures in single precision: 3e-4 of the largest.
+    settings = dataclasses.replace(page_settings(), radii=5, suns=7, zenith_angles=3, degree=4)
+    settings = dataclasses.replace(settings, thick_degree=4)
+    medium = Medium.from_planet(load_planet("titan"), WAVELENGTHS)
+    data = solver_data(SimpleNamespace(medium=medium), settings)  # type: ignore[arg-type]
+    paths = LightPaths.of(medium)
+    plan = plan_for(paths, settings)
+    assert plan.sizes["parts"] > 1
+    assert plan.setup.optics.transport_depth.max() > data["completion"]["thicker"]
+    rays = {}
+    with borrowed_sweeper(gpu) as sweeper:
+        sweeper.load(plan)
+        sweeper.run(ONCE)
+        for name in ("factors", "shares", "bounces", "projections"):
+            texels = plan.textures[name]
+            rays[name] = read_flat(gpu, sweeper.texture(name), texels).ravel().tolist()
+    nodes, terms = plan.nodes, int(plan.sizes["terms"])
+    change = np.random.default_rng(3).uniform(size=nodes * (terms + 1) * 4).astype(np.float32)
+    tables = {
+        name: {"values": table.ravel().tolist(), "shape": list(table.shape)}
+        for name, table in {
+            "start": plan.block.rays.start, "radius": plan.block.rays.radius,
+            "row": plan.setup.grid.row, "sun_cosines": plan.setup.grid.sun_cosines,
+        }.items()
+    }  # fmt: skip
+    cubics = from_text(data["completion"]["cubics"]).tolist()
+    wide, leak = (length / plan.setup.grid.bottom_radius for length in plan.block.reach)
+    page = modules({"solving/completion": ("Completion",)})
+    got = page.evaluate(
+        """async ([plan, tables, fixed, rays, reach, change]) => {
+          const arrays = Object.fromEntries(
+            Object.entries(rays).map(([name, values]) => [name, Float32Array.from(values)]));
+          const light = Float32Array.from(change);
+          const found = [];
+          for (const deep of [false, true]) {
+            const made = new Completion(
+              plan, (name) => tables[name], fixed, arrays, { ...reach, deep });
+            await made.eliminate(async () => {});
+            found.push([...made.finish(light)], [...made.finish(light, light)]);
+          }
+          return found;
+        }""",
+        [
+            {"sizes": {name: float(value) for name, value in plan.sizes.items()}},
+            tables,
+            {**data["completion"], "cubics": cubics},
+            rays,
+            {"wide": wide, "leak": leak},
+            change.tolist(),
+        ],
+    )
+    shape = (int(plan.sizes["radii"]), int(plan.sizes["suns"]))
+    field = change[: nodes * terms * 4].reshape(*shape, terms, 4)
+    sky = change[nodes * terms * 4 :].reshape(*shape, 4)
+    both = [np.concatenate([one, one], axis=-1) for one in (field, sky)]
+    cases = [
+        (deep, light) for deep in (False, True) for light in (None, (both[0][:, :, 0], both[1]))
+    ]
+    for found, (deep, light) in zip(got, cases, strict=True):
+        wandering = Wandering(dataclasses.replace(plan.block, deep=deep))
+        moments, irradiances = wandering.finish(*both, light)
+        assert abs(moments[..., :4] - field).max() > 1.0  # the further sweeps bring much light
+        parts = np.split(np.array(found, np.float32), [field.size])
+        for part, expected in zip(parts, (moments, irradiances), strict=True):
+            wanted = expected[..., :4].ravel()
+            assert_allclose(part, wanted, rtol=0, atol=3e-4 * abs(wanted).max())
 
 
 def test_a_page_and_a_window_declare_the_same_amounts() -> None:

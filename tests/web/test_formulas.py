@@ -34,7 +34,7 @@ SUN = tuple(np.array([numbers(-0.5, 0.5) for _ in range(3)]))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
 #: Formulas that write to an array, which are compared in a separate test.
-FILLING = {"combine", "reduce_optics"}
+FILLING = {"combine", "reduce_optics", "factorise", "substitute", "sideways_equations"}
 #: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
     "days_of_date": DATES,
@@ -107,10 +107,15 @@ CASES: dict[str, tuple[Any, ...]] = {
     "change_at": (POSITIVE, POSITIVE[::-1], 10.0),
     "count_at": (POSITIVE, 10.0, numbers(0.0, 1.0)),
     "rest_after": (POSITIVE, POSITIVE[::-1], RNG.integers(0, 3, COUNT)),
+    "is_near": (POSITIVE, POSITIVE[::-1], 10.0),
+    "trusted_part": (POSITIVE, POSITIVE[::-1]),
+    "floor_below": (POSITIVE,),
+    "radius_index": (numbers(BOTTOM, TOP), BOTTOM, TOP, np.cumsum(RNG.uniform(0.0, 1.0, 33))),
     "squared": (numbers(-3.0, 3.0),),
     "is_peaked": (numbers(-2e-6, 2e-6),),
     "cut_weight": (POSITIVE,),
     "cut_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
+    "onward_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
     "turbidity_of": (POSITIVE, POSITIVE[::-1]),
     "haze_of": (1.0 + POSITIVE, POSITIVE[::-1]),
     "thick_share": (POSITIVE,),
@@ -188,6 +193,28 @@ def test_the_weights_of_the_next_guess_are_python_s(calls: Callable[..., Any]) -
         assert_allclose(seen[0], mixing_weights(values), rtol=1e-9)
 
 
+def test_the_spread_sideways_is_python_s(calls: Callable[..., Any]) -> None:
+    # Sums in the same order, cosines of float64.
+    cosines = np.sort(np.concatenate([[-1.0, 1.0], RNG.uniform(-1.0, 1.0, 9)]))
+    table = {"values": cosines.tolist(), "shape": [cosines.size]}
+    spread, measure = np.zeros(cosines.size**2), np.zeros(cosines.size)
+    functions()["sideways_equations"](cosines, 0.02, 0.3, spread, measure)
+    row = [table, 0.02, 0.3, [0.0] * spread.size, [0.0] * measure.size]
+    assert_allclose(calls("sideways_equations", [row], 3)[0], spread, rtol=1e-9, atol=1e-12)
+    assert_allclose(calls("sideways_equations", [row], 4)[0], measure, rtol=1e-9, atol=1e-12)
+
+
+def test_elimination_in_javascript_solves_equations(calls: Callable[..., Any]) -> None:
+    # Second method: LAPACK. Rows of K sum to less than 1; the size is no multiple of a block.
+    size, columns = 19, 3
+    matrix = np.eye(size) - RNG.uniform(size=(size, size)) / (size + 2)
+    right = RNG.uniform(size=(size, columns))
+    factors = calls("factorise", [[matrix.ravel().tolist(), size]], 0)[0]
+    row = [factors, size, right.ravel().tolist(), columns]
+    solved = calls("substitute", [row], 2)[0]
+    assert_allclose(solved, np.linalg.solve(matrix, right).ravel(), rtol=1e-10)
+
+
 def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) -> None:
     # Sums in the same order: a few roundings. One constituent has no peak, one does not scatter.
     wavelengths, degree = 4, 5
@@ -196,9 +223,9 @@ def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) ->
     scattering, absorption = RNG.uniform(1e-6, 1e-4, (2, 3, wavelengths))
     scattering[2] = 0.0
     columns = np.array([8e3, 1e3, 2e3])
-    turning = RNG.uniform(-1.0, 1.0, (3, wavelengths, 2))
+    turning = RNG.uniform(-1.0, 1.0, (3, wavelengths, 4))
     tables = (scattering, absorption, phases, turning, columns)
-    parts = (1, degree + 1, 2, 1)
+    parts = (1, degree + 1, 4, 1)
     sizes = [3 * wavelengths * part for part in parts]
     filled = [np.zeros(size) for size in sizes]
     functions()["reduce_optics"](*tables, degree, *filled)

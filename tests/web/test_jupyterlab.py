@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -20,8 +21,9 @@ from gestures import Gestures, assert_sound, close_all
 from PIL import Image
 from waiting import PATIENCE, until
 
-pytest.importorskip("jupyterlab")
-pytest.importorskip("anywidget")
+for needed in ("jupyterlab", "anywidget"):  # to import them takes seconds, in each worker
+    if find_spec(needed) is None:
+        pytest.skip(f"no {needed}", allow_module_level=True)
 
 _CELLS = (
     """from airlight.viewer.browser.notebook import Viewer
@@ -34,10 +36,14 @@ viewer = Viewer(session, height=400)
 viewer""",
     """path = "view.look_zenith"
 print("zenith", viewer.values[path], session.value(path))""",
-    """viewer.set("view.look_zenith", 30.0)""",
+    """viewer.set("display.exposure", -6.0)
+viewer.set("view.heading", (viewer.values["view.sun_azimuth"] + 90.0) % 360.0)
+viewer.set("view.look_zenith", 30.0)""",
     """viewer.close()""",
 )
 
+#: Number of gestures of the check of minutes; AIRLIGHT_CLICKS asks for more.
+LONG = int(os.environ.get("AIRLIGHT_CLICKS", "200"))
 #: The viewer in the page.
 VIEWER = "document.querySelector('.airlight').parentElement.viewer"
 
@@ -170,6 +176,14 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
     took = time.monotonic() - began
     tell(f"JupyterLab: the picture follows viewer.set after {took:.1f} s, drawn by the kernel")
 
+    # a polarising filter is clicked, and takes half of the light at the same exposure
+    bright = seen(page)
+    page.locator("[data-path='view.filter'] input[type=checkbox]").click()
+    until(page, f"{VIEWER}.state.get('view.filter') === true")
+    end = time.monotonic() + PATIENCE
+    while not (dimmed := seen(page)).mean() < 0.9 * bright.mean():
+        assert time.monotonic() < end, (dimmed.mean(), bright.mean())
+
     run_cell(page, 3)
     until(page, "!document.querySelector('.airlight')")
 
@@ -181,7 +195,7 @@ CELLS = "[...document.querySelectorAll('.jp-CodeCell .cm-content')].map((one) =>
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", [40, pytest.param(200, marks=pytest.mark.validation)])
+@pytest.mark.parametrize("count", [40, pytest.param(LONG, marks=pytest.mark.validation)])
 def test_random_clicks_leave_the_widget_alive(count: int, notebook: Any) -> None:
     # a key that is pressed in the widget is none of the notebook's, whose letters edit cells
     faults: list[str] = []

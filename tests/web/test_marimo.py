@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import os
+import re
 import socket
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
 from waiting import PATIENCE
 
-pytest.importorskip("marimo")
-pytest.importorskip("anywidget")
+for needed in ("marimo", "anywidget"):  # to import them takes seconds, in each worker
+    if find_spec(needed) is None:
+        pytest.skip(f"no {needed}", allow_module_level=True)
 
 _NOTEBOOK = """
 import marimo
@@ -117,4 +120,18 @@ def test_slider_in_marimo_moves_python_and_python_the_slider(served: str, chromi
     while field.input_value() != "30":
         assert time.monotonic() < end, field.input_value()
         page.wait_for_timeout(200)
+
+    # behind a filter the probe tells degree and angle of the light before it
+    page.locator("[data-path='view.filter'] input[type=checkbox]").click()
+    box = page.locator(".airlight canvas").bounding_box()
+    told = page.locator(".airlight-probe")
+    found, end = None, time.monotonic() + PATIENCE
+    while found is None:
+        assert time.monotonic() < end, told.inner_text()
+        page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.3 * box["height"])
+        page.wait_for_timeout(200)
+        page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.31 * box["height"])
+        found = re.search(r"polarised ([\d.]+) % at (-?[\d.]+)°", told.inner_text())
+    assert 0.0 <= float(found[1]) <= 100.0
+    assert -90.0 <= float(found[2]) <= 90.0
     page.close()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -23,8 +24,9 @@ from airlight.viewer.session.session import Session
 WIDTH, HEIGHT = 160, 90
 PHONE = {"width": 390, "height": 844}
 SLIDER = "[data-path='view.look_zenith'] input[type=range]"
-#: Number of gestures: a few in every check, as many as are asked for in that of minutes.
-COUNTS = (25, pytest.param(200, marks=pytest.mark.validation))
+#: Number of gestures of the check of minutes; AIRLIGHT_CLICKS asks for more.
+LONG = int(os.environ.get("AIRLIGHT_CLICKS", "200"))
+COUNTS = (25, pytest.param(LONG, marks=pytest.mark.validation))
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -48,6 +49,7 @@ def air(scattering: float, albedo: float, absorption: float = 0.0) -> Planet:
     )
 
 
+@cache
 def solved(planet: Planet, settings: Settings = COARSE) -> DirectSolution:
     return solve_medium(Medium.from_planet(planet, [550.0]), settings, cache=False)
 
@@ -177,8 +179,8 @@ def test_sky_irradiance_is_the_integral_of_the_sky(reference_earth: Callable[...
     # The moments solver, a second method with irradiance from its own sweep.
     planet = reference_earth(albedo=0.1)
     asked = {"altitude": [0.0, 0.0, 5e3], "sun_zenith": [30.0, 75.0, 60.0]}
-    direct = solve(planet, RGB, solver="direct", cache=False).irradiance(**asked)
-    moments = solve(planet, RGB, cache=False).irradiance(**asked)
+    direct = solve(planet, RGB[::2], solver="direct", cache=False).irradiance(**asked)
+    moments = solve(planet, RGB[::2], cache=False).irradiance(**asked)
     assert_allclose(direct["direct"].values, moments["direct"].values, rtol=2e-3)
     assert_allclose(direct["diffuse"].values, moments["diffuse"].values, rtol=1e-2)
 

@@ -1,0 +1,132 @@
+"""Compiled code on disk: damaged files are compiled again, not run; a full disk is no error."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+SCRIPT = """
+import sys
+sys.path.insert(0, {folder!r})
+import formula
+print(formula.cubed(3.0))
+"""
+FORMULA = """
+from airlight.kernel import compiled_loop
+@compiled_loop
+def cubed(x):
+    return x * x * x + 0.0
+"""
+
+
+def run(folder: Path) -> str:
+    (folder / "formula.py").write_text(FORMULA)
+    done = subprocess.run(
+        [sys.executable, "-c", SCRIPT.format(folder=str(folder))],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "AIRLIGHT_CACHE": str(folder / "cache")},
+        timeout=300,
+    )
+    assert done.stderr == ""
+    return done.stdout
+
+
+def machine_code(folder: Path) -> list[Path]:
+    return sorted((folder / "cache").rglob("*.nbc"))
+
+
+def flip_each_hundredth(content: bytes) -> bytes:
+    return bytes(b ^ 0x10 if k % 100 == 0 else b for k, b in enumerate(content))
+
+
+@pytest.fixture(scope="module")
+def used(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder with code that has been compiled, and is again by each test of a damage."""
+    folder = tmp_path_factory.mktemp("used")
+    assert run(folder) == "27.0\n"
+    return folder
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        flip_each_hundredth,
+        lambda content: content[: len(content) // 2],
+        lambda content: b"",
+        lambda content: b"x" * 1000,
+    ],
+)
+@pytest.mark.parametrize("suffix", ["nbc", "nbi"])
+def test_a_damaged_file_is_compiled_again(
+    suffix: str, damage: Callable[[bytes], bytes], used: Path
+) -> None:
+    files = sorted((used / "cache").rglob(f"*.{suffix}"))
+    assert files
+    damaged = {file: damage(file.read_bytes()) for file in files}
+    for file, content in damaged.items():
+        file.write_bytes(content)
+    assert run(used) == "27.0\n"
+    if suffix == "nbc":  # written again
+        assert all(file.read_bytes() != content for file, content in damaged.items())
+
+
+def test_the_file_of_another_function_is_not_run(tmp_path: Path) -> None:
+    # a cache that was copied together wrongly: the same name, sound content, another formula
+    assert run(tmp_path) == "27.0\n"
+    (file,) = machine_code(tmp_path)
+    other = tmp_path / "other"
+    other.mkdir()
+    assert run(other) == "27.0\n"
+    (foreign,) = machine_code(other)
+    assert foreign.name != file.name
+    file.write_bytes(foreign.read_bytes())
+    before = file.stat().st_mtime_ns
+    assert run(tmp_path) == "27.0\n"
+    assert file.stat().st_mtime_ns > before  # compiled again
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a limit of Unix")
+def test_a_full_disk_is_no_error(tmp_path: Path) -> None:
+    (tmp_path / "formula.py").write_text(FORMULA)
+    script = (
+        "import resource, signal\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (500, 500))\n"
+    ) + SCRIPT.format(folder=str(tmp_path))
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=300,
+        env={**os.environ, "AIRLIGHT_CACHE": str(tmp_path / "cache")},
+    )  # fmt: skip
+    assert done.stdout == "27.0\n"
+    assert done.stderr == ""
+    assert machine_code(tmp_path) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="file permissions of Unix")
+def test_code_is_read_where_nothing_can_be_written(tmp_path: Path) -> None:
+    # a cache of the system, or of an image: its code runs, and nothing is added or lost
+    assert run(tmp_path) == "27.0\n"
+    before = {file: file.stat().st_mtime_ns for file in machine_code(tmp_path)}
+    closed = (
+        "import os, tempfile, numba.core.caching as caching\n"
+        "def refuse(*a, **k): raise PermissionError('closed')\n"
+        "os.mkdir = tempfile.TemporaryFile = refuse\n"
+        "caching.IndexDataCacheFile._open_for_write = refuse\n"
+    )
+    script = (
+        closed
+        + SCRIPT.format(folder=str(tmp_path))
+        + "print(*formula.cubed.stats.cache_hits.values())"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=300,
+        env={**os.environ, "AIRLIGHT_CACHE": str(tmp_path / "cache")},
+    )  # fmt: skip
+    assert (done.stdout, done.stderr) == ("27.0\n1\n", "")
+    assert {file: file.stat().st_mtime_ns for file in machine_code(tmp_path)} == before

@@ -1,0 +1,54 @@
+"""Commands killed at random, and on damaged caches: a small budget of ``scripts/soak``."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+from processes import COMMANDS, references, try_caches, try_kills, try_together
+
+from airlight.kernel import cache_folder
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix"),
+]
+
+
+@pytest.fixture
+def cache(tmp_path: Path) -> Path:
+    """Copy of the cache of this process, so that damage stays here."""
+    folder = tmp_path / "cache"
+    shutil.copytree(cache_folder(), folder)
+    return folder
+
+
+@pytest.mark.parametrize("count", [3, pytest.param(60, marks=pytest.mark.validation)])
+def test_kills_leave_no_half_written_file(count: int, tmp_path: Path, cache: Path) -> None:
+    (tmp_path / "here").mkdir()
+    tally = try_kills(count, 1, tmp_path / "here", cache)
+    assert tally.broke == []
+    assert tally.tried == count
+
+
+@pytest.mark.parametrize("count", [4, pytest.param(60, marks=pytest.mark.validation)])
+def test_damaged_caches_give_the_right_result(count: int, tmp_path: Path, cache: Path) -> None:
+    (tmp_path / "here").mkdir()
+    tally = try_caches(count, 2, tmp_path / "here", cache)
+    assert tally.broke == []
+    assert tally.tried == count
+
+
+@pytest.mark.validation
+def test_processes_share_a_cold_cache(tmp_path: Path) -> None:
+    tally = try_together(4, tmp_path, tmp_path / "cold")
+    assert tally.broke == []
+    assert tally.counts["held"] == 4
+
+
+def test_the_commands_of_the_fuzzers_are_repeatable(tmp_path: Path, cache: Path) -> None:
+    # what differs between two runs could not show a fault
+    (tmp_path / "here").mkdir()
+    assert set(references(tmp_path / "here", cache)) == {name for name, _ in COMMANDS}

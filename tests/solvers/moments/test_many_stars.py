@@ -1,0 +1,88 @@
+"""A line marched once under many stars has the light that the march gives it under each."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight.geometry.path import ray_length
+from airlight.geometry.shell import meets_ground
+from airlight.kernel import vectorized
+from airlight.planets import load_planet
+from airlight.planets import replace as changed
+from airlight.solvers import solve
+from airlight.solvers.moments.many_stars import light_apart
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.sight import Sight
+
+#: Elevations of the stars [deg], and their azimuths from the lines. [deg]
+_ELEVATIONS = (80.0, 30.0, 5.0, 0.1, -1.0, -4.0, -9.0)
+_AZIMUTHS = (0.0, 20.0, 100.0, 180.0)
+
+
+def _sight(solution: MomentsSolution) -> Sight:
+    """Up, level, over the limb and down, from four heights, each under all stars."""
+    medium = solution.medium
+    bottom, top = medium.bottom_radius, medium.top_radius
+    heights = bottom + (top - bottom) * np.array([0.0, 0.02, 0.3, 0.9])
+    dip = np.sqrt(1.0 - (bottom / heights) ** 2)
+    rows = []
+    for r, low in zip(heights, dip, strict=True):
+        for mu in (1.0, 0.3, -0.98 * low, -low - 0.1):
+            for elevation in np.radians(_ELEVATIONS):
+                for azimuth in np.radians(_AZIMUTHS):
+                    side = np.sqrt(1.0 - mu * mu) * np.cos(elevation) * np.cos(azimuth)
+                    rows.append((r, mu, np.sin(elevation), mu * np.sin(elevation) + side))
+    r, mu, mu_s, nu = np.array(rows).T
+    to_ground = vectorized(meets_ground)(r, mu, bottom)
+    length = vectorized(ray_length)(r, mu, bottom, top)
+    return Sight(r, mu, mu_s, np.clip(nu, -1.0, 1.0), length, to_ground)
+
+
+@pytest.mark.parametrize(
+    ("planet", "refraction"), [("earth", "none"), ("earth", "bouguer"), ("mars", "none")]
+)
+def test_many_stars_have_the_light_of_each(planet: str, refraction: str) -> None:
+    """Everything agrees with single marches: their sums, and each constituent alone."""
+    world = changed(load_planet(planet), refraction=refraction)
+    solution = solve(world, wavelengths=(680.0, 550.0, 440.0), quality="preview")
+    assert isinstance(solution, MomentsSolution)
+    sight = _sight(solution)
+    own = solution.medium.phase_function(solution.paths.seen_nu(solution.paths.sight(sight)))
+    air = solution.light._replace(widened=False, extinction=solution.light.true_extinction)
+    for orders, thinned, light in ((2, False, air), (0, True, None), (2, True, None)):
+        found, once = light_apart(solution, sight, orders, thinned=thinned)
+        # Columns up to a panel come from whole panels or from those that a shadow cuts in two.
+        near = {"rtol": 2e-3, "atol": 1e-7}
+        assert_allclose(found, solution.marched(sight, orders, ground=False), **near)
+        for c in range(own.shape[1]):
+            alone = solution.marched(sight, 1, light=light, scatterers=[c], ground=False)
+            assert_allclose(once[:, c] * own[:, c], alone, **near)
+
+
+def test_the_result_does_not_depend_on_company() -> None:
+    """Stars marched together and stars in any other order have the same light."""
+    world = changed(load_planet("earth"), refraction="none")
+    solution = solve(world, wavelengths=(680.0, 550.0, 440.0), quality="preview")
+    assert isinstance(solution, MomentsSolution)
+    sight = _sight(solution)
+    mixed = np.random.default_rng(5).permutation(sight.r.size)
+    together, _ = light_apart(solution, sight, 2, thinned=False)
+    apart, _ = light_apart(
+        solution,
+        replace(
+            sight,
+            r=sight.r[mixed],
+            mu=sight.mu[mixed],
+            mu_s=sight.mu_s[mixed],
+            nu=sight.nu[mixed],
+            length=sight.length[mixed],
+            to_ground=sight.to_ground[mixed],
+        ),
+        2,
+        thinned=False,
+    )
+    assert_allclose(apart, together[mixed], rtol=2e-3, atol=1e-7)
