@@ -24,8 +24,8 @@ def write(path: Path) -> None:
 
     root: Any = typer.main.get_command(app)
     parts = [HEAD]
-    for name, command in root.commands.items():
-        parts.extend(_command(name, command))
+    for name in root.list_commands(None):
+        parts.extend(_command(name, root.get_command(None, name)))
     write_pages(path.parent, {path.name: "\n".join(parts)})
 
 
