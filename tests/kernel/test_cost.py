@@ -10,11 +10,13 @@ import pytest
 
 from airlight.kernel import cost
 from airlight.kernel.cost import DEVICE, RATES, announce, expected_seconds, timed
+from airlight.kernel.disk import cache_folder
 
 
 @pytest.fixture
 def heard(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
     """Lines that are announced, on a machine that has measured nothing, with one thread."""
+    monkeypatch.setattr(cost, "cache_folder", cache_folder)  # not the run's own, of `own_solutions`
     monkeypatch.setenv("AIRLIGHT_CACHE", str(tmp_path))
     monkeypatch.setenv("AIRLIGHT_THREADS", "1")
     lines: list[str] = []
