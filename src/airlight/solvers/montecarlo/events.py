@@ -19,10 +19,16 @@ from airlight.solvers.montecarlo.streams import uniform
 
 #: Fraction of the weight after the first event below which roulette begins. [1]
 KEEP: Final = 0.5
-#: Event from which a history ends with a probability of at least 1/20.
-LONG: Final = 100
+#: Event from which a history ends with a probability of at least 1/1000. Light that reaches the
+#: ground of Venus has been scattered thousands of times: histories cut short by weights that grow
+#: faster than their light falls have no variance that a sample shows.
+LONG: Final = 10_000
 #: Largest probability of survival from that event on. [1]
-LONG_SURVIVAL: Final = 0.95
+LONG_SURVIVAL: Final = 0.999
+
+#: Last event whose point is also drawn where the star shines. Each such draw doubles the weight of
+#: a point in the dark, and in deep air the light of dusk comes by many of those.
+SEEKING: Final = 6
 
 _INVERSE_PI: Final = 1.0 / pi
 

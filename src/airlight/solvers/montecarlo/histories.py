@@ -9,7 +9,7 @@ there, or from Lambert's law, weighed by the ground's. Absorption lowers the wei
 
 Histories end by Russian roulette alone: once the weight is below ``KEEP`` of what it was after the
 first event, a history goes on with probability weight/KEEP, and with a weight raised accordingly;
-from event ``LONG`` on at most with probability 0.95. The expectation is that of the infinite
+from event ``LONG`` on at most with ``LONG_SURVIVAL``. The expectation is that of the infinite
 series; no order is cut off.
 
 Polarised light has, beside the weight, the product of the phase matrices over the phase functions
@@ -33,6 +33,7 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
 from airlight.solvers.montecarlo.bent_paths import bent_on_way, seen_direction, turned_together
 from airlight.solvers.montecarlo.events import (
+    SEEKING,
     draw_in_air,
     reflected_share,
     roulette,
@@ -183,7 +184,7 @@ def follow(
                 path = first_path if at_start else next_path
                 lit = first_lit if at_start else next_lit
                 total = first_total if at_start else 0.0
-                if lit_share > 0.0 and not at_start:
+                if lit_share > 0.0 and event <= SEEKING and not at_start:
                     star_mu, turn = (x * sun_x + z * mu_s) / r, u * sun_x + w * mu_s
                     total = weigh(
                         r, mu, star_mu, turn, panels, air.extinction, air.light, path, lit

@@ -1,10 +1,11 @@
 """Points along a ray drawn where the star shines: importance sampling for twilight.
 
 When the star is low, most of the air along a ray lies in the planet's shadow. Half of the points
-are then drawn from a density that follows the light scattered once, extinction times transmittance
-times the star's light. That light is read from a coarse table, which affects only the noise: the
-weight of each point is the ratio of the true density to the mixture of both (the balance heuristic
-of Veach & Guibas 1995, doi:10.1145/218380.218498), at most 2.
+of a history's first events (``events.SEEKING``) are then drawn from a density that follows the
+light scattered once, extinction times transmittance times the star's light. That light is read from
+a coarse table, which affects only the noise: the weight of each point is the ratio of the true
+density to the mixture of both (the balance heuristic of Veach & Guibas 1995,
+doi:10.1145/218380.218498), at most 2.
 """
 
 from __future__ import annotations
