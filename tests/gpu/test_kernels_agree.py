@@ -297,7 +297,8 @@ STEPS = [
     # A power of a quotient: WGSL's log₂ and 2ˣ, as POWER; under a root.
     Case(packing.ratio_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
     Case(levels.cubic_bend, (UNIT, OTHER, POSITIVE, UNIT, OTHER, 3.0), atol=80 * EPS),
-    Case(levels.is_smooth, (UNIT, OTHER, POSITIVE, MU)),
+    # Falls by 15 times what its argument, a ratio, rises.
+    Case(levels.smoothness, (UNIT, OTHER, POSITIVE, MU), atol=16 * EPS),
     # The ratio is inverted again: differences of numbers up to 10.
     Case(
         levels.between_levels,

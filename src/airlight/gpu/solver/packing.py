@@ -10,7 +10,7 @@ from math import sqrt
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.solvers.moments.levels import between_levels, cubic_bend, is_smooth
+from airlight.solvers.moments.levels import between_levels, cubic_bend, smoothness
 from airlight.solvers.moments.packing import floor_below, ratio_scale
 
 
@@ -152,11 +152,9 @@ def refined(index, sizes, tables, light, floors):
     below, near, far, above = four_levels(light, mean_at, step, i, 0, dark, sizes.radii)
     near_scale, far_scale = 1.0 / sqrt(near), 1.0 / sqrt(far)
     parts = float(sizes.parts)
-    smooth = is_smooth(x, near, far, cubic_bend(x, below, near, far, above, parts))
+    share = smoothness(x, near, far, cubic_bend(x, below, near, far, above, parts))
     below, near, far, above = four_levels(light, here, step, i, part, dark, sizes.radii)
-    bend = cubic_bend(x, below, near, far, above, parts)
-    if not smooth:
-        bend = 0.0
+    bend = share * cubic_bend(x, below, near, far, above, parts)
     weight = tables.level[j * WAVELENGTHS + lane]
     return between_levels(x, near, far, bend, near_scale, far_scale, weight)
 

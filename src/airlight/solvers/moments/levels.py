@@ -52,8 +52,12 @@ _PARTS: Final = 3
 _REFINED: Final = 0.5
 #: Number of suns for which levels are filled together.
 _SUNS: Final = 4
-#: Relative distance of a cubic from the straight line above which it is rejected.
+#: Relative distances of a cubic from the straight line: all of it is used up to the first, none of
+#: it from the second on.
+_CALM: Final = 0.1
 _LEAP: Final = 0.2
+#: Least mean radiance that is told from darkness. [1]
+_LEAST: Final = 1e-30
 
 
 class Depths(NamedTuple):
@@ -179,11 +183,11 @@ def _fill_levels(
     for part in range(1, parts):
         x = np.float32(part / parts)
         bend = _bend(values, part / parts, parts)
-        smooth = vectorized(is_smooth)(
+        share = vectorized(smoothness)(
             x, near[:, :, :1], far[:, :, :1], bend[:, :, :1].astype(np.float32)
         )
         out[part::parts] = vectorized(between_levels)(
-            x, near, far, np.where(smooth, bend, np.float32(0)), root[:-1], root[1:], level[:, None]
+            x, near, far, share * bend, root[:-1], root[1:], level[:, None]
         )
 
 
@@ -211,9 +215,15 @@ def cubic_bend(x, below, near, far, above, parts):
 
 
 @kernel
-def is_smooth(x, near, far, bend):
-    """Whether the cubic of the mean radiance is usable: where it leaps it is not."""
-    return abs(bend) < _LEAP * ((1.0 - x) * near + x * far)
+def smoothness(x, near, far, bend):
+    """Part of the cubic that is used, by that of the mean radiance: where it leaps, none. [1]
+
+    It falls steadily, for a choice between all and none flips from sweep to sweep, and light that
+    is at the choice never converges.
+    """
+    mean = max((1.0 - x) * near + x * far, _LEAST)
+    part = min(max((_LEAP - abs(bend) / mean) / (_LEAP - _CALM), 0.0), 1.0)
+    return part * part * (3.0 - 2.0 * part)
 
 
 @kernel
@@ -227,7 +237,7 @@ def between_levels(x, near, far, bend, near_scale, far_scale, level):
     near, far : float
         Moment at the levels.
     bend : float
-        Value of ``cubic_bend``, or 0.
+        Value of ``cubic_bend``, times ``smoothness``.
     near_scale, far_scale : float
         1/sqrt of the mean radiance at the levels.
     level : float
