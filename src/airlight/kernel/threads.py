@@ -9,10 +9,9 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable
-from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import cache
-from itertools import islice
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from airlight.errors import Cancelled
 
@@ -32,6 +31,9 @@ def thread_count() -> int:
     return os.cpu_count() or 1
 
 
+#: Time after which a thread that waits for the others looks for cancellation and progress. [s]
+_LOOK: Final = 0.02
+
 _here = threading.local()
 
 
@@ -49,6 +51,40 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_pool.cache_clear)
 
 
+class _Blocks:
+    """Blocks that the calling thread and its helpers take one after the other."""
+
+    def __init__(self, block: Callable[[int], object], count: int) -> None:
+        self.block, self.count, self.done = block, count, 0
+        self._next, self._stopped = 0, False
+        self._lock = threading.Lock()
+
+    def run_next(self) -> bool:
+        """Run the next block; False if there is none."""
+        with self._lock:
+            index = self._next
+            if self._stopped or index >= self.count:
+                return False
+            self._next += 1
+        try:
+            self.block(index)
+        except BaseException:
+            self.stop()
+            raise
+        with self._lock:
+            self.done += 1
+        return True
+
+    def run_all(self) -> None:
+        """Run blocks until there is none."""
+        while self.run_next():
+            pass
+
+    def stop(self) -> None:
+        """Begin no further block."""
+        self._stopped = True
+
+
 def run_blocks(
     block: Callable[[int], object],
     count: int,
@@ -57,7 +93,7 @@ def run_blocks(
     progress: Progress | None = None,
     message: str = "",
 ) -> None:
-    """Run ``block(0)`` … ``block(count - 1)`` on all cores.
+    """Run ``block(0)`` … ``block(count - 1)`` on all cores, that of the calling thread among them.
 
     Parameters
     ----------
@@ -66,7 +102,7 @@ def run_blocks(
     count : int
         Number of blocks.
     cancel, progress : callable, optional
-        See ``Cancel`` and ``Progress``; called from the calling thread.
+        See ``Cancel`` and ``Progress``; called from the calling thread, after its own blocks.
     message : str
         Message for ``progress``.
 
@@ -75,26 +111,35 @@ def run_blocks(
     Cancelled
         If ``cancel`` returned True, after the running blocks have ended.
     """
+    blocks = _Blocks(block, count)
     if getattr(_here, "inside", False):  # a block's own blocks would wait for its own thread
-        for index in range(count):
-            block(index)
+        blocks.run_all()
         return
     threads = thread_count()
-    pool = _pool(threads)
-    waiting = iter(range(count))
-    # islice, not zip: zip would swallow one index when the other side ends first.
-    under_way = {pool.submit(block, index) for index in islice(waiting, threads)}
-    done = 0
+    helpers: list[Future[None]] = []
+    reported = 0
+
+    def look_up() -> None:
+        nonlocal reported
+        if cancel is not None and cancel():
+            raise Cancelled("cancelled")
+        if progress is not None and blocks.done > reported:
+            reported = blocks.done
+            progress(reported, count, message)
+
     try:
-        while under_way:
-            finished, under_way = wait(under_way, return_when=FIRST_COMPLETED)
-            for one in finished:
-                one.result()
-                done += 1
-            if cancel is not None and cancel():
-                raise Cancelled("cancelled")
-            if progress is not None:
-                progress(done, count, message)
-            under_way |= {pool.submit(block, index) for index in islice(waiting, len(finished))}
+        if min(threads, count) > 1:
+            pool = _pool(threads - 1)
+            helpers = [pool.submit(blocks.run_all) for _ in range(min(threads, count) - 1)]
+        _here.inside = True
+        while blocks.run_next():
+            look_up()
+        while wait(helpers, _LOOK).not_done:
+            look_up()
     finally:
-        wait(under_way)
+        _here.inside = False
+        blocks.stop()
+        wait(helpers)
+    for one in helpers:
+        one.result()
+    look_up()
