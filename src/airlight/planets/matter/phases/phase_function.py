@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, ClassVar, Final, NamedTuple
 
 import numpy as np
@@ -29,6 +30,8 @@ _MOST_HALVINGS: Final = 24
 _DIGITS: Final = 6
 #: Points between two angles of a table in the integrals of its polarisation.
 _STEPS_A_CELL: Final = 4
+#: Number of formulas and parameters whose polarising elements are kept: edits change few of them.
+_KEPT: Final = 512
 
 
 class PhaseRow(NamedTuple):
@@ -94,31 +97,9 @@ class PhaseFunction(Record, ABC):
         The last is the part of polarised light that counts as not scattered, see
         ``solvers.moments.reduced_optics``.
         """
-        return np.array([self._polarising_moment(float(nm)) for nm in np.atleast_1d(wavelengths)])
-
-    def _polarising_moment(self, wavelength: float) -> tuple[float, float, float, float]:
-        coupling, even, odd, forward = 0.0, 0.0, 0.0, 0.0
-        share = (np.arange(_STEPS_A_CELL) + 0.5) / _STEPS_A_CELL
-        for row in self.sampled(wavelength):
-            width = np.diff(np.radians(row.angles))[:, None]
-            angle = (np.radians(row.angles[:-1, None]) + width * share).ravel()
-            nu = np.cos(angle)
-            rings = 2.0 * np.pi * np.repeat(width / _STEPS_A_CELL, _STEPS_A_CELL) * np.sin(angle)
-            light = interpolated(row.angles, row.values[None], np.degrees(angle))[:, 0] * rings
-            light = row.share * light / light.sum()
-            turned, across = vectorized(unpolarising_ratio)(nu), np.zeros_like(nu)
-            if row.ratios is not None:
-                across, turned = (
-                    np.interp(np.degrees(angle), row.angles, one) for one in row.ratios[:2]
-                )
-            coupling += float(light @ (across * (np.sqrt(6.0) / 4.0) * (1.0 - nu**2)))
-            ahead, behind = 0.5 * (1.0 + nu), 0.5 * (1.0 - nu)
-            same, other = (1.0 + turned) * ahead**2, (1.0 - turned) * behind**2
-            even += float(light @ (same + other)) / 2.0
-            odd += float(light @ (same - other)) / 2.0
-            fifth = ahead**3 - behind * (21.0 * ahead**2 - behind * (63.0 * ahead - 35.0 * behind))
-            forward += float(light @ (same * fifth)) / 2.0
-        return coupling, even, odd, forward
+        return np.array(
+            [polarising_moments_of(self.sampled(float(nm))) for nm in np.atleast_1d(wavelengths)]
+        )
 
     @abstractmethod
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
@@ -141,6 +122,32 @@ class PhaseFunction(Record, ABC):
         """
         mean = self.moments(wavelengths, 1)
         return {"kind": "henyey-greenstein", "asymmetry": written(mean[:, 1] / mean[:, 0])}
+
+
+def polarising_moments_of(rows: tuple[PhaseRow, ...]) -> tuple[float, float, float, float]:
+    """``PhaseFunction.polarising_moments`` at one wavelength, of its tables. [1]"""
+    coupling, even, odd, forward = 0.0, 0.0, 0.0, 0.0
+    share = (np.arange(_STEPS_A_CELL) + 0.5) / _STEPS_A_CELL
+    for row in rows:
+        width = np.diff(np.radians(row.angles))[:, None]
+        angle = (np.radians(row.angles[:-1, None]) + width * share).ravel()
+        nu = np.cos(angle)
+        rings = 2.0 * np.pi * np.repeat(width / _STEPS_A_CELL, _STEPS_A_CELL) * np.sin(angle)
+        light = interpolated(row.angles, row.values[None], np.degrees(angle))[:, 0] * rings
+        light = row.share * light / light.sum()
+        turned, across = vectorized(unpolarising_ratio)(nu), np.zeros_like(nu)
+        if row.ratios is not None:
+            across, turned = (
+                np.interp(np.degrees(angle), row.angles, one) for one in row.ratios[:2]
+            )
+        coupling += float(light @ (across * (np.sqrt(6.0) / 4.0) * (1.0 - nu**2)))
+        ahead, behind = 0.5 * (1.0 + nu), 0.5 * (1.0 - nu)
+        same, other = (1.0 + turned) * ahead**2, (1.0 - turned) * behind**2
+        even += float(light @ (same + other)) / 2.0
+        odd += float(light @ (same - other)) / 2.0
+        fifth = ahead**3 - behind * (21.0 * ahead**2 - behind * (63.0 * ahead - 35.0 * behind))
+        forward += float(light @ (same * fifth)) / 2.0
+    return coupling, even, odd, forward
 
 
 class FormulaPhase(PhaseFunction):
@@ -179,25 +186,13 @@ class FormulaPhase(PhaseFunction):
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """See ``PhaseFunction``: once for all wavelengths of the same parameters."""
         nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
-        given = self.parameters_at(nm).reshape(-1, nm.size)
-        _, first, each = np.unique(given, axis=1, return_index=True, return_inverse=True)
-        return np.asarray(super().polarising_moments(nm[first])[each.ravel()])
+        given = self.parameters_at(nm).reshape(-1, nm.size).T
+        formula = type(self).formula
+        return np.array([_formula_moments(formula, *row) for row in given.tolist()])
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
         """Table whose straight logarithms equal the formula to a part in 100 000."""
-        angles = np.linspace(0.0, 180.0, _FIRST_ANGLES)
-        for _ in range(_MOST_HALVINGS):
-            between = 0.5 * (angles[:-1] + angles[1:])
-            values, true = self._at_angles(angles, wavelength), self._at_angles(between, wavelength)
-            straight = np.sqrt(values[:-1] * values[1:])
-            coarse = np.abs(straight - true) > _TABLE_TOLERANCE * true
-            if not coarse.any():
-                break
-            angles = np.sort(np.concatenate([angles, between[coarse]]))
-        return (PhaseRow(1.0, angles, self._at_angles(angles, wavelength)),)
-
-    def _at_angles(self, angles: FloatArray, wavelength: float) -> FloatArray:
-        return np.asarray(self.values(np.cos(np.radians(angles)), [wavelength])[..., 0])
+        return _formula_rows(type(self).formula, *self.parameters_at([wavelength]).ravel())
 
     def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
         """Table of its own parameters at these wavelengths; see ``PhaseFunction.frozen``."""
@@ -205,6 +200,30 @@ class FormulaPhase(PhaseFunction):
         given = self.parameters_at(wavelengths)
         rows = {name: written(row) for name, row in zip(names, given, strict=True)}
         return {"kind": self.keyword, **rows}
+
+
+def _formula_rows(formula: Any, *given: float) -> tuple[PhaseRow, ...]:
+    """Table of a formula with the given parameters, see ``FormulaPhase.sampled``."""
+
+    def at(angles: FloatArray) -> FloatArray:
+        return np.asarray(vectorized(formula)(np.cos(np.radians(angles)), *given))
+
+    angles = np.linspace(0.0, 180.0, _FIRST_ANGLES)
+    for _ in range(_MOST_HALVINGS):
+        between = 0.5 * (angles[:-1] + angles[1:])
+        values, true = at(angles), at(between)
+        straight = np.sqrt(values[:-1] * values[1:])
+        coarse = np.abs(straight - true) > _TABLE_TOLERANCE * true
+        if not coarse.any():
+            break
+        angles = np.sort(np.concatenate([angles, between[coarse]]))
+    return (PhaseRow(1.0, angles, at(angles)),)
+
+
+@lru_cache(maxsize=_KEPT)
+def _formula_moments(formula: Any, *given: float) -> tuple[float, float, float, float]:
+    """``polarising_moments_of`` a formula with the given parameters. [1]"""
+    return polarising_moments_of(_formula_rows(formula, *given))
 
 
 def written(values: FloatArray) -> Any:
