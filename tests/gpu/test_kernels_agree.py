@@ -35,7 +35,7 @@ from airlight.scene.projections.fisheye import fisheye_ray
 from airlight.scene.projections.octahedral import octahedral_ray
 from airlight.scene.projections.perspective import perspective_ray
 from airlight.scene.projections.projected import projected_ray, projected_rays
-from airlight.solvers.moments import convergence, harmonics, levels, march, packing, sweep
+from airlight.solvers.moments import convergence, harmonics, levels, march, packing, ray_optics
 
 EPS = 2.0**-23
 COUNT = 3000
@@ -310,7 +310,7 @@ STEPS = [
     # Over the sines, whose product is at least 0.02 here; 1 - μ² from cosines accurate to EPS.
     Case(ray_sums.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(march.line_azimuth, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
-    Case(sweep.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
+    Case(ray_optics.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
     Case(sky_table.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
     Case(ground_angles.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
     Case(

@@ -25,7 +25,7 @@ from airlight.gpu.solver import passes as solver_passes
 from airlight.gpu.solver import ray_sums
 from airlight.kernel.lanes import LANES, lane_array, load, store
 from airlight.pixels import pixel as picture
-from airlight.solvers.moments import first_order, grid, harmonics, source, sweep
+from airlight.solvers.moments import first_order, grid, harmonics, ray_optics, source
 from airlight.solvers.moments import visible_rays as block_rays
 from airlight.tables import column_ratios, columns
 
@@ -135,7 +135,7 @@ def row_in_grid(q, row):
 
 
 def place_in_grid(mu_s, place):
-    return sweep.sun_index(mu_s, place)
+    return ray_optics.sun_index(mu_s, place)
 
 
 def place_of_density(radius):
@@ -189,7 +189,7 @@ def sky_between(row, sky, azimuth, table):
 
 
 def depth_of_row(first, column, extinction):
-    return sweep.optical_depth(column, first, extinction, THREE)
+    return ray_optics.optical_depth(column, first, extinction, THREE)
 
 
 def star_at_point(point, mu_s, nu, turn):
@@ -197,23 +197,23 @@ def star_at_point(point, mu_s, nu, turn):
 
 
 def star_at_ground(i, a, mu_s, nu, end):
-    return sweep.star_at_end(end, i, a, mu_s, nu)
+    return ray_optics.star_at_end(end, i, a, mu_s, nu)
 
 
 def strength_of_point(point, l, amount, moments):
-    return sweep.strength_of(moments, amount, point, l, DEGREE, THREE)
+    return ray_optics.strength_of(moments, amount, point, l, DEGREE, THREE)
 
 
 def through_whole_ray(first, total, extinction):
-    return sweep.through_ray(extinction, total, first, THREE)
+    return ray_optics.through_ray(extinction, total, first, THREE)
 
 
 def angle_leaving(i, a, mu, end):
-    return sweep.leaving_at_end(end, i, a, mu)
+    return ray_optics.leaving_at_end(end, i, a, mu)
 
 
 def sky_on_ground(mu_s, place, ground):
-    return sweep.sky_at(ground, mu_s, place, NODES)
+    return ray_optics.sky_at(ground, mu_s, place, NODES)
 
 
 def emitted_by(a, scale):
@@ -286,7 +286,7 @@ CASES = [
          rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
     Case(row_in_grid, (grid.radius_index,), (R,), {"row": GRID}, atol=40 * 33 * METRES / 1e5),
-    Case(place_in_grid, (sweep.sun_index,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
+    Case(place_in_grid, (ray_optics.sun_index,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
     # As the grid's: 512 nodes, over twice the root of the lowest height, 1 km of 100.
     Case(place_of_density, (columns.density_index,), (R,), atol=512 * METRES / 1e5 / 0.2),
     # Positions in the table as in test_kernels_agree, its steps a fifth; a path of up to 1000 km.
@@ -311,22 +311,22 @@ CASES = [
     Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
          uniform(0.0, 1.0) < 0.5, uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)},
          atol=4 * 16 * 8 * EPS),
-    Case(depth_of_row, (sweep.optical_depth,), (RNG.integers(0, 20, COUNT),),
+    Case(depth_of_row, (ray_optics.optical_depth,), (RNG.integers(0, 20, COUNT),),
          {"column": RNG.uniform(0.0, 2.0, 24)}, SPECTRA),
     Case(star_at_point, (ray_sums.star_from_point,), (RNG.integers(0, 5, COUNT), MU, UNIT),
          {"turn": RNG.uniform(-1.0, 1.0, (5, 4))}, atol=4 * EPS),
-    Case(star_at_ground, (sweep.star_at_end,), (RNG.integers(0, 5, COUNT),
+    Case(star_at_ground, (ray_optics.star_at_end,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, 3, COUNT), MU, UNIT), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
          atol=4 * EPS),
-    Case(strength_of_point, (sweep.strength_of,), (RNG.integers(0, 5, COUNT),
+    Case(strength_of_point, (ray_optics.strength_of,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, DEGREE + 1, COUNT)), {"amount": RNG.uniform(0.0, 1.0, (5, THREE))},
          {"moments": lanes(THREE * (DEGREE + 1))}),
-    Case(through_whole_ray, (sweep.through_ray,), (RNG.integers(0, 20, COUNT),),
+    Case(through_whole_ray, (ray_optics.through_ray,), (RNG.integers(0, 20, COUNT),),
          {"total": RNG.uniform(0.0, 2.0, 24)}, SPECTRA, DEPTH),
-    Case(angle_leaving, (sweep.leaving_at_end,), (RNG.integers(0, 5, COUNT),
+    Case(angle_leaving, (ray_optics.leaving_at_end,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, 3, COUNT), MU), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
          atol=4 * EPS),
-    Case(sky_on_ground, (sweep.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
+    Case(sky_on_ground, (ray_optics.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
          {"ground": lanes(2 * NODES, low=0.1)}, rtol=32 * NODES * 4 * EPS),
     # 1 - e^-τ from its series or directly: exact where τ is small, to EPS of 1 elsewhere.
     Case(emitted_by, (block_rays.emitted,), (np.geomspace(1e-6, 20.0, COUNT),), {},

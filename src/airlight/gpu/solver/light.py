@@ -16,13 +16,8 @@ from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
+from airlight.solvers.moments.ray_optics import leaving_at_end, sky_at, star_at_end, star_from_ray
 from airlight.solvers.moments.sent_light import contracted, coupled_moments, odd_moment
-from airlight.solvers.moments.sweep import (
-    leaving_at_end,
-    sky_at,
-    star_at_end,
-    star_from_ray,
-)
 from airlight.solvers.stokes_frame import star_plane
 
 

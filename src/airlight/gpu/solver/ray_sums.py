@@ -16,8 +16,8 @@ from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.solvers.moments.first_order import ISOTROPIC, SECOND, through_row
 from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED
+from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.sent_light import sent_by_point
-from airlight.solvers.moments.sweep import sun_index
 
 
 @inlined
@@ -189,8 +189,8 @@ def gathered(
         sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
         low = ((local + k) * suns + column) * block
         light, plane, slant = sent_by_point(
-            rows, low, low + block, np.float32(x - column), step, sine, degree, bright, polarised,
-            False,
+            rows, low, low + block, np.float32(x - column), step, sine, degree + 1, degree, bright,
+            polarised, False,
         )  # fmt: skip
         radiance, along, across = radiance + light, along + plane, across + slant
     return radiance, along, across

@@ -28,7 +28,7 @@ from airlight.solvers.moments.harmonics import (
     legendre_function,
     polarised_functions,
 )
-from airlight.solvers.moments.sweep import (
+from airlight.solvers.moments.ray_optics import (
     leaving_at_end,
     onward_light,
     optical_depth,

@@ -71,10 +71,40 @@ def count_at(mean, brightest, thick):
     return min(max(mean / (DIM * brightest), 1e-30), 1.0) ** thick
 
 
-def counts(mean: Float32Array, thick: FloatArray) -> FloatArray:
-    """``count_at`` of mean radiances (r, s, w)."""
-    light = mean.astype(float)
-    return np.asarray(vectorized(count_at)(light, light.max(axis=(0, 1)), thick))
+@compiled_loop
+def counted_changes(before, after, thick, night, brightest, steering, deciding):
+    """Changes of mean radiances (r, n, w), counted as ``count_at`` says.
+
+    Parameters
+    ----------
+    before, after : array, shape (r, n, w)
+        Mean radiances of a guess and of its image.
+    thick : array, shape (w,)
+        Exponent of ``count_at``. [1]
+    night : float
+        Factor of that exponent for the changes that decide. [1]
+    brightest : array, shape (w,)
+        Largest mean radiances of the image.
+    steering : array, shape (r·n, w)
+        Receives the changes. [1]
+    deciding : array, shape (w,)
+        Receives the largest of those that decide; that of no number is none. [1]
+    """
+    deciding[:] = 0.0
+    for i in range(after.shape[0]):
+        for j in range(after.shape[1]):
+            n = i * after.shape[1] + j
+            for lane in range(after.shape[2]):
+                mean = float(after[i, j, lane])
+                change = change_at(float(before[i, j, lane]), mean, brightest[lane])
+                counted = change
+                if thick[lane] > 0.0:
+                    counted = change * count_at(mean, brightest[lane], night * thick[lane])
+                    change = change * count_at(mean, brightest[lane], thick[lane])
+                steering[n, lane] = change
+                known = deciding[lane]
+                if known == known and not abs(counted) <= known:  # no number stays none
+                    deciding[lane] = abs(counted)
 
 
 def completed_or_swept(
@@ -122,12 +152,6 @@ def change_at(before, after, brightest):
     if after > DARK * brightest:
         return (after - before) / after
     return 0.0
-
-
-def relative_change(before: Float32Array, after: Float32Array) -> FloatArray:
-    """``change_at`` of mean radiances (r, s, w)."""
-    old, new = before.astype(float), after.astype(float)
-    return np.asarray(vectorized(change_at)(old, new, new.max(axis=(0, 1))))
 
 
 @kernel

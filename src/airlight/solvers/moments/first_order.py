@@ -26,8 +26,7 @@ from airlight.kernel.lanes import (
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.optics.reflection import star_factor
 from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED, legendre_functions
-from airlight.solvers.moments.star_places import DISC_NODES, fill_disc, fill_lift, place_lights
-from airlight.solvers.moments.sweep import (
+from airlight.solvers.moments.ray_optics import (
     leaving_at_end,
     onward_light,
     optical_depth,
@@ -37,6 +36,7 @@ from airlight.solvers.moments.sweep import (
     star_from_ray,
     through_ray,
 )
+from airlight.solvers.moments.star_places import DISC_NODES, fill_disc, fill_lift, place_lights
 from airlight.solvers.stokes_frame import star_plane
 
 #: Phase function of isotropic scattering. [sr⁻¹]
@@ -379,7 +379,7 @@ def _first_order(
                 for m in range(5):
                     store(polarised, LANES * m, folded(load(polarised, LANES * m)))
             base = j * terms * LANES
-            project(azimuthal, functions, all_weights[i, a], degree, base, out)
+            project(azimuthal, functions, all_weights[i, a], degree, degree + 1, base, out)
             base = base + harmonics * LANES
             project_polarised(polarised, mu, all_weights[i, a], base, out)
             if not below:

@@ -9,8 +9,8 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.moments.grid import radius_index
+from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import level_sky, level_star, star_at
-from airlight.solvers.moments.sweep import sun_index
 from airlight.tables.column_ratios import columns_to_top
 
 

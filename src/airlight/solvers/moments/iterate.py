@@ -14,10 +14,12 @@ from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.between_wavelengths import Corrections, panels
+from airlight.solvers.moments.completing import image, steering, sum_orders
 from airlight.solvers.moments.convergence import Light, at_least, completed_or_swept, mix, trust
 from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import EVEN, POLARISED
+from airlight.solvers.moments.light_degrees import light_degrees
 from airlight.solvers.moments.limits import check_limits
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import Settings
@@ -32,7 +34,7 @@ Float32Array = NDArray[np.float32]
 #: Sum of an order's polarised moments and of all that follow, over that order: the inverse along
 #: the vertical does not complete these. In molecular air each order has 0.3 of the even ones of the
 #: order before, and no odd ones; found by the changes that 1.2 to 1.6, and 1 to 1.4, leave. [1]
-FURTHER: Final = np.array([[1.37]] * EVEN + [[1.1]] * (POLARISED - EVEN), np.float32)
+FURTHER: Final = np.array([1.37] * EVEN + [1.1] * (POLARISED - EVEN), np.float32)
 
 
 class Way(NamedTuple):
@@ -239,6 +241,7 @@ def _iterate(
     if between is not None:
         light, least = completed_or_swept(*between, first_field, first_sky), 1
     iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used, least=least)
+    degrees = light_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
     images: deque[Light] = deque(maxlen=iteration.stopping.images)
     best, at, way = light, 0, WAYS[0]
     while iteration.goes_on():
@@ -248,24 +251,14 @@ def _iterate(
             wandering.widen(way.wider)
             images.clear()
             iteration.restart(accelerated=way.part > 0.0)
-        field, sky = light
-        packed = pack_light(field, sky[:1], block.level, setup.parts, few=block.few)
-        swept_field, swept_sky = gather(block, sweep, *packed, cancel=cancel)
-        swept_field += first_field
-        swept_sky += first_sky
-        trusted = way.part * trust(swept_field[:, :, 0], block.sidelit)
-        more_field, more_sky = swept_field - field, swept_sky - sky
-        if way.part > 0.0:
-            swept = swept_field[:, :, 0], swept_sky
-            all_field, all_sky = wandering.finish(more_field, more_sky, swept)
-            more_field = more_field + trusted[:, :, None] * (all_field - more_field)
-            more_sky = more_sky + trusted * (all_sky - more_sky)
-            more_field[:, :, -POLARISED:] *= FURTHER
-        more_field, more_sky = way.step * more_field, way.step * more_sky
-        images.append(
-            completed_or_swept(field + more_field, sky + more_sky, swept_field, swept_sky)
-        )
-        iteration.judge(*_steering(field, images[-1][0]))
+        packed = pack_light(light[0], light[1][:1], block.level, setup.parts, few=block.few)
+        swept = gather(block, sweep, *packed, degrees, cancel=cancel)
+        more = sum_orders(swept, (first_field, first_sky), light)
+        mean = swept[0][:, :, 0]
+        trusted = way.part * trust(mean, block.sidelit)
+        all_more = wandering.finish(*more, (mean, swept[1])) if way.part > 0.0 else None
+        images.append(image(light, more, all_more, swept, trusted, FURTHER, way.step))
+        iteration.judge(*steering(light[0], images[-1][0]))
         watch.report(iteration)
         if iteration.best:
             best = images[-1]
@@ -275,16 +268,3 @@ def _iterate(
     field, sky = light
     at_least(field, first_field)
     return field[..., :used], sky[..., :used], iteration.to_come, iteration.sweeps, at
-
-
-def _steering(before: Float32Array, after: Float32Array) -> tuple[Float32Array, Float32Array]:
-    """Values (r, 4s, 8) whose relative change steers the iteration.
-
-    Mean radiances, and mean radiances that differ by the change of each polarised moment: the
-    inverse along the vertical does not complete those, so they are the last to converge.
-    """
-    which = [0, *range(-POLARISED, 0)]
-    mean = np.repeat(after[:, :, :1], len(which), axis=2)
-    earlier = mean - (after[:, :, which] - before[:, :, which])
-    shape = (mean.shape[0], -1, LANES)
-    return earlier.reshape(shape), mean.reshape(shape)

@@ -22,7 +22,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import kernel, vectorized
+from airlight.kernel import compiled_loop, kernel, vectorized
 from airlight.kernel.threads import run_blocks
 
 FloatArray = NDArray[np.float64]
@@ -50,8 +50,6 @@ FEW_NODES: Final = 8
 #: Levels tabled per step between two radii of thick air, and the thickness above which they are.
 _PARTS: Final = 3
 _REFINED: Final = 0.5
-#: Number of suns for which levels are filled together.
-_SUNS: Final = 4
 #: Relative distances of a cubic from the straight line: all of it is used up to the first, none of
 #: it from the second on.
 _CALM: Final = 0.1
@@ -162,33 +160,67 @@ def finer(
     """
     if parts == 1:
         return values
-    suns = values.shape[1]
     out = np.empty(((values.shape[0] - 1) * parts + 1, *values.shape[1:]), np.float32)
 
-    def some(block: int) -> None:
-        here = slice(block * _SUNS, min((block + 1) * _SUNS, suns))
-        _fill_levels(values[:, here], scale[:, here], level[here], parts, out[:, here])
+    def under(sun: int) -> None:
+        between = np.empty((out.shape[0], *values.shape[2:]), np.float32)
+        moments = np.ascontiguousarray(values[:, sun])
+        fill_levels(moments, np.ascontiguousarray(scale[:, sun]), level[sun], parts, between)
+        out[:, sun] = between
 
-    run_blocks(some, -(-suns // _SUNS))
+    run_blocks(under, values.shape[1])
     return out
 
 
-def _fill_levels(
-    values: Float32Array, scale: Float32Array, level: Float32Array, parts: int, out: Float32Array
-) -> None:
-    """``finer`` for some of the suns."""
-    out[::parts] = values
-    root = (1.0 / np.sqrt(scale))[:, :, None]
-    near, far = values[:-1], values[1:]
-    for part in range(1, parts):
-        x = np.float32(part / parts)
-        bend = _bend(values, part / parts, parts)
-        share = vectorized(smoothness)(
-            x, near[:, :, :1], far[:, :, :1], bend[:, :, :1].astype(np.float32)
-        )
-        out[part::parts] = vectorized(between_levels)(
-            x, near, far, share * bend, root[:-1], root[1:], level[:, None]
-        )
+@compiled_loop
+def fill_levels(values, scale, level, parts, out):
+    """``finer`` under one sun.
+
+    Parameters
+    ----------
+    values : array, shape (r, k, w)
+        Moments; the first decides how smooth they are.
+    scale : array, shape (r, w)
+        Positive moments of degree 0.
+    level : array, shape (w,)
+        1 for a cubic from radius to radius, 0 for ratios.
+    parts : int
+        Number from ``Levels``, more than 1.
+    out : array, shape ((r - 1)·parts + 1, k, w)
+        Receives the moments at all levels.
+    """
+    radii, terms, lanes = values.shape
+    # The level beyond each end continues the parabola through the last three.
+    first, last = np.empty((terms, lanes), np.float32), np.empty((terms, lanes), np.float32)
+    three, count = np.float32(3.0), np.float32(parts)
+    for k in range(terms):
+        for w in range(lanes):
+            first[k, w] = three * (values[0, k, w] - values[1, k, w]) + values[2, k, w]
+            last[k, w] = three * (values[-1, k, w] - values[-2, k, w]) + values[-3, k, w]
+    share = np.empty(lanes, np.float32)
+    root = 1.0 / np.sqrt(scale)
+    out[out.shape[0] - 1] = values[radii - 1]
+    for i in range(radii - 1):
+        below, above = first, last
+        if i > 0:
+            below = values[i - 1]
+        if i < radii - 2:
+            above = values[i + 2]
+        near, far = values[i], values[i + 1]
+        at = i * parts
+        out[at] = near
+        for part in range(1, parts):
+            x = np.float32(part / parts)
+            for w in range(lanes):
+                bend = cubic_bend(x, below[0, w], near[0, w], far[0, w], above[0, w], count)
+                share[w] = smoothness(x, near[0, w], far[0, w], bend)
+            for k in range(terms):
+                for w in range(lanes):
+                    bend = cubic_bend(x, below[k, w], near[k, w], far[k, w], above[k, w], count)
+                    out[at + part, k, w] = between_levels(
+                        x, near[k, w], far[k, w], share[w] * bend, root[i, w], root[i + 1, w],
+                        level[w],
+                    )  # fmt: skip
 
 
 @kernel

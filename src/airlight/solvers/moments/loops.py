@@ -19,7 +19,7 @@ from airlight.solvers.moments.convergence import (
 )
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.first_order import first_order_radius_of_few
-from airlight.solvers.moments.packing import _pack_nodes
+from airlight.solvers.moments.packing import _pack_sun
 from airlight.solvers.moments.rays import trace_into
 from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.sweep import sweep_radius_of_few
@@ -54,7 +54,7 @@ LOOPS: Final = (
     multiply,
     spread_onto,
     _replace,
-    _pack_nodes,
+    _pack_sun,
     sweep_radius_of_few,
     change_at,
     count_at,

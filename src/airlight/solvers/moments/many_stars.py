@@ -32,9 +32,9 @@ from airlight.solvers.moments.march import FAINT, line_azimuth, star_columns
 from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace
 from airlight.solvers.moments.packing import pack
+from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.source import star_at, through_columns
-from airlight.solvers.moments.sweep import sun_index
 from airlight.solvers.moments.widened_peaks import add_peaks, more_light, peaked_share
 from airlight.solvers.sight import Sight
 

@@ -21,6 +21,7 @@ from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import POLARISED, directed_functions
 from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
+from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import (
     gathered_light,
     gathered_polarised,
@@ -29,7 +30,6 @@ from airlight.solvers.moments.source import (
     star_at,
     through_columns,
 )
-from airlight.solvers.moments.sweep import sun_index
 from airlight.solvers.moments.widened_peaks import (
     add_peaks,
     clear_peaks,

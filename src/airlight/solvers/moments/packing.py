@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel, vectorized
 from airlight.kernel.lanes import FEW, LANES
+from airlight.kernel.threads import run_blocks
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, moment_count
-from airlight.solvers.moments.levels import THICK, finer
+from airlight.solvers.moments.levels import THICK, fill_levels, finer
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -97,39 +98,70 @@ def pack_light(
         Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_of_few``.
     """
     mean = positive(field[:, :, 0])
-    whole = field.copy()
-    whole[:, :, 0] = mean
-    whole = finer(whole, mean, level, parts)
-    mean = whole[:, :, 0]
     received = positive(sky)
     if received.shape[0] > 1:
         received = finer(received[:, :, None], received, level, parts)[:, :, 0]
-    scale = np.asarray(vectorized(ratio_scale)(mean, mean.max(axis=0), level), np.float32)
-    lanes = whole.shape[-1]
-    nodes, scale = whole.reshape(-1, whole.shape[2], lanes), scale.reshape(-1, lanes)
+    radii, suns, terms, lanes = field.shape
     # One moment of eight wavelengths is a register, or two of four: see ``first_register``.
-    order = np.arange(1 + nodes.shape[1])
+    order = np.arange(1 + terms)
     if few:
-        order, lanes = pair_order(nodes.shape[1]), FEW
-    packed = np.empty((nodes.shape[0], order.size, lanes), np.float32)
-    _pack_nodes(nodes, scale, order, packed)
+        order, lanes = pair_order(terms), FEW
+    packed = np.empty(((radii - 1) * parts + 1, suns, order.size, lanes), np.float32)
+
+    def under(sun: int) -> None:
+        _pack_sun(field[:, sun], mean[:, sun], level[sun], parts, order, packed[:, sun])
+
+    run_blocks(under, suns)
     return packed.reshape(-1), as_ratios(received[..., None, :], received)
 
 
 @compiled_loop
-def _pack_nodes(nodes, scale, order, out):
-    """Fill ``out`` (n, orders, lanes) with s where the order is 0, M·s of a moment, or 0 beyond."""
-    lanes = out.shape[2]
-    for n in range(nodes.shape[0]):
-        for k in range(order.size):
-            moment = order[k] - 1
-            for lane in range(lanes):
-                value = scale[n, lane]
-                if moment >= nodes.shape[1]:
-                    value = np.float32(0.0)
-                elif moment >= 0:
-                    value = value * nodes[n, moment, lane]
-                out[n, k, lane] = value
+def _pack_sun(field, mean, level, parts, order, out):
+    """Pack the moments under one sun, for all levels.
+
+    Parameters
+    ----------
+    field : array, shape (r, k, w)
+        Moments at the radii that gather light.
+    mean : array, shape (r, w)
+        Those of degree 0, positive.
+    level, parts :
+        Of this sun, as in ``pack_light``.
+    order : array, shape (n,)
+        What stands at each place of a node: 0 for s, 1 + k for M·s of moment k, more for nothing.
+    out : array, shape (levels, n, w)
+        Receives them.
+    """
+    radii, terms, width = field.shape
+    levels, lanes = out.shape[0], out.shape[2]
+    given = np.empty((radii, terms, width), np.float32)
+    for i in range(radii):
+        given[i] = field[i]
+        given[i, 0] = mean[i]
+    whole = given
+    if parts > 1:
+        whole = np.empty((levels, terms, width), np.float32)
+        # A copy: the loop takes contiguous arrays.
+        fill_levels(given, mean.copy(), level, parts, whole)
+    scale = np.empty(width, np.float32)
+    highest = np.zeros(width, np.float32)
+    for i in range(levels):
+        for w in range(width):
+            highest[w] = max(highest[w], whole[i, 0, w])
+    for i in range(levels):
+        for w in range(width):
+            scale[w] = ratio_scale(whole[i, 0, w], highest[w], level[w])
+        for n in range(order.size):
+            moment = order[n] - 1
+            if moment < 0:
+                for w in range(lanes):
+                    out[i, n, w] = scale[w]
+            elif moment < terms:
+                for w in range(lanes):
+                    out[i, n, w] = scale[w] * whole[i, moment, w]
+            else:
+                for w in range(lanes):
+                    out[i, n, w] = 0.0
 
 
 @cache

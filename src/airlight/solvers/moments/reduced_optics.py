@@ -31,8 +31,8 @@ from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import ELEMENTS
 from airlight.solvers.moments.levels import Depths, panel_cuts
 from airlight.solvers.moments.packing import pack
+from airlight.solvers.moments.ray_optics import Air
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.sweep import Air
 from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]

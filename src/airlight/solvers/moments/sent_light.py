@@ -44,18 +44,17 @@ def contracted(factors, first, field, low, high, f, m, degree, paired):
     paired : bool
         See ``first_register``; a constant.
     """
-    g = np.float32(1.0) - f
-    total = splat(0.0)
+    below, above = splat(0.0), splat(0.0)
     lowest = m
     if paired:
         lowest = 2 * m
     for l in range(lowest, degree + 1):
         index = first_register(l, paired) + m
         at = LANES * (1 + index)
-        total = total + load(factors, first + LANES * index) * (
-            g * load(field, low + at) + f * load(field, high + at)
-        )
-    return total
+        factor = load(factors, first + LANES * index)
+        below = below + factor * load(field, low + at)
+        above = above + factor * load(field, high + at)
+    return (np.float32(1.0) - f) * below + f * above
 
 
 @inlined
@@ -88,7 +87,9 @@ def odd_moment(field, low, high, f, m, degree, paired):
 
 
 @inlined
-def sent_by_point(rows, low, high, f, step, sine, degree, bright, polarised, paired):
+def sent_by_point(
+    rows, low, high, f, step, sine, wide, degree, bright, polarised, paired
+):  # fmt: skip
     """I, Q and U sent along a ray by one of its points, from light scattered before. [1]
 
     Parameters
@@ -103,6 +104,8 @@ def sent_by_point(rows, low, high, f, step, sine, degree, bright, polarised, pai
         Weight of the higher sun. [1]
     step, sine : float32
         Cosine and sine of the azimuth between ray and star. [1]
+    wide : int
+        Number of registers of A_m that count, from the first on: of a steep ray the others are 0.
     degree : int
         Highest degree.
     bright, polarised : bool
@@ -119,31 +122,29 @@ def sent_by_point(rows, low, high, f, step, sine, degree, bright, polarised, pai
     last = degree + 1
     if paired:
         last = degree // 2 + 1
-    at = LANES
     if bright:
+        below, above = splat(0.0), splat(0.0)
         if paired:
             # cos mφ and cos (m + 1)φ, by steps of two
             cosines, earlier, by = pair(one, step), pair(double, step), splat(two * double)
-            for m in range(last):
+            for m in range(wide):
                 at = LANES * (1 + m)
-                radiance = radiance + cosines * (
-                    g * load(rows, low + at) + f * load(rows, high + at)
-                )
+                below = below + cosines * load(rows, low + at)
+                above = above + cosines * load(rows, high + at)
                 later = by * cosines - earlier
                 earlier = cosines
                 cosines = later
         else:
-            radiance = g * load(rows, low + at) + f * load(rows, high + at)
+            below, above = load(rows, low + LANES), load(rows, high + LANES)
             before, multiple = one, step
-            for m in range(1, degree + 1):
+            for m in range(1, wide):
                 at = LANES * (1 + m)
-                radiance = radiance + multiple * (
-                    g * load(rows, low + at) + f * load(rows, high + at)
-                )
+                below = below + multiple * load(rows, low + at)
+                above = above + multiple * load(rows, high + at)
                 following = two * step * multiple - before
                 before = multiple
                 multiple = following
-        radiance = radiance * scale
+        radiance = (g * below + f * above) * scale
     if polarised:
         at = LANES * (1 + last)
         even = g * load(rows, low + at) + f * load(rows, high + at)

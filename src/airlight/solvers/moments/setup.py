@@ -25,10 +25,10 @@ from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, harmonics, moment_count
 from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
+from airlight.solvers.moments.ray_optics import Air, Azimuths
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.reduced_optics import Optics, column_rows, panel_ends
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.sweep import Air, Azimuths
 from airlight.solvers.moments.thinned_rays import thinned
 from airlight.solvers.moments.visible_rays import rays_in_sight
 from airlight.tables.column_ratios import mean_density_ratios
@@ -291,6 +291,11 @@ class Block:
     def used(self) -> int:
         """Number of lanes that have their own wavelength."""
         return len(range(*self.which.indices(self.setup.medium.wavelengths.size)))
+
+    @property
+    def all_degrees(self) -> NDArray[np.int64]:
+        """Highest degree of the moments at each radius of the grid: the same everywhere."""
+        return np.full(self.setup.grid.radii.size, self.setup.degree)
 
     @property
     def few(self) -> bool:

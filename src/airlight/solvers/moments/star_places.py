@@ -31,7 +31,8 @@ DISC_NODES: Final = 256
 
 @inlined
 def place_stars(
-    turned, points, azimuths, first, sine_s, mu_s, places, suns, columns, shares, steps, sines
+    turned, first_point, points, azimuths, first, sine_s, mu_s, places, suns, columns, shares,
+    steps, sines,
 ):  # fmt: skip
     """Directions of the star at the points of a ray, for eight azimuths in the lanes.
 
@@ -42,7 +43,8 @@ def place_stars(
     ----------
     turned : array, shape (points·2,)
         Cosine and sine of that angle at the points. [1]
-    points : int
+    first_point, points : int
+        Index of the ray's first point in ``turned``, and number of its points.
     azimuths : array, shape (2·c,)
         Cosines, then sines of the azimuths in whole groups of eight. [1]
     first : int
@@ -61,7 +63,7 @@ def place_stars(
     aside = load(azimuths, azimuths.size // 2 + first) * sine_s
     half = np.float32(0.5 * (places.size - 1))
     for k in range(points):
-        keep, turn = turned[2 * k], turned[2 * k + 1]
+        keep, turn = turned[2 * (first_point + k)], turned[2 * (first_point + k) + 1]
         here = ahead * turn + keep * mu_s
         along = ahead * keep - turn * mu_s
         x = minimum(maximum((here + np.float32(1.0)) * half, 0.0), np.float32(2.0) * half)

@@ -1,7 +1,7 @@
 """Convergence of the orders of scattering: one rule for sweeps, passes and pages.
 
 After each order the mean radiances at the nodes are compared with the previous ones
-(``convergence.relative_change``, ``counts``); the sum of all further orders is estimated from how
+(``convergence.counted_changes``); the sum of all further orders is estimated from how
 the changes shrink (``remaining_change``); where that is below the tolerance the iteration ends.
 """
 
@@ -19,8 +19,7 @@ from airlight.errors import ConvergenceError
 from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.convergence import (
     BACK,
-    counts,
-    relative_change,
+    counted_changes,
     remaining_change,
 )
 from airlight.solvers.moments.settings import Settings
@@ -163,11 +162,13 @@ class Iteration:
             Values at each radius, of the guess and of its image, whose changes count relative to
             the image: mean radiances, at least. [1]
         """
-        change = relative_change(before, after)
-        steering = change * counts(after, self.thick)
-        self._residuals.append(steering.reshape(-1, self.thick.size))
-        deciding = change * counts(after, self.stopping.night * self.thick)
-        largest = np.abs(deciding).max(axis=(0, 1))
+        lanes = self.thick.size
+        steering, largest = np.empty((after.size // lanes, lanes)), np.empty(lanes)
+        brightest = after.max(axis=(0, 1)).astype(float)
+        counted_changes(
+            before, after, self.thick, self.stopping.night, brightest, steering, largest
+        )
+        self._residuals.append(steering)
         self.to_come = (largest * remaining_change(self._residuals))[: self.used]
         self.sweeps += 1
         size = float(largest[: self.used].max())

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.lanes import LANES
+from airlight.solvers.moments.ray_optics import Air
 from airlight.solvers.moments.rays import Rays
-from airlight.solvers.moments.sweep import Air
 
 FloatArray = NDArray[np.float64]
 

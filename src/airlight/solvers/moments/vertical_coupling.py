@@ -27,8 +27,8 @@ from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import positive
+from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, through_ray
 from airlight.solvers.moments.setup import Block
-from airlight.solvers.moments.sweep import leaving_at_end, optical_depth, through_ray
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]

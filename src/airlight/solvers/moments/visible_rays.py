@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, maximum, minimum, splat, store
+from airlight.solvers.moments.ray_optics import Air, optical_depth
 from airlight.solvers.moments.rays import Rays
-from airlight.solvers.moments.sweep import Air, optical_depth
 
 Float32Array = NDArray[np.float32]
 

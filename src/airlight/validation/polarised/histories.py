@@ -73,11 +73,7 @@ AIRS: Final = (
         latest=60.0,
         noise=0.03,
         why="the cloud's top, 70 km, stands for the ground, and the star is no lower than 30° "
-        "there: a history of the cloud has some hundred events, and below it, or with the star "
-        "lower, thousands of them leave 5 to 90 % of noise. Their I is probably too small by more "
-        "than the noise tells: from the hundredth scattering on a twentieth of them ends at each, "
-        "and too few are left of the orders beyond 250, which by the fall of those before hold "
-        "about a tenth of I",
+        "there: below it, or with a lower star, histories have thousands of events each",
     ),
 )
 

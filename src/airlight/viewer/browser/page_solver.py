@@ -117,7 +117,7 @@ def _completion(plan: SolverPlan) -> dict[str, Any]:
         "degree": min(degree, DEGREE),
         "order": min(degree, ORDER),
         "cubics": as_text(cubics, cubics.shape[1] + 1),
-        "further": FURTHER[:, 0].tolist(),
+        "further": FURTHER.tolist(),
         "wide": setup.optics.depths.reach / setup.grid.bottom_radius,
         "leak": LEAK,
         "deep": DEEP,

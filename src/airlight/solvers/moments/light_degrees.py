@@ -1,0 +1,53 @@
+"""Degrees of the light that count at each radius of thick air.
+
+Under thick cloud light comes from all sides: its moments of high degree are a millionth of the mean
+radiance, and what they would bring to a ray is not worth their sums.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel.lanes import LANES
+from airlight.solvers.moments.convergence import DARK
+from airlight.solvers.moments.setup import Block
+
+Float32Array = NDArray[np.float32]
+
+#: Part of the tolerance that moments of a degree may have of the mean radiance and do not count.
+_PART: Final = 0.005
+
+
+def light_degrees(block: Block, field: Float32Array) -> NDArray[np.int64]:
+    """Highest degree that counts at each radius of the grid, shape (r,).
+
+    Moments count by what scattering keeps of their degree, over the mean radiance, where that is
+    not dark.
+
+    Parameters
+    ----------
+    block : Block
+        Set-up of the sweeps.
+    field : array, shape (r, s, k, 8)
+        Moments of a guess of the light, at the radii where light is gathered.
+    """
+    setup, used = block.setup, block.used
+    degree = setup.degree
+    kept = block.air.moments.reshape(-1, degree + 1, LANES)[..., :used]
+    kept = (np.abs(kept) / np.maximum(kept[:, :1], 1e-30)).max(axis=0)
+    mean = field[:, :, 0, :used]
+    lit = mean > DARK * mean.max(axis=(0, 1))
+    least = _PART * setup.settings.tolerance
+    gathered = np.full(field.shape[0], min(2, degree))  # polarised light is of degree 2
+    for l in range(3, degree + 1):
+        first = l * (l + 1) // 2
+        size = np.sqrt(np.square(field[:, :, first : first + l + 1, :used]).sum(axis=2))
+        counts = (size * kept[l] > least * mean) & lit
+        gathered[counts.any(axis=(1, 2))] = l
+    degrees = np.repeat(gathered, setup.parts)[: setup.grid.radii.size]
+    between = np.repeat(np.maximum(gathered[:-1], gathered[1:]), setup.parts)
+    degrees[:-1] = np.where(np.arange(between.size) % setup.parts, between, degrees[:-1])
+    return np.asarray(degrees, np.int64)

@@ -1,0 +1,254 @@
+"""Light that the points of a ray send along it, under each sun.
+
+What a point sends depends on its own zenith cosine and on the moments between its two radii, not
+on the azimuth. So the factors of a point, strengths times Legendre functions, are found once, and
+contracted with the moments under four suns at a time: each factor and each moment is loaded as
+seldom as the registers allow.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, exponential, load, pair, splat, store
+from airlight.solvers.moments.harmonics import (
+    ELEMENTS,
+    EVEN,
+    POLARISED,
+    legendre_functions,
+    polarised_functions,
+)
+from airlight.solvers.moments.ray_optics import onward_light, optical_depth, strength_of
+from airlight.solvers.moments.sent_light import coupled_moments, first_register, odd_moment
+
+#: Numbers of a point that couple the moments of one order, in registers.
+_COUPLINGS = 7
+
+
+@inlined
+def order_registers(degree, paired):
+    """Registers of a point's orders m of I, of the moments that couple, and of its Q and U.
+
+    Returns
+    -------
+    wide, orders, sent : int
+    """
+    wide, orders, sent = degree + 1, EVEN, POLARISED
+    if paired:
+        wide, orders, sent = degree // 2 + 1, 2, 3
+    return wide, orders, sent
+
+
+@inlined
+def registers_of(orders, paired):
+    """Registers that hold a number of orders m, from 0 on."""
+    if paired:
+        return (orders + 1) // 2
+    return orders
+
+
+@inlined
+def factor_count(degree, paired):
+    """Registers that ``fill_factors`` fills for a point."""
+    _, orders, _ = order_registers(degree, paired)
+    return first_register(degree + 1, paired) + _COUPLINGS * orders
+
+
+@inlined
+def fill_factors(
+    point, rays, air, expansion, degree, highest, functions, first, factors, paired
+):  # fmt: skip
+    """Factors of a point of a ray, by which the moments there are multiplied.
+
+    Parameters
+    ----------
+    point : int
+        Index of the point among all.
+    rays, air, expansion : arrays and tuples of ``sweep_radius``, borrowed
+    degree, highest : int
+        Highest degree, and the highest that counts at this point.
+    functions : array
+        Workspace for the Legendre functions.
+    first : int
+        Index of the first factor in ``factors``, in lanes.
+    factors : array
+        Receives strengths times Legendre functions in the order of ``first_register``, and for each
+        order that couples seven factors of the moments of degree 2.
+    paired : bool
+        See ``first_register``; a constant.
+    """
+    extinction, moments, polarising = air
+    mu_along, amounts, depths = rays
+    constituents = amounts.shape[1]
+    legendre_functions(mu_along[point], expansion, functions)
+    through = exponential(0.0 - optical_depth(depths[point], 0, extinction, constituents))
+    for l in range(highest + 1):
+        strength = strength_of(moments, amounts, point, l, degree, constituents) * through
+        index = l * (l + 1) // 2
+        at = first + LANES * first_register(l, paired)
+        if paired:
+            for m in range(0, l, 2):
+                both = pair(np.float32(functions[index + m]), np.float32(functions[index + m + 1]))
+                store(factors, at + LANES // 2 * m, strength * both)
+            if l % 2 == 0:
+                both = pair(np.float32(functions[index + l]), np.float32(0.0))
+                store(factors, at + LANES // 2 * l, strength * both)
+        else:
+            for m in range(l + 1):
+                store(factors, at + LANES * m, strength * np.float32(functions[index + m]))
+    last = ELEMENTS - 1
+    coupling = through * strength_of(polarising, amounts, point, 0, last, constituents)
+    onward = onward_light(depths[point], 0, polarising, constituents)
+    keeping = onward * through * strength_of(polarising, amounts, point, 1, last, constituents)
+    turning = onward * through * strength_of(polarising, amounts, point, 2, last, constituents)
+    turned = onward * coupling
+    # The Legendre functions of degree 2.
+    second_0, second_1, second_2 = functions[3], functions[4], functions[5]
+    a0, a1, a2, b1, b2 = polarised_functions(mu_along[point])
+    at = first + LANES * first_register(degree + 1, paired)
+    _, orders, _ = order_registers(degree, paired)
+    for m in range(orders):
+        second = pair(np.float32(second_0), np.float32(second_1))
+        even = pair(np.float32(a0), np.float32(a1))
+        odd = pair(np.float32(0.0), np.float32(b1))
+        if paired:
+            if m == 1:
+                second = pair(np.float32(second_2), np.float32(0.0))
+                even = pair(np.float32(a2), np.float32(0.0))
+                odd = pair(np.float32(b2), np.float32(0.0))
+        else:
+            second, even, odd = splat(second_0), splat(a0), splat(0.0)
+            if m == 1:
+                second, even, odd = splat(second_1), splat(a1), splat(b1)
+            if m == 2:
+                second, even, odd = splat(second_2), splat(a2), splat(b2)
+        store(factors, at, coupling * second)
+        store(factors, at + LANES, even * turned)
+        store(factors, at + 2 * LANES, even * keeping)
+        store(factors, at + 3 * LANES, odd * turning)
+        store(factors, at + 4 * LANES, odd * turned)
+        store(factors, at + 5 * LANES, odd * keeping)
+        store(factors, at + 6 * LANES, even * turning)
+        at = at + _COUPLINGS * LANES
+
+
+@inlined
+def fill_four(
+    k, row, f, first, factors, suns, field, start, wide, highest, degree, rows, paired
+):  # fmt: skip
+    """Light that a point sends along its ray, under four suns.
+
+    Parameters
+    ----------
+    k : int
+        Index of the point among those of ``rows``.
+    row, f : int, float32
+        Index of the radius below the point, and the point's fraction of the step above it.
+    first : int
+        Index of its first factor in ``factors``, in lanes.
+    factors : array
+        Factors from ``fill_factors``.
+    suns : int
+        Number of suns.
+    field : array
+        As in ``sweep_radius``.
+    start : int
+        Index of the first sun; the last sun stands for those beyond it.
+    wide : int
+        Number of registers of orders m that are found.
+    highest, degree : int
+        Highest degree that counts at this point, and highest degree of the moments.
+    rows : array
+        Receives for each sun a node of ``sent_by_point``.
+    paired : bool
+        See ``first_register``; a constant.
+    """
+    all_wide, orders, sent = order_registers(degree, paired)
+    registers = first_register(degree + 1, paired)
+    terms = registers + POLARISED
+    if paired:
+        terms = registers + 4
+    block = (1 + all_wide + sent) * LANES
+    node = (1 + terms) * LANES
+    g = np.float32(1.0) - f
+    last = suns - 1
+    second, third, fourth = min(start + 1, last), min(start + 2, last), min(start + 3, last)
+    low = (row * suns + start) * node
+    up = suns * node
+    to_second, to_third = (second - start) * node, (third - start) * node
+    to_fourth = (fourth - start) * node
+    target = (k * suns + start) * block
+    for m in range(wide):
+        one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+        above_1, above_2, above_3, above_4 = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+        lowest = m
+        if paired:
+            lowest = 2 * m
+        for l in range(lowest, highest + 1):
+            index = LANES * (first_register(l, paired) + m)
+            at = low + LANES + index
+            factor = load(factors, first + index)
+            one = one + factor * load(field, at)
+            two = two + factor * load(field, at + to_second)
+            three = three + factor * load(field, at + to_third)
+            four = four + factor * load(field, at + to_fourth)
+            at = at + up
+            above_1 = above_1 + factor * load(field, at)
+            above_2 = above_2 + factor * load(field, at + to_second)
+            above_3 = above_3 + factor * load(field, at + to_third)
+            above_4 = above_4 + factor * load(field, at + to_fourth)
+        at = target + LANES * (1 + m)
+        store(rows, at, g * one + f * above_1)
+        store(rows, at + (second - start) * block, g * two + f * above_2)
+        store(rows, at + (third - start) * block, g * three + f * above_3)
+        store(rows, at + (fourth - start) * block, g * four + f * above_4)
+    for j in range(start, fourth + 1):
+        low = (row * suns + j) * node
+        high = low + up
+        target = (k * suns + j) * block
+        store(rows, target, g * load(field, low) + f * load(field, high))
+        for m in range(orders):
+            moment, here = coupled_moments(field, low, high, f, m, degree, paired)
+            by = first + LANES * (registers + _COUPLINGS * m)
+            if m < wide:
+                at = target + LANES * (1 + m)
+                store(rows, at, load(rows, at) + load(factors, by) * here)
+            plane = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * here
+            slant = load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * here
+            if paired or m > 0:
+                turned = odd_moment(field, low, high, f, m, degree, paired)
+                plane = plane + load(factors, by + 3 * LANES) * turned
+                slant = slant + load(factors, by + 6 * LANES) * turned
+            at = target + LANES * (1 + all_wide)
+            store(rows, at + LANES * m, plane)
+            if paired:  # U_1 in the second half, U_2 in the first
+                if m == 1:
+                    slant = slant + load(rows, at + 2 * LANES)
+                store(rows, at + 2 * LANES, slant)
+            elif m > 0:
+                store(rows, at + LANES * (EVEN - 1 + m), slant)
+
+
+@inlined
+def by_level(levels, count, most, order):
+    """Indices of points in the order of the radius below them, by counting.
+
+    Parameters
+    ----------
+    levels : array, shape (n,)
+        Index of that radius.
+    count, most : int
+        Number of points, and of radii.
+    order : array, shape (n,)
+        Receives the indices.
+    """
+    ends = np.zeros(most + 1, np.int64)
+    for k in range(count):
+        ends[levels[k] + 1] += 1
+    for row in range(most):
+        ends[row + 1] += ends[row]
+    for k in range(count):
+        at = ends[levels[k]]
+        order[at] = k
+        ends[levels[k]] = at + 1

@@ -1,0 +1,62 @@
+"""Degrees of the light that count in thick air."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from airlight import load_planet
+from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments import iterate
+from airlight.solvers.moments.light_degrees import light_degrees
+from airlight.solvers.moments.settings import settings_for
+from airlight.solvers.moments.setup import Block, Setup
+
+
+def block_of(name: str, tolerance: float = 1e-2) -> Block:
+    planet = load_planet(name)
+    settings = replace(settings_for("preview"), tolerance=tolerance)
+    medium = Medium.from_planet(planet, planet.wavelengths[:3])
+    return Setup(paths=LightPaths.of(medium), settings=settings).block(slice(None))
+
+
+def test_light_from_all_sides_has_few_degrees_and_a_level_between_those_of_both_ends() -> None:
+    # by hand: nodes with nothing but a mean radiance, one with a moment of degree 5
+    block = block_of("venus")
+    setup = block.setup
+    radii, suns = setup.gathering.radii.size, setup.grid.sun_cosines.size
+    field = np.zeros((radii, suns, setup.terms, 8), np.float32)
+    field[:, :, 0] = 1.0
+    field[3, 7, 5 * 6 // 2 + 2, 1] = 0.1
+    degrees = light_degrees(block, field)
+    assert degrees.shape == setup.grid.radii.shape
+    parts = setup.parts
+    assert parts > 1
+    expected = np.full(degrees.size, 2)
+    expected[2 * parts + 1 : 4 * parts] = 5
+    assert_allclose(degrees, expected)
+
+
+@pytest.mark.parametrize("name", ["venus", "titan"])
+def test_light_of_few_degrees_is_that_of_all(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    # a second method: all degrees everywhere; both stop at a change of 1e-2 of the mean radiance
+    block = block_of(name)
+    paths, settings = block.setup.paths, block.setup.settings
+    few = iterate.solve_moments(paths, settings)
+    found: list[np.ndarray] = []
+
+    def kept(block: Block, field: np.ndarray) -> np.ndarray:
+        found.append(light_degrees(block, field))
+        return block.all_degrees
+
+    monkeypatch.setattr(iterate, "light_degrees", kept)
+    every = iterate.solve_moments(paths, settings)
+    assert few.sweeps == every.sweeps
+    assert name != "venus" or found[0].min() < block.setup.degree
+    mean = every.field[:, :, 0]
+    lit = mean > 1e-4 * mean.max()
+    assert_allclose(few.field[:, :, 0][lit], mean[lit], rtol=1e-3)
