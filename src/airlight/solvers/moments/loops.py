@@ -8,12 +8,12 @@ from airlight.optics.density_profile import _relative_densities, segment_density
 from airlight.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.optics.phase_table import _interpolate
 from airlight.solvers.moments.acceleration import combine
+from airlight.solvers.moments.completing import _complete, _steer, _sum
 from airlight.solvers.moments.convergence import (
     _add,
     _approach,
     _replace,
-    change_at,
-    count_at,
+    counted_changes,
     is_near,
     rest_after,
 )
@@ -56,8 +56,10 @@ LOOPS: Final = (
     _replace,
     _pack_sun,
     sweep_radius_of_few,
-    change_at,
-    count_at,
+    _sum,
+    _complete,
+    _steer,
+    counted_changes,
     rest_after,
     combine,
     _add,

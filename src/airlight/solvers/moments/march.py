@@ -20,7 +20,7 @@ from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import POLARISED, directed_functions
-from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
+from airlight.solvers.moments.march_panels import in_sight, panel_columns, place_panel, place_panels
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import (
     gathered_light,
@@ -96,9 +96,12 @@ def march(
             store(result, 5 * light.lanes + at, splat(0.0))
     clear_peaks(light, work)
     for panel in range(count - 1):
+        points = n
+        if light.hides > 0 and not in_sight(light, work):
+            points = 0
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)
-        for k in range(n):
+        for k in range(points):
             add_point(
                 r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine,
                 turn_sine, phase, across, light, work, result,

@@ -6,6 +6,8 @@ line a thread, needs little memory for it.
 
 from __future__ import annotations
 
+import numpy as np
+
 from airlight.geometry.path import (
     insert_edge,
     panel_leg,
@@ -15,6 +17,8 @@ from airlight.geometry.path import (
 )
 from airlight.geometry.shell import meets_ground, radius_along
 from airlight.kernel import inlined
+from airlight.kernel.lanes import LANES, largest
+from airlight.solvers.moments.source import through_columns
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import THICK, cut_at_corners, density_index
 
@@ -24,6 +28,8 @@ STEEP = 4.0
 #: Length over the shell's thickness above which a stretch grazes the densest air.
 GRAZING = 9.0
 FULL_DAY = 0.1
+#: Transmittance below which a panel is out of sight. [1]
+HIDDEN = 1e-7
 #: Numbers of edges, a panel on each leg, beyond which a line needs fewer points a panel.
 SOME_EDGES = 6
 MANY_EDGES = 10
@@ -84,6 +90,18 @@ def panel_columns(rule, light, work):
             work.columns[c * n + k] = work.before[c] + max(running, 0.0)
         for k in range(n):
             work.before[c] += work.amounts[c * n + k]
+
+
+@inlined
+def in_sight(light, work):
+    """Whether any wavelength is seen through the columns ``work.before``."""
+    most = np.float32(0.0)
+    for at in range(0, light.lanes, LANES):
+        through = through_columns(
+            work.before, light.extinction, light.constituents, light.lanes, at
+        )
+        most = max(most, largest(through))
+    return most > HIDDEN
 
 
 @inlined

@@ -40,6 +40,9 @@ class MarchTables(NamedTuple):
         Number of lanes w: a multiple of ``LANES``; in a shader one texel is one group of lanes.
     panels : int
         Number of panels a leg of a line; 1 in a shader.
+    hides : int
+        1 where panels that are out of sight have no points; 0 in a shader, whose lines run side by
+        side.
     constituents, degree, radii, suns, phase_nodes : int
         Sizes of the tables.
     first_peak, second_peak : int
@@ -99,6 +102,7 @@ class MarchTables(NamedTuple):
     bend: float
     lanes: Annotated[int, Always(1)]
     panels: Annotated[int, Always(1)]
+    hides: Annotated[int, Always(0)]
     constituents: int
     degree: int
     radii: int

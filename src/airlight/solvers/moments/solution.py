@@ -118,6 +118,7 @@ class MomentsSolution(Solution):
             bend=self.paths.bend,
             lanes=air.ground.albedo.size,
             panels=settings.march_panels,
+            hides=1,
             constituents=len(medium.names),
             degree=expansion.degree,
             radii=grid.radii.size,
