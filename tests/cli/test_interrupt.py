@@ -32,8 +32,8 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
         "    print('begun', flush=True)\n"
         "    return solve(*a, **k)\n"
         "home.solve = begun\n"
-        "from airlight.cli import main\n"
-        "sys.exit(main(sys.argv[1:]))\n"
+        "from airlight.cli import run_process\n"
+        "sys.exit(run_process())\n"
     )
     with subprocess.Popen(
         [sys.executable, "-c", script, *words, "--quality", "fine", "--no-cache"],

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import OpenEXR
 import pytest
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal, assert_array_less
 from PIL import Image
 
 pytest.importorskip("matplotlib")
@@ -51,8 +51,10 @@ def test_layers_and_a_map_of_the_degree_are_of_one_light(tmp_path: Path) -> None
     assert pixels.shape[1:] == (240, 3)
     sky, legend = pixels[:240], pixels[240:]
     lit = stokes[0] > 0.0
-    expected = np.asarray(color_map("dolp")(found["dolp"]))[..., :3]
-    assert_allclose(sky[lit], 255.0 * expected[lit], atol=0.51 + 1e-3)
+    # the layer is rounded to 32 bits: next to a step of the map it may stand on either side
+    sides = [color_map("dolp")(found["dolp"][lit] + step)[..., :3] for step in (-1e-6, 0.0, 1e-6)]
+    off = np.abs(sky[lit] - 255.0 * np.asarray(sides)).max(axis=-1).min(axis=0)
+    assert_array_less(off, 0.51 + 1e-3)
     assert_array_equal(sky[~lit], 0)
     assert len(np.unique(legend.reshape(-1, 3), axis=0)) > 100  # a bar of colours
     assert read_png_metadata(picture)["airlight.shown"] == "degree of linear polarisation [%]"

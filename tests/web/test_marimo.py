@@ -16,6 +16,8 @@ from typing import Any
 import pytest
 from waiting import PATIENCE
 
+from airlight.kernel import cache_folder
+
 for needed in ("marimo", "anywidget"):  # to import them takes seconds, in each worker
     if find_spec(needed) is None:
         pytest.skip(f"no {needed}", allow_module_level=True)
@@ -68,6 +70,7 @@ def served(tmp_path: Path) -> Iterator[str]:
         port = free.getsockname()[1]
     options = ["--headless", "--host", "127.0.0.1", "--port", str(port), "--no-token"]
     own = {"HOME": str(tmp_path), "XDG_CONFIG_HOME": str(tmp_path), "XDG_STATE_HOME": str(tmp_path)}
+    own["AIRLIGHT_CACHE"] = str(cache_folder())  # a folder of its own would be filled for a minute
     with (tmp_path / "marimo.log").open("w") as log:
         server = subprocess.Popen(
             [sys.executable, "-m", "marimo", "run", str(file), *options],
