@@ -22,6 +22,8 @@ from airlight.exports.exr import read_exr
 
 #: Words of commands, with the file or folder that each writes.
 Commands = tuple[tuple[str, tuple[str, ...]], ...]
+#: Content of the file of each command, and the time of the command. [s]
+References = dict[str, tuple[bytes, float]]
 _RUN = "import sys; from airlight.cli import run_process; sys.exit(run_process())"
 #: Small commands and the file that each writes.
 COMMANDS: Commands = (
@@ -149,14 +151,12 @@ def _left(folder: Path) -> list[str]:
     return [one for one in names if one != "in.csv" and not one.endswith((".rows", ".index"))]
 
 
-def references(
-    folder: Path, cache: Path, commands: Commands = COMMANDS
-) -> dict[str, tuple[bytes, float]]:
+def references(folder: Path, cache: Path, commands: Commands = COMMANDS) -> References:
     """Files of commands, undisturbed, and the time of each [s]; the cache is warm then.
 
     All are made twice: what differs between two runs could not be compared.
     """
-    found: dict[str, tuple[bytes, float]] = {}
+    found: References = {}
     for _ in range(2):
         for name, words in commands:
             begun = time.monotonic()
@@ -171,11 +171,19 @@ def references(
 
 
 def try_kills(
-    count: int, seed: int, folder: Path, cache: Path, commands: Commands = COMMANDS
+    count: int,
+    seed: int,
+    folder: Path,
+    cache: Path,
+    commands: Commands = COMMANDS,
+    whole: References | None = None,
 ) -> Tally:
-    """Kill commands at random moments; no file is half-written, and the next run is right."""
+    """Kill commands at random moments; no file is half-written, and the next run is right.
+
+    ``whole`` is what ``references`` of the commands gave, with this cache or one that was copied.
+    """
     chance, tally = random.Random(seed), Tally("kills at random moments")
-    whole = references(folder, cache, commands)
+    whole = references(folder, cache, commands) if whole is None else whole
     late: list[float] = []
     for number in range(count):
         name, words = chance.choice(commands)
@@ -294,10 +302,12 @@ def _no_space() -> None:
     resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
 
 
-def try_caches(count: int, seed: int, folder: Path, cache: Path) -> Tally:
+def try_caches(
+    count: int, seed: int, folder: Path, cache: Path, whole: References | None = None
+) -> Tally:
     """Damage the cache, close it or fill its disk: the result is right, or a line says why not."""
     chance, tally = random.Random(seed), Tally("damaged caches")
-    whole = references(folder, cache)
+    whole = references(folder, cache) if whole is None else whole
     for number in range(count):
         name, words = chance.choice(COMMANDS)
         damage = chance.choice((*DAMAGES, "full disk", "closed"))

@@ -11,11 +11,12 @@ import contextlib
 import hashlib
 import pickle
 import secrets
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any, Final
 
-from numba.core.caching import _CacheLocator
+from numba.core.caching import IndexDataCacheFile, _CacheLocator
 
 #: Length of the checksum at the end of a file. [byte]
 _LENGTH: Final = 32
@@ -102,6 +103,37 @@ def check_files(files: Any) -> None:
 
     files._load_data, files._save_data = load_data, save_data
     files._load_index, files.save = load_index, save
+
+
+def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
+    """Copy compiled code of one function, for some types, to another folder.
+
+    Parameters
+    ----------
+    index : Path
+        Index file of the function.
+    folder : Path
+        Receives index and code, if any is wanted; it is made then.
+    wanted : callable
+        Whether code is, from what is kept of it.
+
+    Returns
+    -------
+    int
+        Number of types whose code was copied. [1]
+    """
+    base = index.name.removesuffix(".nbi")
+    here, there = (IndexDataCacheFile(str(one), base, "") for one in (index.parent, folder))
+    chosen = {}
+    for key, name in here._load_index().items():
+        whole = (index.parent / name).read_bytes()
+        if wanted(pickle.loads(_sound(name, whole))):
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(whole)
+            chosen[key] = name
+    if chosen:
+        there._save_index(chosen)
+    return len(chosen)
 
 
 @cache

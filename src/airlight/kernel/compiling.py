@@ -10,7 +10,6 @@ from __future__ import annotations
 import threading
 import types
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 from time import perf_counter
 from typing import Any, Final
 
@@ -73,8 +72,7 @@ def _names(code: types.CodeType) -> set[str]:
 
 def on_disk(function: Any) -> bool:
     """Whether compiled code of a function, for some types, is on disk."""
-    files = getattr(getattr(function, "_cache", None), "_cache_file", None)
-    return files is not None and Path(files._index_path).is_file()
+    return bool(getattr(function, "on_disk", False))
 
 
 class Compiling:

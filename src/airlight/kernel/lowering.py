@@ -26,6 +26,7 @@ from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering
 
 from airlight.kernel.compiled_files import CompiledFolder, check_files
+from airlight.kernel.shipped_code import shipped_code
 
 #: Word for intermediate code among Numba's words for the forms of a library on disk.
 _INTERMEDIATE: Final = "intermediate"
@@ -140,10 +141,23 @@ class _Cache(FunctionCache):
         self._impl_class = partial(_Files, folder=folder)
         super().__init__(py_func)
         check_files(self._cache_file)
+        self._shipped = shipped_code(py_func, _Files, folder)
+
+    @property
+    def is_there(self) -> bool:
+        """Whether code of the function, for some types, is on disk."""
+        caches: list[FunctionCache] = [self]
+        if self._shipped is not None:
+            caches.append(self._shipped)
+        return any(Path(one._cache_file._index_path).is_file() for one in caches)
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         found = super().load_overload(sig, target_context)
-        return None if _is_intermediate(found) and not _is_for_a_caller() else found
+        if found is None or (_is_intermediate(found) and not _is_for_a_caller()):
+            found = None
+            if self._shipped is not None:
+                found = self._shipped.load_overload(sig, target_context)
+        return found
 
 
 class CompiledKernel(CPUDispatcher):
@@ -154,8 +168,19 @@ class CompiledKernel(CPUDispatcher):
         super().__init__(py_func=py_func, targetoptions=options, pipeline_class=_Compiler)
 
     def keep_in(self, folder: Path) -> None:
-        """Keep what is compiled in a folder, and take from there what is."""
+        """Keep what is compiled in a folder, and take from there what is.
+
+        Parameters
+        ----------
+        folder : Path
+            Its last three names are those of the code's folder in ``shipped_code.SHIPPED`` too.
+        """
         self._cache = _Cache(self.py_func, folder)
+
+    @property
+    def on_disk(self) -> bool:
+        """Whether compiled code, for some types, is on disk."""
+        return isinstance(self._cache, _Cache) and self._cache.is_there
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
         """Types of a call by another kernel, for which this one is compiled."""
