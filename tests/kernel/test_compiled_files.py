@@ -130,3 +130,43 @@ def test_code_is_read_where_nothing_can_be_written(tmp_path: Path) -> None:
     )  # fmt: skip
     assert (done.stdout, done.stderr) == ("27.0\n1\n", "")
     assert {file: file.stat().st_mtime_ns for file in machine_code(tmp_path)} == before
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="locks of Unix")
+def test_processes_on_a_cold_cache_compile_each_function_once(tmp_path: Path) -> None:
+    # a tower of three: whoever is first compiles a function, the others wait and load it
+    (tmp_path / "tower.py").write_text(
+        "from airlight.kernel import compiled_loop, kernel\n"
+        "@kernel\n"
+        "def squared(x):\n    return x * x\n"
+        "@kernel\n"
+        "def cubed(x):\n    return squared(x) * x\n"
+        "@compiled_loop\n"
+        "def total(x):\n    return cubed(x) + squared(x)\n"
+    )
+    script = (
+        "import sys\n"
+        f"sys.path.insert(0, {str(tmp_path)!r})\n"
+        "import tower\n"
+        "from numba.core import event\n"
+        "from airlight.kernel.compiling import CompileListener\n"
+        "names = []\n"
+        "event.register('numba:compile', CompileListener(names.append))\n"
+        "sys.stdin.read()\n"  # until all have come so far
+        "print(tower.total(3.0), *names)\n"
+    )
+    processes = [
+        subprocess.Popen(
+            [sys.executable, "-c", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            text=True, env={**os.environ, "AIRLIGHT_CACHE": str(tmp_path / "cache")},
+        )
+        for _ in range(4)
+    ]  # fmt: skip
+    for process in processes:  # all begin now
+        assert process.stdin is not None
+        process.stdin.close()
+        process.stdin = None
+    said = [process.communicate(timeout=300)[0].split() for process in processes]
+    assert [words[0] for words in said] == ["36.0"] * 4
+    compiled = sorted(name for words in said for name in words[1:])
+    assert compiled == ["tower.cubed", "tower.squared", "tower.total"]

@@ -2,7 +2,8 @@
 
 Numba trusts its cache: a flipped bit in a file of machine code would be run, a truncated index is
 an error of ``pickle``, a full disk one of the command. It also writes a file before it reads one,
-so that a folder that cannot be written would not be read.
+so that a folder that cannot be written would not be read. And processes that need the same function
+at once would all compile it.
 """
 
 from __future__ import annotations
@@ -11,13 +12,23 @@ import contextlib
 import hashlib
 import pickle
 import secrets
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any, Final
+from typing import IO, Any, Final
 
 from numba.core.caching import IndexDataCacheFile, _CacheLocator
 
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
+
+#: Longest time to wait for another process that compiles the same function, and interval of looking
+#: whether it has. [s]
+_LONGEST_WAIT: Final = 120.0
+_POLL: Final = 0.02
 #: Length of the checksum at the end of a file. [byte]
 _LENGTH: Final = 32
 
@@ -134,6 +145,41 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
     if chosen:
         there._save_index(chosen)
     return len(chosen)
+
+
+@contextlib.contextmanager
+def one_process(file: Path) -> Iterator[None]:
+    """Let one process at a time run the block, as long as that is short.
+
+    Parameters
+    ----------
+    file : Path
+        Path of a file that is locked meanwhile, and left empty. The lock ends with its process.
+        Where there is no such file, or no locks, and after two minutes, nobody waits.
+    """
+    try:
+        stream = file.open("a")
+    except OSError:  # a closed or full disk
+        yield
+        return
+    with stream:
+        end = time.monotonic() + _LONGEST_WAIT
+        while not _locked(stream) and time.monotonic() < end:
+            time.sleep(_POLL)
+        yield
+
+
+def _locked(stream: IO[str]) -> bool:
+    """Whether a file is locked now, or cannot be."""
+    if fcntl is None:
+        return True
+    try:
+        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:  # a file system without locks
+        pass
+    return True
 
 
 @cache

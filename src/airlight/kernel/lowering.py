@@ -12,6 +12,7 @@ from __future__ import annotations
 import contextlib
 import threading
 from collections.abc import Iterator
+from contextlib import AbstractContextManager
 from functools import partial
 from pathlib import Path
 from typing import Any, Final
@@ -21,11 +22,12 @@ from numba.core import sigutils
 from numba.core.caching import CompileResultCacheImpl, FunctionCache
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, compile_result
+from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import register_pass
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering
 
-from airlight.kernel.compiled_files import CompiledFolder, check_files
+from airlight.kernel.compiled_files import CompiledFolder, check_files, one_process
 from airlight.kernel.shipped_code import shipped_code
 
 #: Word for intermediate code among Numba's words for the forms of a library on disk.
@@ -144,12 +146,19 @@ class _Cache(FunctionCache):
         self._shipped = shipped_code(py_func, _Files, folder)
 
     @property
+    def _places(self) -> tuple[FunctionCache, ...]:
+        return (self,) if self._shipped is None else (self, self._shipped)
+
+    @property
     def is_there(self) -> bool:
         """Whether code of the function, for some types, is on disk."""
-        caches: list[FunctionCache] = [self]
-        if self._shipped is not None:
-            caches.append(self._shipped)
-        return any(Path(one._cache_file._index_path).is_file() for one in caches)
+        return any(Path(one._cache_file._index_path).is_file() for one in self._places)
+
+    def has(self, sig: Any, codegen: Any) -> bool:
+        """Whether code for these types is on disk, in either form."""
+        return any(
+            one._index_key(sig, codegen) in one._cache_file._load_index() for one in self._places
+        )
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         found = super().load_overload(sig, target_context)
@@ -188,11 +197,27 @@ class CompiledKernel(CPUDispatcher):
             return super().get_call_template(args, kws)
 
     def compile(self, sig: Any) -> Any:
-        """Compile for a signature, unless that has been done as far as it is needed."""
+        """Compile for a signature, unless that has been done as far as it is needed.
+
+        Processes that need the same code at once wait for the first of them.
+        """
         types, _ = sigutils.normalize_signature(sig)
         if not _is_for_a_caller() and _is_intermediate(self.overloads.get(tuple(types))):
             del self.overloads[tuple(types)]
-        return super().compile(sig)
+        # The compiler's lock comes first: one thread of a process at a time waits for another.
+        with global_compiler_lock, self._alone(tuple(types)):
+            return super().compile(sig)
+
+    def _alone(self, types: tuple[Any, ...]) -> AbstractContextManager[None]:
+        """Keep other processes from compiling this too, where it has to be compiled."""
+        cache = self._cache
+        if types in self.overloads or not isinstance(cache, _Cache):
+            return contextlib.nullcontext()
+        self.targetctx.refresh()
+        if cache.has(types, self.targetctx.codegen()):
+            return contextlib.nullcontext()
+        cache._impl.locator.ensure_cache_path()
+        return one_process(Path(cache._cache_file._index_path).with_suffix(".lock"))
 
     def add_overload(self, cres: Any) -> None:
         """Keep what is compiled; only machine code can be called from Python."""
