@@ -52,6 +52,7 @@ def main() -> None:
             "AIRLIGHT_CACHE": str(cache),
             "NUMBA_CPU_NAME": made_for.processor,
             "NUMBA_CPU_FEATURES": made_for.written,
+            "NUMBA_DISABLE_INTEL_SVML": "1",  # a library that others need not have
         }
         home = {"cwd": place, "env": {**os.environ, **own}, "check": True}
         subprocess.run([sys.executable, "-c", LOOPS], **home)

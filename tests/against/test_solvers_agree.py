@@ -23,8 +23,6 @@ SOLVERS = (
 #: Within 0.8 % of the moments on all lines of the check, in a third of the time of ``fine``: what
 #: ``default`` errs by in twilight (3.6 %) are its steps of zenith.
 DIRECT = DirectSettings(zenith_steps=20, keep_orders=False)
-#: A quarter of the histories.
-MONTE_CARLO = ("montecarlo", MonteCarloSettings(relative_error=0.012, most_histories=125_000))
 #: So much of the 60 lines of sight must agree at all wavelengths in all pairs; the bar is 40 of 60.
 LEAST_LINES = 5 / 6
 #: What no value may differ by, beyond three standard errors: the direct solver's table in twilight.
@@ -35,8 +33,8 @@ EARTH, MARS = "earth-atmosphere-plus", "mars-standard"
 #: The rest takes minutes, the direct solver on Mars and at ``fine`` 80 s a wavelength and moments
 #: there at ``fine`` 110 s: it is for ``scripts/test --validation`` and ``airlight validate``.
 CHECKED = (
-    (MARS, (550.0,), 6, "default", (MONTE_CARLO,)),
-    (EARTH, (440.0,), 3, "default", (("direct", DIRECT), MONTE_CARLO)),
+    (MARS, (550.0,), 6, "default", SOLVERS[2:]),
+    (EARTH, (440.0,), 3, "default", (("direct", DIRECT), SOLVERS[2])),
 )
 LATER = pytest.mark.validation
 

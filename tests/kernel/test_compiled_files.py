@@ -5,10 +5,13 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from airlight.kernel.compiled_files import one_process
 
 SCRIPT = """
 import sys
@@ -170,3 +173,21 @@ def test_processes_on_a_cold_cache_compile_each_function_once(tmp_path: Path) ->
     assert [words[0] for words in said] == ["36.0"] * 4
     compiled = sorted(name for words in said for name in words[1:])
     assert compiled == ["tower.cubed", "tower.squared", "tower.total"]
+
+
+def test_a_process_does_not_wait_for_itself(tmp_path: Path) -> None:
+    # a formula that calls itself for other types is compiled inside its own compilation
+    file = tmp_path / "a.lock"
+    begun = time.monotonic()
+    with one_process(file), one_process(file):
+        pass
+    assert time.monotonic() - begun < 60.0  # it would be two minutes
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="locks of Unix")
+def test_a_lock_ends_with_an_error_in_its_block(tmp_path: Path) -> None:
+    file = tmp_path / "a.lock"
+    with pytest.raises(ZeroDivisionError), one_process(file):
+        raise ZeroDivisionError
+    other = "import fcntl, sys; fcntl.flock(open(sys.argv[1], 'a'), fcntl.LOCK_EX | fcntl.LOCK_NB)"
+    subprocess.run([sys.executable, "-c", other, str(file)], check=True)

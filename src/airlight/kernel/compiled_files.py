@@ -29,6 +29,8 @@ except ImportError:  # Windows
 #: whether it has. [s]
 _LONGEST_WAIT: Final = 120.0
 _POLL: Final = 0.02
+#: Files that this process has locked: a second lock would wait for the first.
+_held: Final[set[Path]] = set()
 #: Length of the checksum at the end of a file. [byte]
 _LENGTH: Final = 32
 
@@ -149,7 +151,7 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
 
 @contextlib.contextmanager
 def one_process(file: Path) -> Iterator[None]:
-    """Let one process at a time run the block, as long as that is short.
+    """Let one process at a time run the block, as long as that is short; it may do so again inside.
 
     Parameters
     ----------
@@ -157,6 +159,9 @@ def one_process(file: Path) -> Iterator[None]:
         Path of a file that is locked meanwhile, and left empty. The lock ends with its process.
         Where there is no such file, or no locks, and after two minutes, nobody waits.
     """
+    if file in _held:
+        yield
+        return
     try:
         stream = file.open("a")
     except OSError:  # a closed or full disk
@@ -166,7 +171,11 @@ def one_process(file: Path) -> Iterator[None]:
         end = time.monotonic() + _LONGEST_WAIT
         while not _locked(stream) and time.monotonic() < end:
             time.sleep(_POLL)
-        yield
+        _held.add(file)
+        try:
+            yield
+        finally:
+            _held.remove(file)
 
 
 def _locked(stream: IO[str]) -> bool:

@@ -100,7 +100,7 @@ def test_conservative_air_returns_what_the_ground_does_not_take(
     # Energy: nothing absorbs but the ground, and a planet so large that its air is flat (curvature
     # changes fluxes by 1e-5): µ_s = upward flux at the top + (1 - albedo)·(direct + diffuse) below.
     planet = one_air(depth=1.5, phase=phase, albedo=albedo, bottom=1e10)
-    solution = solve(planet, [550.0], Settings(relative_error=0.02), solver="montecarlo")
+    solution = solve(planet, [550.0], Settings(relative_error=0.015), solver="montecarlo")
     mu_s = np.cos(np.radians(50.0))
     rule = gauss_legendre(6)
     mu, weight = rule.nodes, rule.weights * rule.nodes
@@ -112,7 +112,7 @@ def test_conservative_air_returns_what_the_ground_does_not_take(
     noise = float(np.sqrt(np.square(share * data["standard_error"].values[..., 0]).sum()))
     below = solution.irradiance(altitude=0.0, sun_zenith=50.0)
     taken = (1.0 - albedo) * float(below["direct"].values[0] + below["diffuse"].values[0])
-    noise = float(np.hypot(noise, (1.0 - albedo) * 0.02 * below["diffuse"].values[0]))
+    noise = float(np.hypot(noise, (1.0 - albedo) * 0.015 * below["diffuse"].values[0]))
     tell(f"energy, albedo {albedo}, {phase}: {(up + taken) / mu_s:.5f} ± {noise / mu_s:.5f}")
     assert noise < 0.01 * mu_s
     # 3 standard errors; five azimuths and a six-point rule are good to 1e-3 of the flux
@@ -146,7 +146,7 @@ def test_light_that_grazes_a_cloud_of_many_depths_is_finite(one_air: Callable[..
     # Half a thousand optical depths that absorb nothing: radiance from above lies between 0 and
     # that of a white Lambert ground, and the histories end although nothing absorbs.
     planet = one_air(depth=500.0, profile=Exponential(scale_height=8e3))
-    settings = Settings(relative_error=0.2, most_histories=5_000)
+    settings = Settings(relative_error=0.1, most_histories=20_000)
     data = solve(planet, [550.0], settings, solver="montecarlo").estimate(
         altitude=100e3, sun_zenith=30.0, view_zenith=150.0, azimuth=90.0
     )
@@ -174,10 +174,10 @@ def test_light_that_is_scattered_thousands_of_times_is_not_cut_off(
         depth=depth, profile=Uniform(), phase=HenyeyGreenstein(asymmetry=0.0), bottom=1e10,
         thickness=8e3,
     )  # fmt: skip
-    settings = Settings(relative_error=0.04, polarisation=False, exact_first_order=False)
+    settings = Settings(relative_error=0.03, polarisation=False, exact_first_order=False)
     solution = solve(planet, [550.0], settings, solver="montecarlo", polarisation=False)
     got = float(solution.irradiance(altitude=0.0, sun_zenith=0.0)["diffuse"].values[0])
     expected = 0.25 * np.sqrt(3.0) * 2.9078 * 4.0 / (3.0 * (depth + 1.4209))
     tell(f"light below air of depth {depth:g}: {got:.4e} for {expected:.4e}")
     assert solution.report.unreached == 0
-    assert_allclose(got, expected, rtol=0.12)  # three standard errors
+    assert_allclose(got, expected, rtol=0.09)  # three standard errors
