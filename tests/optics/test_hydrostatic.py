@@ -141,3 +141,17 @@ def test_air_colder_than_nothing_is_refused():
     air = HydrostaticLayers.stacked([0.0, 10e3], 288.15, [6.5e-3, 6.5e-3], WEIGHT)
     with pytest.raises(ParameterError, match=r"lapse_rates\[1\] is 0.0065; .* at least 1 K"):
         air.row(100e3)
+
+
+def test_air_that_ends_far_below_the_top_has_finite_pieces():
+    # Under 200 times the gravity nothing of the density is left in double precision at the top,
+    # exp(-1094); below, pieces keep their tolerance. The law for a constant lapse rate.
+    air = HydrostaticLayers.stacked([0.0], 288.15, [6.5e-3], 200.0 * WEIGHT)
+    with np.errstate(all="raise", under="ignore"):
+        edges, rows = air.row(40e3)
+    assert np.isfinite(rows).all()
+    assert rows[-1, 0] == 0.0
+    h = np.linspace(0.0, 2e3, 101)
+    wanted = (1.0 - 6.5e-3 * h / 288.15) ** (200.0 * WEIGHT / 6.5e-3 - 1.0)
+    found = DensitySegments.from_rows([(edges, rows)]).at(h)[0]
+    assert_allclose(found, wanted, rtol=0.02)

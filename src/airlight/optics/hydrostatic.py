@@ -168,13 +168,20 @@ class HydrostaticLayers:
 
     def pressure_ratio(self, altitude: npt.ArrayLike) -> FloatArray:
         """Pressure at geometric altitudes [m] over that at the ground, shape (...). [1]"""
-        at, above = self._layer(self.geopotential(altitude))
-        return np.exp(self._base_logs[at] + self._fall(at, above))
+        return np.exp(self._pressure_log(altitude))
 
     def density_ratio(self, altitude: npt.ArrayLike) -> FloatArray:
         """Density at geometric altitudes [m] over that at the ground, shape (...). [1]"""
-        ratio = self.pressure_ratio(altitude) * self.temperatures[0]
-        return np.asarray(ratio / self.temperature(altitude))
+        return np.exp(self._density_log(altitude))
+
+    def _pressure_log(self, altitude: npt.ArrayLike) -> FloatArray:
+        at, above = self._layer(self.geopotential(altitude))
+        return np.asarray(self._base_logs[at] + self._fall(at, above))
+
+    def _density_log(self, altitude: npt.ArrayLike) -> FloatArray:
+        """Logarithm of the density ratio, finite where the ratio itself is too small to be told."""
+        cooling = np.log(self.temperatures[0] / self.temperature(altitude))
+        return np.asarray(self._pressure_log(altitude) + cooling)
 
     def _layer(self, geopotential: FloatArray) -> tuple[npt.NDArray[np.intp], FloatArray]:
         """Index of the layer, and geopotential altitude above its base. [m]"""
@@ -220,7 +227,7 @@ class HydrostaticLayers:
         for low, high in itertools.pairwise(edges):
             nodes += np.linspace(low, high, self._pieces(low, high) + 1)[1:].tolist()
         h = np.array(nodes)
-        logs = np.log(self.density_ratio(h))
+        logs = self._density_log(h)
         rows = np.zeros((h.size - 1, 4))
         rows[:, 0] = np.exp(logs[:-1])
         rows[:, 1] = np.diff(logs) / np.diff(h)
@@ -240,7 +247,7 @@ class HydrostaticLayers:
 
     def _pieces(self, low: float, high: float) -> int:
         """Number of exponential pieces of one layer between geometric altitudes [m]."""
-        logs = np.log(self.density_ratio(np.linspace(low, high, _SAMPLES)[:-1]))
+        logs = self._density_log(np.linspace(low, high, _SAMPLES)[:-1])
         # A chord errs by an eighth of the second difference over its own ends.
         bend = float(np.abs(np.diff(logs, 2)).max()) * (_SAMPLES - 1) ** 2
         needed = math.ceil(math.sqrt(bend / (8.0 * PIECE_TOLERANCE)) - 1e-6)
