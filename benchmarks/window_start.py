@@ -6,9 +6,10 @@
 
 Each run is a process of its own; the window is drawn offscreen, in the size of a new window.
 ``frame`` is the first that shows anything, the preset's small picture; ``picture`` is the first
-of this planet and view, ``whole`` the first of the window's size, ``finished`` the last. All since
-the process was asked for, with the processor time of the process beside them: a second one that
-compiles is not in it. Medians of the runs.
+of this planet and view, ``whole`` the first of the window's size, ``finished`` the last, ``rest``
+when no shader is compiled any more either. All since the process was asked for, with the processor
+time of the process beside them, a second one that compiles is not in it, and its resident memory
+(Linux). Medians of the runs.
 """
 
 from __future__ import annotations
@@ -24,17 +25,20 @@ import time
 from statistics import median
 
 SIZE = (1280, 720)
-STAGES = ("frame", "picture", "whole", "finished")
+STAGES = ("frame", "picture", "whole", "finished", "rest")
 #: What runs in the new process, with the time of the request as its first argument.
 CHILD = f"""
-import json, sys, time
+import json, sys, threading, time
+from pathlib import Path
 asked, planet = float(sys.argv[1]), sys.argv[2]
 from airlight.viewer.window import start as starting
 from airlight.viewer.window.canvas import OffscreenCanvas
 from airlight.viewer.window.window import Window
 said = {{}}
 def say(stage):
-    said.setdefault(stage, (time.time() - asked, time.process_time()))
+    status = Path("/proc/self/status")
+    kilobytes = status.read_text().split("VmRSS:")[1].split()[0] if status.exists() else "nan"
+    said.setdefault(stage, (time.time() - asked, time.process_time(), float(kilobytes) / 1024.0))
 start = starting.Start(planet=planet, size={SIZE})
 session, canvas = starting.opened(start), OffscreenCanvas(start.size)
 window = starting.window_of(start, session, canvas)
@@ -55,13 +59,18 @@ while not window.settled or canvas.wanted:
         if shown.width > 0.6 * start.size[0]:
             say("whole")
 say("finished")
+while any(one.name == "airlight-compiling" for one in threading.enumerate()):
+    time.sleep(0.05)
+    if canvas.wanted:
+        canvas.run(window.draw)
+say("rest")
 window.close()
 print(json.dumps({{"said": said, "lines": lines}}))
 """
 
 
-def run(planet: str, cold: bool, verbose: bool) -> dict[str, tuple[float, float]]:
-    """Times of one start: clock and processor. [s]"""
+def run(planet: str, cold: bool, verbose: bool) -> dict[str, tuple[float, float, float]]:
+    """Times of one start by the clock and of the processor [s], and resident memory [MiB]."""
     environment = dict(os.environ)
     folder = tempfile.mkdtemp() if cold else ""
     if cold:
@@ -77,7 +86,7 @@ def run(planet: str, cold: bool, verbose: bool) -> dict[str, tuple[float, float]
     answer = json.loads(done.stdout)
     for at, line in answer["lines"] if verbose else ():
         print(f"{at:7.1f}  {line}")
-    said: dict[str, tuple[float, float]] = answer["said"]
+    said: dict[str, tuple[float, float, float]] = answer["said"]
     return said
 
 
@@ -90,8 +99,8 @@ def main() -> None:
     asked = parser.parse_args()
     times = [run(asked.planet, asked.cold, asked.verbose) for _ in range(asked.runs)]
     for stage in STAGES:
-        clock, processor = (median(one[stage][k] for one in times) for k in (0, 1))
-        print(f"{stage:10} {clock:7.2f} s   processor {processor:7.2f} s")
+        clock, processor, size = (median(one[stage][k] for one in times) for k in (0, 1, 2))
+        print(f"{stage:10} {clock:7.2f} s   processor {processor:7.2f} s   {size:6.0f} MiB")
 
 
 if __name__ == "__main__":

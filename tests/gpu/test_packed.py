@@ -15,14 +15,15 @@ from airlight.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 
-#: More than two rows of texels, the last of them partly filled.
-COUNT = 2 * PACKED_WIDTH + 77
+#: Texels of more rows than are handed over at a time, the last of them partly filled.
+COUNT = 130 * PACKED_WIDTH + 77
 
 
 def test_a_shader_reads_every_texel_as_fractions_of_255(device: Device) -> None:
     # The format's definition; devices convert to half a unit of single precision, some to two.
     values = np.arange(4 * COUNT) % 251 + np.arange(4 * COUNT) // 4 % 5
     texels = values.astype(np.uint8).reshape(COUNT, 4)
+    texels[::PACKED_WIDTH, 0] = np.arange(131)  # no row is like another
     table = TextureTable("texels", "map", spectral=True, packed=True)
     source = f"""{WGSL.texture("map", 0, 0)}{table.reader(WGSL, "map")}
 @fragment fn copied(@builtin(position) at: vec4f) -> @location(0) vec4f {{

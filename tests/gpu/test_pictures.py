@@ -203,6 +203,18 @@ def test_a_picture_from_the_table_is_shown_as_the_processor_s(
     assert difference[away_from_the_rim(solution, seen)].max() <= 2
 
 
+def test_without_the_maps_the_ground_is_alike_all_round(device: Device, lit: Lit) -> None:
+    # By symmetry: under the sun in the zenith a ground of one colour is the same to all sides.
+    seen = replace(scene_of(PLANETS["earth, with a map"](), "whole planet"), sun_zenith=0.0)
+    pictures, uneven = Pictures(device), []
+    for maps in (True, False):
+        pictures.show(lit(), maps=maps)
+        middle = pictures.frame(seen, exact=True).rgb[22:32, 43:53]
+        uneven.append(np.abs(middle / middle[:, ::-1] - 1.0).max())
+    assert uneven[0] > 0.05
+    assert uneven[1] < 1e-3
+
+
 @pytest.mark.parametrize("exact", [False, True])
 def test_a_filter_lets_the_same_light_through_as_the_processor_s(
     exact: bool, lit: Lit, shows: Shows

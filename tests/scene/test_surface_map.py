@@ -115,6 +115,13 @@ def test_levels_of_odd_sizes_keep_the_mean(rows: int) -> None:
     assert_allclose(means, np.broadcast_to(means[0], (len(levels), 4)), atol=3e-3)
 
 
+def test_levels_are_held_once() -> None:
+    # One after another, as formulas and devices read them, and not a second time.
+    where = from_pixels("grey", np.full((5, 10, 3), 118, np.uint8))
+    assert_array_equal(where.flat, np.concatenate([one.reshape(-1) for one in where.levels]))
+    assert all(np.shares_memory(one, where.flat) for one in where.levels)
+
+
 def test_a_larger_map_than_devices_hold_is_reduced(monkeypatch: pytest.MonkeyPatch) -> None:
     # Each new texel is the mean of three by three old ones, in linear light.
     monkeypatch.setattr("airlight.scene.surface_map.MOST_TEXELS", 30 * 60)

@@ -386,7 +386,8 @@ class ScenePainter:
         """Draw one very small picture, which compiles the shaders.
 
         A software device compiles them in the queue in which the window's frames wait. It therefore
-        compiles them first in another queue, and finds them then in the driver's cache.
+        compiles them first in another queue, without the maps, and finds them then in the driver's
+        cache.
         """
         assert self._device is not None
         try:
@@ -396,7 +397,7 @@ class ScenePainter:
                 assert self._pictures is not None
                 if self._device.software and not self._closing:
                     apart = type(self._pictures)(self._device.apart(), self._pictures.sky_shape)
-                    apart.show(solution)
+                    apart.show(solution, maps=False)
                     _draw_small(replace(picture, pictures=apart))
                 if not self._closing:
                     _draw_small(replace(picture, pictures=self._pictures))

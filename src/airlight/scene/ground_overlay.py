@@ -90,7 +90,7 @@ def _lamp_pixels(lights: str) -> NDArray[np.uint8]:
 
 
 def _grey(values: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    return np.repeat(values[..., None], CHANNELS - 1, axis=2)
+    return np.broadcast_to(values[..., None], (*values.shape, CHANNELS - 1))
 
 
 def _of_one_size(

@@ -6,6 +6,7 @@ of its neighbours, so that every level covers the whole sphere and has its mean.
 
 from __future__ import annotations
 
+import itertools
 from typing import Final
 
 import numpy as np
@@ -134,7 +135,9 @@ def area_means(fine, first_row, row_weights, first_column, column_weights, out):
                 out[j, i, c] = code_of(min(total[c], 1.0), c)
 
 
-def reduced(texels: NDArray[np.uint8], rows: int, columns: int) -> NDArray[np.uint8]:
+def reduced(
+    texels: NDArray[np.uint8], rows: int, columns: int, out: NDArray[np.uint8] | None = None
+) -> NDArray[np.uint8]:
     """Reduce a map to fewer texels, each the mean over its area in linear light.
 
     Parameters
@@ -143,24 +146,55 @@ def reduced(texels: NDArray[np.uint8], rows: int, columns: int) -> NDArray[np.ui
         Texels of ``airlight.color.texels``.
     rows, columns : int
         New size, at most the old one.
+    out : array of uint8, shape (rows, columns, 4), optional
+        Receives the texels, and is returned.
     """
-    out = np.empty((rows, columns, CHANNELS), np.uint8)
+    if out is None:
+        out = np.empty((rows, columns, CHANNELS), np.uint8)
     height, width = texels.shape[:2]
     area_means(np.ascontiguousarray(texels), *area_weights(height, rows),
                *area_weights(width, columns), out)  # fmt: skip
     return out
 
 
-def all_levels(texels: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], ...]:
-    """Map and its halvings down to a single row.
+def empty_levels(rows: int, columns: int) -> NDArray[np.uint8]:
+    """Make room for a map and its halvings down to a single row, one after another, shape (4·n,).
 
     Parameters
     ----------
-    texels : array of uint8, shape (h, w, 4)
-        Texels of the full map.
+    rows, columns : int
+        Size of the full map.
     """
-    levels = [np.ascontiguousarray(texels)]
-    while levels[-1].shape[0] > 1:
-        height, width = levels[-1].shape[:2]
-        levels.append(reduced(levels[-1], halved(height), halved(width)))
-    return tuple(levels)
+    start, height, width = level_place(rows, columns, level_count(rows) - 1)
+    return np.empty(CHANNELS * (start + height * width), np.uint8)
+
+
+def level_views(flat: NDArray[np.uint8], rows: int, columns: int) -> tuple[NDArray[np.uint8], ...]:
+    """Views of the levels in ``empty_levels``, each of shape (h, w, 4).
+
+    Parameters
+    ----------
+    flat : array of uint8, shape (4·n,)
+        Array of ``empty_levels``.
+    rows, columns : int
+        Size of the full map.
+    """
+    views = []
+    for level in range(level_count(rows)):
+        start, height, width = level_place(rows, columns, level)
+        block = flat[CHANNELS * start : CHANNELS * (start + height * width)]
+        views.append(block.reshape(height, width, CHANNELS))
+    return tuple(views)
+
+
+def fill_levels(levels: tuple[NDArray[np.uint8], ...]) -> None:
+    """Write the halvings of a map behind it.
+
+    Parameters
+    ----------
+    levels : tuple of array of uint8, each shape (h, w, 4)
+        Views of ``level_views``; the first holds the map, the others receive its halvings.
+    """
+    for fine, coarse in itertools.pairwise(levels):
+        rows, columns = coarse.shape[:2]
+        reduced(fine, rows, columns, coarse)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.color.texels import CHANNELS, DECODED, decoded_texels
 from airlight.errors import FileError
 from airlight.planets.map_picture import map_pixels
-from airlight.scene.map_levels import all_levels, reduced
+from airlight.scene.map_levels import empty_levels, fill_levels, level_views, reduced
 
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
@@ -34,13 +34,22 @@ class SurfaceMap:
     ----------
     name : str
         Name or path by which it was loaded.
-    levels : tuple of array, each shape (h, w, 4)
-        Texels of ``airlight.color.texels``: sRGB reflectance and share of water; each level has
-        half the rows and columns of the previous one.
+    rows, columns : int
+        Size of the full map.
+    flat : array, shape (4·n,)
+        Texels of ``airlight.color.texels``: sRGB reflectance and share of water, of all levels one
+        after another, as ``map_color`` reads them.
     """
 
     name: str
-    levels: tuple[NDArray[np.uint8], ...]
+    rows: int
+    columns: int
+    flat: NDArray[np.uint8]
+
+    @cached_property
+    def levels(self) -> tuple[NDArray[np.uint8], ...]:
+        """Views of the levels, each shape (h, w, 4), with half the rows of the previous one."""
+        return level_views(self.flat, self.rows, self.columns)
 
     @property
     def mean_rgb(self) -> NDArray[np.float64]:
@@ -70,21 +79,6 @@ class SurfaceMap:
         bands = 0.5 * (edges[:-1] - edges[1:])
         rows = [DECODED[c][full[..., c]].mean(axis=1, dtype=np.float64) for c in range(CHANNELS)]
         return np.asarray(rows) @ bands
-
-    @property
-    def rows(self) -> int:
-        """Number of rows of the full map."""
-        return int(self.levels[0].shape[0])
-
-    @property
-    def columns(self) -> int:
-        """Number of columns of the full map."""
-        return int(self.levels[0].shape[1])
-
-    @cached_property
-    def flat(self) -> NDArray[np.uint8]:
-        """All levels one after another, as ``map_color`` reads them, shape (4·n,)."""
-        return np.concatenate([one.reshape(-1) for one in self.levels])
 
     def level(self, footprint: ArrayLike) -> NDArray[np.float64]:
         """Level whose pixels are as large as the footprint of a picture's pixel.
@@ -170,27 +164,50 @@ def from_pixels(
     SurfaceMap
         Map with all its levels, reduced to ``MOST_TEXELS`` if it is larger.
     """
-    return SurfaceMap(name=name, levels=all_levels(packed_texels(pixels, water)))
+    rows, columns = map_size(*pixels.shape[:2])
+    flat = empty_levels(rows, columns)
+    levels = level_views(flat, rows, columns)
+    packed_texels(pixels, water, levels[0])
+    fill_levels(levels)
+    return SurfaceMap(name=name, rows=rows, columns=columns, flat=flat)
+
+
+def map_size(rows: int, columns: int) -> tuple[int, int]:
+    """Size at which a picture is kept: its own, or that of ``MOST_TEXELS`` if it is larger.
+
+    Examples
+    --------
+    >>> map_size(1000, 2000), map_size(6000, 12000)
+    ((1000, 2000), (3535, 7070))
+    """
+    if rows * columns <= MOST_TEXELS:
+        return rows, columns
+    most = math.isqrt(MOST_TEXELS // 2)
+    return most, 2 * most
 
 
 def packed_texels(
-    pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None
+    pixels: NDArray[np.uint8],
+    water: NDArray[np.uint8] | None = None,
+    out: NDArray[np.uint8] | None = None,
 ) -> NDArray[np.uint8]:
-    """Texels of a map at its full size, or at ``MOST_TEXELS`` if it is larger; shape (m, n, 4).
+    """Texels of a map in its size, ``map_size``; shape (m, n, 4).
 
     Parameters
     ----------
     pixels, water : array
         Arguments of ``from_pixels``.
+    out : array, shape (m, n, 4), optional
+        Receives the texels, and is returned.
     """
-    texels = np.zeros((*pixels.shape[:2], CHANNELS), np.uint8)
+    if out is None:
+        out = np.empty((*map_size(*pixels.shape[:2]), CHANNELS), np.uint8)
+    rows, columns = out.shape[:2]
+    same = pixels.shape[:2] == (rows, columns)
+    texels = out if same else np.empty((*pixels.shape[:2], CHANNELS), np.uint8)
     texels[..., :3] = pixels
-    if water is not None:
-        texels[..., 3] = water
-    if pixels.shape[0] * pixels.shape[1] > MOST_TEXELS:
-        rows = math.isqrt(MOST_TEXELS // 2)
-        texels = reduced(texels, rows, 2 * rows)
-    return texels
+    texels[..., 3] = 0 if water is None else water
+    return out if same else reduced(texels, rows, columns, out)
 
 
 def map_file(name: str) -> Path:

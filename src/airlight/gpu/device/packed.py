@@ -16,6 +16,9 @@ from airlight.gpu.emit.shader_types import PACKED_WIDTH
 #: Format of ``airlight.color.texels``. That by which a device decodes sRGB itself is off by up to
 #: 2.5 % in Mesa's software renderer.
 PACKED_FORMAT: Final = "rgba8unorm"
+#: Rows that are handed over at a time: the device holds a copy of what it has not yet taken, and
+#: keeps that memory, as large as the whole texture if it were handed over at once.
+_BAND: Final = 64
 
 
 def packed_rows(count: int) -> int:
@@ -74,8 +77,8 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
         usage=use.TEXTURE_BINDING | use.COPY_DST,
     )
     whole = count // PACKED_WIDTH
-    blocks = [(0, whole, PACKED_WIDTH), (whole, 1, count - whole * PACKED_WIDTH)]
-    for first, height, width in blocks:
+    bands = [(first, min(_BAND, whole - first), PACKED_WIDTH) for first in range(0, whole, _BAND)]
+    for first, height, width in [*bands, (whole, 1, count - whole * PACKED_WIDTH)]:
         if height * width == 0:
             continue
         start = CHANNELS * first * PACKED_WIDTH
@@ -85,4 +88,5 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
             {"bytes_per_row": CHANNELS * width, "rows_per_image": height},
             (width, height, 1),
         )
+        device.device.queue.submit([])
     return texture

@@ -184,7 +184,9 @@ class Pictures:
             self._read(number, law)
         return sky
 
-    def show(self, solution: MomentsSolution, weights: FloatArray | None = None) -> None:
+    def show(
+        self, solution: MomentsSolution, weights: FloatArray | None = None, *, maps: bool = True
+    ) -> None:
         """Set the solution that is drawn from now on.
 
         Parameters
@@ -193,6 +195,8 @@ class Pictures:
             Solution of at most four wavelengths; of one or two only with weights.
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance; by default ``picture_weights``.
+        maps : bool
+            Whether the maps of the ground are drawn; they take up to 270 MB of the device.
 
         Raises
         ------
@@ -211,7 +215,7 @@ class Pictures:
         points = None if self.device.software else FEW.points
         self._shown_tables = shown_solution(solution, points=points)
         self._textures = SolutionTextures.of(
-            self.device, solution, self._shown_tables, self._textures
+            self.device, solution, self._shown_tables, self._textures, maps=maps
         )
         self._solution = solution
         self._forget()

@@ -98,6 +98,8 @@ class SolutionTextures:
         solution: MomentsSolution,
         shown: MarchTables | None = None,
         before: SolutionTextures | None = None,
+        *,
+        maps: bool = True,
     ) -> SolutionTextures:
         """Upload a solution; an unchanged map of the ground is not uploaded again.
 
@@ -109,19 +111,21 @@ class SolutionTextures:
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
             Textures shown previously, for their map.
+        maps : bool
+            Whether the maps of the ground are drawn.
 
         Raises
         ------
         ParameterError
             Errors of ``SolutionTables.of``.
         """
-        made = SolutionTables.of(solution, shown)
+        medium, made = solution.medium, SolutionTables.of(solution, shown)
         solved = fields_on(device, solution)
         textures: dict[str, Any] = {} if solved is None else {"fields": solved}
         for one, contents in made.textures.items():
             if one not in textures:
                 textures[one] = flat_texture(device, _uneven(contents), one)
-        name = solution.medium.ground_map
+        name = medium.ground_map if maps else None
         found = None if name is None else surface_map(name)
         if before is not None and before.textures.get("map of") == name:
             textures["ground"] = before.textures["ground"]
@@ -129,7 +133,7 @@ class SolutionTextures:
             texels = np.zeros(CHANNELS, np.uint8) if found is None else found.flat
             textures["ground"] = packed_texture(device, texels, "ground")
         textures["map of"] = name
-        over = (solution.medium.ground_lights, solution.medium.ground_clouds)
+        over = (medium.ground_lights, medium.ground_clouds) if maps else (None, None)
         overlay = ground_overlay(*over)
         if before is not None and before.textures.get("overlay of") == over:
             textures["overlay"] = before.textures["overlay"]
