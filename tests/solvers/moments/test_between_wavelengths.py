@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight import load_planet, solve
+from airlight import load_planet, replace, solve
 from airlight.solvers.moments import iterate
 from airlight.solvers.moments.between_wavelengths import Corrections, panels
+from airlight.solvers.moments.settings import QUALITIES
 
 
 @pytest.mark.parametrize("count", [1, 3, 8, 9, 16, 17, 24, 63, 64, 65, 129, 400])
@@ -57,24 +58,65 @@ def test_corrections_linear_in_wavelength_are_found_exactly():
     assert_allclose(found[1][..., :3], light(wanted)[1][..., :3], rtol=1e-5)
 
 
-def test_wavelengths_in_between_need_fewer_sweeps_for_the_same_light(monkeypatch):
-    nm = np.linspace(500.0, 523.0, 24)
-    sweeps = []
+def test_what_sweeps_would_change_follows_from_what_one_changed():
+    # A straight line from 0 to 4 misses a parabola x² by x (4 - x): 4 in the middle, 3 beside it.
+    shape = (2, 3, 4, 8)
+    ones = np.ones(shape, np.float32), np.ones(shape[:2] + shape[3:], np.float32)
+    corrections = Corrections()
+    corrections.add(np.array([0.0, 4.0]), ones, (1.02 * ones[0], 1.02 * ones[1]))
+    asked = np.array([1.0, 2.0, 5.0])
+    assert_allclose(corrections.expected(asked, ones), np.inf)  # nothing was seen
+    corrections.check(np.array([2.0]), np.array([4e-3]))
+    assert_allclose(corrections.expected(asked, ones), [3e-3, 4e-3, np.inf])
+    # A line of the air's own: the guess is e times lower, the correction of 2 % may be another.
+    band = ones[0] * np.where(np.arange(8) == 1, np.exp(-1.0), 1.0).astype(np.float32), ones[1]
+    assert_allclose(corrections.expected(asked, band), [3e-3, 4e-3 + 0.02, np.inf], rtol=1e-5)
+
+
+@pytest.fixture
+def sweeps(monkeypatch):
+    """Numbers of sweeps of the blocks that are solved, as they come."""
+    found = []
     inner = iterate._iterate
 
     def watched(*arguments):
         result = inner(*arguments)
-        sweeps.append(result[3])
+        found.append(result[3])
         return result
 
     monkeypatch.setattr(iterate, "_iterate", watched)
-    helped = solve(load_planet("earth"), nm, "preview", cache=False)
-    assert sweeps[0] >= 2
-    assert sweeps[2] == 1
+    return found
+
+
+SEEN = {"altitude": 0.0, "sun_zenith": [30.0, 88.0, 95.0], "view_zenith": 70.0, "azimuth": 40.0}
+
+
+@pytest.mark.parametrize("planet", ["earth", "mars"])
+def test_wavelengths_in_between_need_fewer_sweeps_for_the_same_light(planet, sweeps, monkeypatch):
+    # The limit of many sweeps; alone, wavelengths are no nearer to it, and both by the tolerance.
+    nm, made, quality = np.arange(500.0, 524.0), load_planet(planet), QUALITIES["preview"]
+    helped = solve(made, nm, quality, cache=False).radiance(**SEEN)
+    alike, sweeps[:] = list(sweeps), []
     apart = [[slice(k, k + 8)] for k in range(0, 24, 8)]
     monkeypatch.setattr(iterate, "panels", lambda *_, **__: apart)
-    alone = solve(load_planet("earth"), nm, "preview", cache=False)
-    assert all(count >= 2 for count in sweeps[3:])
-    given = {"altitude": 0.0, "sun_zenith": [30.0, 88.0], "view_zenith": 70.0, "azimuth": 40.0}
-    # Both are within the tolerance of a preview, and most of it is not used.
-    assert_allclose(helped.radiance(**given), alone.radiance(**given), rtol=1e-3)
+    alone = solve(made, nm, quality, cache=False).radiance(**SEEN)
+    assert alike[0] == sweeps[0] >= 2
+    assert alike[-1] <= 1
+    assert all(many >= 2 for many in sweeps)
+    limit = replace(quality, tolerance=quality.tolerance / 50.0, max_sweeps=400)
+    wanted = solve(made, nm, limit, cache=False).radiance(**SEEN)
+    off, before = (float(np.abs(one / wanted - 1.0).max()) for one in (helped, alone))
+    assert off < max(1.01 * before, 1e-5)
+    assert off < quality.tolerance
+
+
+def test_wavelengths_close_to_others_need_no_sweep(sweeps):
+    # The second path: each eight wavelengths alone, which are blocks without help.
+    nm = np.linspace(540.0, 571.0, 64)
+    earth = load_planet("earth")
+    clear = solve(earth, nm, "preview", cache=False)
+    assert sweeps[-5:] == [0] * 5
+    for first in (0, 32):
+        alone = solve(earth, nm[first : first + 32 : 4], "preview", cache=False)
+        wanted = alone.radiance(**SEEN)
+        assert_allclose(clear.radiance(**SEEN)[..., first : first + 32 : 4], wanted, rtol=2e-4)

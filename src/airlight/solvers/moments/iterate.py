@@ -241,6 +241,8 @@ def _iterate(
     if between is not None:
         light, least = completed_or_swept(*between, first_field, first_sky), 1
     iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used, least=least)
+    if corrections is not None and between is not None:
+        iteration.foresee(corrections.expected(nm, guess))
     degrees = light_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
     images: deque[Light] = deque(maxlen=iteration.stopping.images)
     best, at, way = light, 0, WAYS[0]
@@ -260,10 +262,12 @@ def _iterate(
         images.append(image(light, more, all_more, swept, trusted, FURTHER, way.step))
         iteration.judge(*steering(light[0], images[-1][0]))
         watch.report(iteration)
+        if corrections is not None and between is not None and iteration.sweeps == 1:
+            corrections.check(nm, iteration.to_come)
         if iteration.best:
             best = images[-1]
         light = mix(images, iteration.weights().astype(np.float32), trusted)
-    if corrections is not None and not last:
+    if corrections is not None and iteration.sweeps > 0 and not last:
         corrections.add(nm, guess, light)
     field, sky = light
     at_least(field, first_field)

@@ -134,6 +134,17 @@ class Iteration:
         self._ahead: list[float] = []
         self._least, self._since = inf, 0
 
+    def foresee(self, change: FloatArray) -> None:
+        """Take up what sweeps would change before there was one: within the tolerance, none is.
+
+        Parameters
+        ----------
+        change : array, shape (used,)
+            Largest relative change by all of them. [1]
+        """
+        if change.max() <= self.tolerance:
+            self.to_come, self._fewest = change, 0
+
     def goes_on(self) -> bool:
         """Whether another order is needed.
 
