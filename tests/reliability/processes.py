@@ -83,8 +83,8 @@ index = { real = 1.33, imaginary = 0.0 }
 sizes = { kind = "gamma", effective_radius = "50 um", effective_variance = 0.1 }
 optical_depth = 0.1
 """
-#: Time of a solve in its report.
-_TOOK = re.compile(rb", [\d.]+ s (?=\(degree)")
+#: Time of a solve in its report, or that there was none.
+_TOOK = re.compile(rb", (?:[\d.]+ s|from the cache) (?=\(degree)")
 #: Longest time from an interruption to the end of a command. [s]
 PROMPT = 1.0
 _CASES = "altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg\n" + "0,60,30,90\n" * 50
@@ -126,7 +126,7 @@ def _ended(process: subprocess.Popen[str], seconds: float = 3000.0) -> tuple[int
 def written(file: Path) -> bytes:
     """Content of a file; of a picture its pixels, as its words say how long the solve took.
 
-    Of a folder the names and contents of its files, without that time.
+    Of a folder the names and contents of its files, without what a report says of that time.
     """
     if file.is_dir():
         contents = (one.name.encode() + one.read_bytes() for one in sorted(file.iterdir()))
