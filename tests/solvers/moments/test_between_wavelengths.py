@@ -7,6 +7,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import load_planet, replace, solve
+from airlight.planets import Constituent
+from airlight.planets.matter.profiles import Exponential
+from airlight.planets.spectral import PerWavelength
 from airlight.solvers.moments import iterate
 from airlight.solvers.moments.between_wavelengths import Corrections, panels
 from airlight.solvers.moments.settings import QUALITIES
@@ -120,3 +123,23 @@ def test_wavelengths_close_to_others_need_no_sweep(sweeps):
         alone = solve(earth, nm[first : first + 32 : 4], "preview", cache=False)
         wanted = alone.radiance(**SEEN)
         assert_allclose(clear.radiance(**SEEN)[..., first : first + 32 : 4], wanted, rtol=2e-4)
+
+
+def test_an_absorption_line_between_two_wavelengths_is_swept(sweeps):
+    # A line 0.3 nm wide, of vertical depth 3: no wavelength solved before it has it.
+    nm = np.linspace(540.0, 571.0, 64)
+    middle, scale = 553.3, 8000.0
+    line = 3.0 / scale * np.exp(-0.5 * ((nm - middle) / 0.3) ** 2)
+    values = PerWavelength(wavelengths=tuple(nm), values=tuple(line))
+    gas = Constituent(name="gas", profile=Exponential(scale_height=scale), absorption=values)
+    earth = load_planet("earth")
+    planet = replace(earth, constituents=(*earth.constituents, gas))
+    found = solve(planet, nm, "preview", cache=False).radiance(**SEEN)
+    (panel,) = panels(nm)
+    inside = np.flatnonzero(np.abs(nm - middle) < 0.6)
+    assert inside.size >= 2
+    for which, count in zip(panel, sweeps, strict=True):
+        if set(range(64)[which]) & set(inside):
+            assert count >= 1
+    alone = solve(planet, nm[inside], "preview", cache=False).radiance(**SEEN)
+    assert_allclose(found[..., inside], alone, rtol=2e-4)
