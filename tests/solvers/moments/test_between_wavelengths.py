@@ -143,3 +143,14 @@ def test_an_absorption_line_between_two_wavelengths_is_swept(sweeps):
             assert count >= 1
     alone = solve(planet, nm[inside], "preview", cache=False).radiance(**SEEN)
     assert_allclose(found[..., inside], alone, rtol=2e-4)
+
+
+def test_progress_ends_at_the_whole_where_the_last_wavelengths_need_no_sweep(sweeps):
+    told = []
+    solve(
+        load_planet("earth"), np.linspace(540.0, 571.0, 64), "preview", cache=False,
+        progress=lambda done, of, _: told.append((done, of)),
+    )  # fmt: skip
+    assert sweeps[-1] == 0
+    assert told[-1] == (6400, 6400)
+    assert told == sorted(told)

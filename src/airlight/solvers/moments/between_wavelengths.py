@@ -120,7 +120,7 @@ class Corrections:
             self._logs.insert(at, np.log(_mean(guess[0][..., lane])[:, :, 0]))
 
     def check(self, wavelengths: FloatArray, change: FloatArray) -> None:
-        """Take up by how much a sweep changed a corrected guess; call it before ``add``.
+        """Take up by how much a sweep changed a guess, if it was corrected; call before ``add``.
 
         Parameters
         ----------
@@ -129,6 +129,8 @@ class Corrections:
         change : array, shape (w,)
             Largest relative change of the mean radiance that the sweep and all further ones make.
         """
+        if len(self._places) < 2:
+            return
         for place, size in zip(wavelengths.tolist(), change.tolist(), strict=True):
             low, part = self._between(place)
             if 0.0 < part < 1.0:

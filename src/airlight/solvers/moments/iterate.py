@@ -262,12 +262,14 @@ def _iterate(
         images.append(image(light, more, all_more, swept, trusted, FURTHER, way.step))
         iteration.judge(*steering(light[0], images[-1][0]))
         watch.report(iteration)
-        if corrections is not None and between is not None and iteration.sweeps == 1:
+        if corrections is not None and iteration.sweeps == 1:
             corrections.check(nm, iteration.to_come)
         if iteration.best:
             best = images[-1]
         light = mix(images, iteration.weights().astype(np.float32), trusted)
-    if corrections is not None and iteration.sweeps > 0 and not last:
+    if iteration.sweeps == 0:
+        watch.report(iteration)
+    elif corrections is not None and not last:
         corrections.add(nm, guess, light)
     field, sky = light
     at_least(field, first_field)
