@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 import pytest
@@ -18,8 +20,14 @@ from airlight.fit.measurements import Measurements, turned
 from airlight.fit.parameter import Prior
 from airlight.fit.photograph import Shot, read_photograph
 from airlight.fit.report import html, result_lines, warnings_of
-from airlight.planets import load_planet
+from airlight.planets import Medium, Planet, load_planet
+from airlight.solvers import solve
+from airlight.solvers.moments.reduced_optics import Optics
+from airlight.solvers.moments.settings import Settings, settings_for
 
+#: Wavelengths [nm] and view zenith angles [deg] of predictions.
+NM: Final = np.array([440.0, 550.0, 680.0])
+VIEW: Final = np.array([5.0, 35.0, 60.0, 80.0])
 #: Truth that differs from the planet by factors.
 CHANGES = {"aerosol.amount": 20.0, "ground.albedo": 0.3}
 
@@ -36,10 +44,44 @@ def fitted(data: Measurements, *free: str, **more: object) -> SkyFit:
 
 
 def true_depth() -> float:
-    from airlight.planets import Medium
-
     medium = Medium.from_planet(load_planet(PLANET, CHANGES), [550.0])
     return float(medium.vertical_optical_depth[medium.names.index("aerosol"), 0])
+
+
+def of_haze(amount: float) -> Planet:
+    return load_planet(PLANET, {"aerosol.amount": amount})
+
+
+def degree_at(amount: float, quality: str) -> int:
+    medium = Medium.from_planet(of_haze(amount), NM)
+    return Optics.chosen(medium, settings_for(quality)).degree
+
+
+@pytest.mark.parametrize("quality", ["preview", "default"])
+def test_predictions_do_not_jump_where_haze_becomes_thick(
+    quality: str, tell: Callable[[str], None]
+) -> None:
+    # The degree of thick haze is higher, and differences of a fit reach across. Predictions are as
+    # smooth there as a hundredth further: the change is 0.4 % of the haze's.
+    low, high = 1.0, 50.0
+    while high / low > 1.001:
+        middle = float(np.sqrt(low * high))
+        thick = degree_at(middle, quality) > degree_at(1.0, quality)
+        low, high = (low, middle) if thick else (middle, high)
+
+    def change(settings: Settings) -> float:
+        seen = [
+            solve(of_haze(low * factor), NM, settings, cache=False).radiance(
+                altitude=0.0, sun_zenith=60.0, view_zenith=VIEW, azimuth=70.0
+            ).values
+            for factor in (0.998, 1.002)
+        ]  # fmt: skip
+        return float(np.abs(seen[1] / seen[0] - 1.0).max())
+
+    strict = replace(settings_for(quality), tolerance=1e-4)
+    jump, steady = change(strict), change(fit_sky.smooth_near(quality, of_haze(low), NM))
+    tell(f"{quality}, haze {low:.1f} times as thick: {jump:.1e} by its degree, {steady:.1e} fitted")
+    assert steady < 4e-3 < jump
 
 
 @pytest.mark.slow
@@ -85,8 +127,6 @@ def test_each_scan_has_a_scale_of_its_own_if_asked(clean: Measurements) -> None:
 @pytest.mark.slow
 def test_fitted_file_is_the_fitted_planet(clean: Measurements, tmp_path: Path) -> None:
     # Round trip: the file that is written, read again, has the radiance of the fit.
-    from airlight.solvers import solve
-
     sky = fitted(noisy(clean, 6), "aerosol.optical_depth", "aerosol.angstrom", "ground.albedo",
                  priors={"ground.albedo": Prior(mean=0.3, sigma=0.05)}, loss="huber")  # fmt: skip
     file = tmp_path / "fitted.toml"

@@ -28,6 +28,7 @@ from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.reading.overrides import overridden
 from airlight.planets.reading.reader import load_planet, nested_tables, planet_text, read_tables
+from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import Settings, settings_for
 from airlight.solvers.solution import Solution
 
@@ -215,14 +216,41 @@ def fit_photograph(
 
 
 def smooth(quality: str) -> Settings:
-    """Settings of a quality with a tolerance by which predictions have no jumps.
+    """Settings of a quality by which predictions have no jumps: tolerance, and degree of all air.
 
     Raises
     ------
     ParameterError
         If there is no such quality.
     """
-    return replace(settings_for(quality), tolerance=_TOLERANCE)
+    settings = settings_for(quality)
+    return replace(settings, degree=settings.thick_degree, tolerance=_TOLERANCE)
+
+
+def smooth_near(quality: str, planet: Planet, wavelengths: FloatArray) -> Settings:
+    """Settings as from ``smooth``, with the degree that a planet has at this quality.
+
+    The degree of clear air is lower, and the light of haze differs between the two by more than
+    differences of a fit do. A preview has the higher one for all air, as the first rounds of a fit.
+
+    Parameters
+    ----------
+    quality : str
+    planet : Planet
+        Planet near that which is sought.
+    wavelengths : array, shape (nl,)
+        Wavelengths that are solved. [nm]
+
+    Raises
+    ------
+    ParameterError
+        If there is no such quality.
+    """
+    if quality == "preview":
+        return smooth(quality)
+    medium = Medium.from_planet(planet, wavelengths)
+    degree = Optics.chosen(medium, settings_for(quality)).degree
+    return replace(smooth(quality), degree=degree, thick_degree=degree)
 
 
 class _Base:
@@ -294,6 +322,8 @@ def _fitted(
     model.nuisances = instrument(rough(np.array([one.parameter.start for one in free])))
     rough.nuisances, parameters = model.nuisances, model.all_parameters
     begun = fit(rough, observed, parameters, loss=base.request.loss)
+    near = base.read(tables_of(begun.values[: len(free)]), nm)
+    model.quality = smooth_near(base.request.quality, near, nm)
     found = fit(model, observed, parameters, loss=base.request.loss, start=begun.values)
     first = rough(np.array([one.start for one in parameters]))
     tables = tables_of(found.values[: len(free)])

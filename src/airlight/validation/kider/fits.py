@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.fit_sky import smooth
+from airlight.fit.fit_sky import smooth, smooth_near
 from airlight.fit.least_squares import Data, Fitted, fit
 from airlight.fit.parameter import Parameter
 from airlight.fit.scans import Scans
@@ -72,7 +72,7 @@ class LoadModel:
         self, planet_of: Callable[[Load], Planet], scans: Scans, start: Load, *,
         with_scale: bool = False, quality: str = "default", cancel: Cancel | None = None,
     ) -> None:  # fmt: skip
-        self.scans = scans
+        self.scans, self.quality = scans, quality
         shape = scans.radiance.shape
         pairs = np.broadcast_to(scans.sun_zenith[:, None], shape[:2])
         directions = Directions(
@@ -131,6 +131,8 @@ class LoadModel:
         start = None if begin is None else begin.fitted.values
         if start is None:
             start = fit(_Part(self.rough, values), data, parameters).values
+            near = self.model.planet_of(start[: len(self.model.parameters)])
+            self.model.quality = smooth_near(self.quality, near, self.scans.wavelengths)
         found = fit(_Part(self.model, values), data, parameters, start=start)
         return LoadFit(
             load=_load_of(found.values),
