@@ -74,11 +74,11 @@ class ShadowGrid(NamedTuple):
     tolerance: float
 
 
-#: Resolutions by the panels per leg of the solution's own march: preview, default, fine.
+#: Resolutions by the radii of the solution's own grid: preview, default, fine.
 GRIDS: Final = {
-    1: ShadowGrid(8, 13, 8, 4, 6, 4, 8, (8, 8, 10), 5e-2),
-    2: ShadowGrid(13, 21, 12, 7, 9, 5, 12, (8, 10, 14), 2e-2),
-    4: ShadowGrid(19, 29, 16, 10, 14, 8, 16, (12, 16, 20), 1e-2),
+    14: ShadowGrid(8, 13, 8, 4, 6, 4, 8, (8, 8, 10), 5e-2),
+    24: ShadowGrid(13, 21, 12, 7, 9, 5, 12, (8, 10, 14), 2e-2),
+    40: ShadowGrid(19, 29, 16, 10, 14, 8, 16, (12, 16, 20), 1e-2),
 }
 #: Distance of the grid's end behind the umbra, in distances to the horizon of the air's scale.
 _REACH: Final = 3.0
@@ -178,7 +178,7 @@ def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
 
 
 def _grid(solution: MomentsSolution) -> ShadowGrid:
-    return GRIDS[min(GRIDS, key=lambda panels: abs(panels - solution.settings.march_panels))]
+    return GRIDS[min(GRIDS, key=lambda radii: abs(radii - solution.settings.radii))]
 
 
 def _axis_offset(star: OccultedStar) -> float:

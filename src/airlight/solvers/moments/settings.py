@@ -35,8 +35,11 @@ class Settings:
         Largest number of sweeps before the iteration gives up.
     column_radii, column_directions : int
         Shape of the table of columns towards the star.
-    march_nodes, march_panels : int
-        Points a panel and panels a leg when radiance is computed.
+    march_nodes : tuple of int
+        Points of a panel when radiance is computed: on steep lines by day, on most lines, and on
+        those that graze the ground.
+    march_panels : int
+        Panels of a leg then.
     polarisation : bool
         Whether light is polarised; without, it is that of scalar transfer.
     """
@@ -54,7 +57,7 @@ class Settings:
     max_sweeps: int
     column_radii: int
     column_directions: int
-    march_nodes: int
+    march_nodes: tuple[int, int, int]
     march_panels: int
     polarisation: bool = True
 
@@ -78,7 +81,7 @@ QUALITIES: Final = {
         max_sweeps=100,
         column_radii=64,
         column_directions=144,
-        march_nodes=16,
+        march_nodes=(16, 16, 16),
         march_panels=1,
     ),
     "default": Settings(
@@ -95,8 +98,8 @@ QUALITIES: Final = {
         max_sweeps=60,
         column_radii=128,
         column_directions=256,
-        march_nodes=20,
-        march_panels=2,
+        march_nodes=(20, 24, 28),
+        march_panels=1,
     ),
     "fine": Settings(
         degree=16,
@@ -112,7 +115,7 @@ QUALITIES: Final = {
         max_sweeps=200,
         column_radii=160,
         column_directions=288,
-        march_nodes=24,
+        march_nodes=(24, 24, 24),
         march_panels=4,
     ),
 }

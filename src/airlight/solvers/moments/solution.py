@@ -138,7 +138,7 @@ class MomentsSolution(Solution):
             start=expansion.start,
             ahead=expansion.ahead,
             back=expansion.back,
-            rules=quadratures((settings.march_nodes,) * 3),
+            rules=quadratures(settings.march_nodes),
             extinction=air.extinction,
             true_extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
