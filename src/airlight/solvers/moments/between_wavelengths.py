@@ -27,9 +27,9 @@ Float32Array = NDArray[np.float32]
 #: Most blocks in a panel: as many are solved between two that are.
 _PANEL: Final = 8
 #: Fewest blocks that are worth a panel.
-_FEWEST: Final = 3
+_FEWEST: Final = 2
 #: Longest step between wavelengths of one block over the wavelength. [1]
-_WIDE: Final = 0.03
+_WIDE: Final = 0.1
 
 
 def panels(wavelengths: FloatArray, *, clear: bool = True) -> list[list[slice]]:
