@@ -85,10 +85,12 @@ def frame(planet: str, exact: bool, width: int, height: int) -> Any:
 
 
 def baked(planet: str) -> Any:
-    """Call that fills Bruneton's tables of a planet at their own size."""
+    """Call that fills Bruneton's tables of a planet, of straight light, at their own size."""
     import airlight
+    from airlight.planets import replace
 
-    solution = solved(planet, 0, "default")()
+    straight = replace(airlight.load_planet(planet), refraction="none")
+    solution = airlight.solve(straight, None, "default", cache=False)
     return lambda: airlight.bake(solution, "bruneton")
 
 

@@ -54,8 +54,10 @@ QUICK = Settings(
     max_sweeps=400,
     column_radii=16,
     column_directions=32,
-    march_nodes=(6, 6, 6),
+    march_nodes=6,
     march_panels=1,
+    cut_nodes=(6, 6, 6),
+    cut_panels=1,
 )
 
 

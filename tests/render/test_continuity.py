@@ -68,7 +68,7 @@ def test_no_line_of_pixels_stands_out_at_the_horizon(
     x, y, z = camera.directions()[:, 0].T
     finer = MomentsSolution(
         solution.medium,
-        dataclasses.replace(solution.settings, march_nodes=(32, 32, 32), march_panels=4),
+        dataclasses.replace(solution.settings, march_nodes=32, march_panels=4),
         solution.moments,
         0.0,
     )

@@ -29,7 +29,7 @@ CAMERAS = {
 
 
 def by_query(
-    solution: MomentsSolution, scene: Scene, directions: np.ndarray, **settings: Any
+    solution: MomentsSolution, scene: Scene, directions: np.ndarray, **settings: int
 ) -> np.ndarray:
     """Second path: radiance from the solution at the angles of the directions, as linear sRGB."""
     finer = MomentsSolution(
@@ -63,9 +63,7 @@ def test_a_pixel_is_the_radiance_of_its_direction(
     clear &= (directions**2).sum(axis=-1) > 0.5
     chosen = np.random.default_rng(1).permutation(np.argwhere(clear))[:200]
     row, column = chosen.T
-    expected = by_query(
-        solution, scene, directions[row, column], march_nodes=(24, 24, 24), march_panels=4
-    )
+    expected = by_query(solution, scene, directions[row, column], march_nodes=24, march_panels=4)
     seen = rgb[row, column]
     scale = expected.max()
     error = np.abs(seen - expected) / (np.abs(expected) + 1e-4 * scale)

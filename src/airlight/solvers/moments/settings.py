@@ -35,11 +35,13 @@ class Settings:
         Largest number of sweeps before the iteration gives up.
     column_radii, column_directions : int
         Shape of the table of columns towards the star.
-    march_nodes : tuple of int
-        Points of a panel when radiance is computed: on steep lines by day, on most lines, and on
-        those that graze the ground.
-    march_panels : int
-        Panels of a leg then.
+    march_nodes, march_panels : int
+        Points a panel and panels a leg when radiance is computed.
+    cut_nodes : tuple of int
+        Points a panel where the ends of layers cut lines into panels: on steep lines by day, on
+        most lines, and on those that graze the ground.
+    cut_panels : int
+        Panels a leg there, before these cuts.
     polarisation : bool
         Whether light is polarised; without, it is that of scalar transfer.
     """
@@ -57,8 +59,10 @@ class Settings:
     max_sweeps: int
     column_radii: int
     column_directions: int
-    march_nodes: tuple[int, int, int]
+    march_nodes: int
     march_panels: int
+    cut_nodes: tuple[int, int, int]
+    cut_panels: int
     polarisation: bool = True
 
     def as_text(self) -> str:
@@ -81,8 +85,10 @@ QUALITIES: Final = {
         max_sweeps=100,
         column_radii=64,
         column_directions=144,
-        march_nodes=(16, 16, 16),
+        march_nodes=16,
         march_panels=1,
+        cut_nodes=(16, 16, 16),
+        cut_panels=1,
     ),
     "default": Settings(
         degree=9,
@@ -98,8 +104,10 @@ QUALITIES: Final = {
         max_sweeps=60,
         column_radii=128,
         column_directions=256,
-        march_nodes=(20, 24, 28),
-        march_panels=1,
+        march_nodes=20,
+        march_panels=2,
+        cut_nodes=(20, 24, 28),
+        cut_panels=1,
     ),
     "fine": Settings(
         degree=16,
@@ -115,8 +123,10 @@ QUALITIES: Final = {
         max_sweeps=200,
         column_radii=160,
         column_directions=288,
-        march_nodes=(24, 24, 24),
+        march_nodes=24,
         march_panels=4,
+        cut_nodes=(24, 24, 24),
+        cut_panels=4,
     ),
 }
 

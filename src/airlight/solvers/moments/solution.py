@@ -111,13 +111,14 @@ class MomentsSolution(Solution):
         table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
         optics = self.setup.optics
         air, widening = optics.air(slice(None)), peak_widening(optics)
+        ends = self.setup.march_ends
         return MarchTables(
             bottom=grid.bottom_radius,
             top=grid.top_radius,
             star_radius=self.lights[0].angular_radius,
             bend=self.paths.bend,
             lanes=air.ground.albedo.size,
-            panels=settings.march_panels,
+            panels=settings.cut_panels if ends.size else settings.march_panels,
             hides=1,
             constituents=len(medium.names),
             degree=expansion.degree,
@@ -132,13 +133,13 @@ class MomentsSolution(Solution):
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
             lift=self.paths.lift,
-            ends=self.setup.march_ends,
+            ends=ends,
             row=grid.row,
             place=grid.place,
             start=expansion.start,
             ahead=expansion.ahead,
             back=expansion.back,
-            rules=quadratures(settings.march_nodes),
+            rules=quadratures(settings.cut_nodes if ends.size else (settings.march_nodes,) * 3),
             extinction=air.extinction,
             true_extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
