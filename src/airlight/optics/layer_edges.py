@@ -18,7 +18,7 @@ _EDGE: Final = 0.01
 #: Smallest ratio of the largest density to that at the ground in an elevated layer.
 _ALOFT: Final = 2.0
 #: Smallest scattering optical depth of a layer that counts.
-_FAINT: Final = 1e-4
+FAINT: Final = 1e-4
 #: Width over the shell's thickness above which a layer is wide.
 _WIDE: Final = 0.15
 #: Distance below which edges are merged, as a fraction of the shell.
@@ -26,7 +26,11 @@ _APART: Final = 0.015
 
 
 def layer_edges(
-    density: DensitySegments, scattering: FloatArray, *, faint_and_wide: float = 0.0
+    density: DensitySegments,
+    scattering: FloatArray,
+    *,
+    faint: float = FAINT,
+    faint_and_wide: float = 0.0,
 ) -> FloatArray:
     """Altitudes of the bottom, the peak and the top of each elevated layer that scatters.
 
@@ -36,6 +40,8 @@ def layer_edges(
         Profiles of the constituents.
     scattering : array, shape (nc,)
         Largest scattering coefficient of each constituent at relative density 1. [m⁻¹]
+    faint : float
+        Smallest scattering optical depth of a layer that counts. [1]
     faint_and_wide : float
         Smallest scattering optical depth that counts of a layer wider than 15 % of the shell. [1]
 
@@ -58,7 +64,7 @@ def layer_edges(
     columns = density.columns()
     for i, profile in enumerate(density.at(altitude)):
         peak = int(profile.argmax())
-        if scattering[i] * columns[i] < _FAINT or profile[peak] < _ALOFT * profile[0]:
+        if scattering[i] * columns[i] < faint or profile[peak] < _ALOFT * profile[0]:
             continue
         within = np.flatnonzero(profile > _EDGE * profile[peak])
         wide = within[-1] - within[0] > _WIDE * (_SAMPLES - 1)

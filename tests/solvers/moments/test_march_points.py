@@ -7,7 +7,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from airlight.planets import load_planet
+from airlight.planets import Constituent, Planet, load_planet, replace
+from airlight.planets.matter.phases.formulas import Rayleigh
+from airlight.planets.matter.profiles.formulas import Tent
+from airlight.planets.spectral import PerWavelength
 from airlight.solvers import solve
 from airlight.solvers.moments.march_tables import quadratures
 from airlight.solvers.moments.solution import MomentsSolution
@@ -15,11 +18,24 @@ from airlight.solvers.moments.solution import MomentsSolution
 NM = (680.0, 550.0, 440.0)
 
 
-@pytest.mark.parametrize("planet", ["earth", "earth-atmosphere-plus"])
+def high_layer() -> Planet:
+    """Air whose only layer with ends is high above what scatters."""
+    one = load_planet("earth-atmosphere-plus")
+    cloud = Constituent(
+        name="cloud",
+        profile=Tent(center=55e3, half_width=1e3),
+        scattering=PerWavelength(wavelengths=NM[::-1], values=(1e-7, 1e-7, 1e-7)),
+        phase_function=Rayleigh(),
+    )
+    return replace(one, constituents=(*one.constituents, cloud))
+
+
+@pytest.mark.parametrize("planet", ["earth", "earth-atmosphere-plus", "high layer"])
 def test_points_of_lines_of_sight_are_enough(planet: str, tell: Callable[[str], None]) -> None:
     # The same integral by 28 points in each of six panels a leg. Layers cut the lines of the first
-    # planet, none those of the second: in one panel these would err by 8e-4.
-    solution = solve(load_planet(planet), NM, cache=False)
+    # planet, nothing those of the others where they matter: in one panel they would err by 8e-4.
+    one = high_layer() if planet == "high layer" else load_planet(planet)
+    solution = solve(one, NM, cache=False)
     assert isinstance(solution, MomentsSolution)
     rng, n = np.random.default_rng(5), 1500
     height = solution.medium.thickness * np.where(rng.random(n) < 0.5, 0.0, rng.random(n) ** 2)

@@ -38,8 +38,8 @@ class Settings:
     march_nodes, march_panels : int
         Points a panel and panels a leg when radiance is computed.
     cut_nodes : tuple of int
-        Points a panel where the ends of layers cut lines into panels: on steep lines by day, on
-        most lines, and on those that graze the ground.
+        Points a panel where the end of a layer cuts lines in the middle of the air: on steep lines
+        by day, on most lines, and on those that graze the ground.
     cut_panels : int
         Panels a leg there, before these cuts.
     polarisation : bool

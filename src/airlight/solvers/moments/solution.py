@@ -45,6 +45,8 @@ from airlight.tables.columns import ColumnTable, density_table
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
+#: Altitudes between which the end of a layer divides the air, over the shell's thickness. [1]
+_MIDDLE = (0.05, 0.5)
 #: Lines of sight in one block of work.
 _BLOCK = 2048
 
@@ -112,13 +114,15 @@ class MomentsSolution(Solution):
         optics = self.setup.optics
         air, widening = optics.air(slice(None)), peak_widening(optics)
         ends = self.setup.march_ends
+        low, high = (part * medium.thickness for part in _MIDDLE)
+        cut = bool(((ends > low) & (ends < high)).any())
         return MarchTables(
             bottom=grid.bottom_radius,
             top=grid.top_radius,
             star_radius=self.lights[0].angular_radius,
             bend=self.paths.bend,
             lanes=air.ground.albedo.size,
-            panels=settings.cut_panels if ends.size else settings.march_panels,
+            panels=settings.cut_panels if cut else settings.march_panels,
             hides=1,
             constituents=len(medium.names),
             degree=expansion.degree,
@@ -139,7 +143,7 @@ class MomentsSolution(Solution):
             start=expansion.start,
             ahead=expansion.ahead,
             back=expansion.back,
-            rules=quadratures(settings.cut_nodes if ends.size else (settings.march_nodes,) * 3),
+            rules=quadratures(settings.cut_nodes if cut else (settings.march_nodes,) * 3),
             extinction=air.extinction,
             true_extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
