@@ -30,10 +30,15 @@ def high_layer() -> Planet:
     return replace(one, constituents=(*one.constituents, cloud))
 
 
-@pytest.mark.parametrize("planet", ["earth", "earth-atmosphere-plus", "high layer"])
-def test_points_of_lines_of_sight_are_enough(planet: str, tell: Callable[[str], None]) -> None:
+@pytest.mark.parametrize(
+    ("planet", "bound"), [("earth", 4e-4), ("earth-atmosphere-plus", 1e-4), ("high layer", 2.5e-4)]
+)
+def test_points_of_lines_of_sight_are_enough(
+    planet: str, bound: float, tell: Callable[[str], None]
+) -> None:
     # The same integral by 28 points in each of six panels a leg. Layers cut the lines of the first
-    # planet, nothing those of the others where they matter: in one panel they would err by 8e-4.
+    # planet, nothing those of the others where it matters: in one panel these would err by 1.5e-4
+    # and 3.4e-4. The solution's own error is 6e-3 at 95 %.
     one = high_layer() if planet == "high layer" else load_planet(planet)
     solution = solve(one, NM, cache=False)
     assert isinstance(solution, MomentsSolution)
@@ -48,5 +53,5 @@ def test_points_of_lines_of_sight_are_enough(planet: str, tell: Callable[[str], 
     lit = truth > 1e-6 * truth.max(axis=0)
     error = np.abs(got[lit] / truth[lit] - 1.0)
     tell(f"{planet}: 95 % within {np.quantile(error, 0.95):.1e}, largest {error.max():.1e}")
-    assert np.quantile(error, 0.95) < 4e-4
+    assert np.quantile(error, 0.95) < bound
     assert error.max() < 1e-2
