@@ -7,8 +7,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from airlight.fit.fit_sky import smooth
 from airlight.fit.measurements import Measurements
+from airlight.fit.smooth_settings import smooth
 from airlight.planets import load_planet
 from airlight.solvers import solve
 

@@ -20,6 +20,7 @@ from airlight.fit.measurements import Measurements, turned
 from airlight.fit.parameter import Prior
 from airlight.fit.photograph import Shot, read_photograph
 from airlight.fit.report import html, result_lines, warnings_of
+from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solvers import solve
 from airlight.solvers.moments.reduced_optics import Optics
@@ -79,7 +80,7 @@ def test_predictions_do_not_jump_where_haze_becomes_thick(
         return float(np.abs(seen[1] / seen[0] - 1.0).max())
 
     strict = replace(settings_for(quality), tolerance=1e-4)
-    jump, steady = change(strict), change(fit_sky.smooth_near(quality, of_haze(low), NM))
+    jump, steady = change(strict), change(smooth_near(quality, of_haze(low), NM))
     tell(f"{quality}, haze {low:.1f} times as thick: {jump:.1e} by its degree, {steady:.1e} fitted")
     assert steady < 4e-3 < jump
 
@@ -132,7 +133,7 @@ def test_fitted_file_is_the_fitted_planet(clean: Measurements, tmp_path: Path) -
     file = tmp_path / "fitted.toml"
     file.write_text(fitted_file(sky), encoding="utf-8")
     assert file.read_text().startswith(f"# {PLANET}, fitted to synthetic")
-    again = solve(load_planet(file), [440.0, 550.0, 680.0], fit_sky.smooth("preview"), cache=False)
+    again = solve(load_planet(file), [440.0, 550.0, 680.0], smooth("preview"), cache=False)
     seen = again.radiance(
         altitude=0.0, sun_zenith=clean.sun_zenith[::3], view_zenith=clean.view_zenith[::3],
         azimuth=clean.azimuth[::3],
@@ -217,7 +218,7 @@ def frame() -> object:
     from airlight.solvers import solve
 
     planet = load_planet(PLANET, CHANGES)
-    solution = solve(planet, quality=fit_sky.smooth("preview"), cache=False)
+    solution = solve(planet, quality=smooth("preview"), cache=False)
     scene = Scene(
         altitude=0.0, sun_zenith=50.0,
         camera=Camera(projection="fisheye", width=96, height=96),

@@ -95,3 +95,14 @@ def test_layer_edges_are_those_of_what_scatters_aloft() -> None:
     rows = [exponential(8e3, 1e5), tent(22e3, 2e3, 1e5), tent(50e3, 5e3, 1e5)]
     found = layer_edges(DensitySegments.from_rows(rows), np.array([1e-5, 1e-4, 0.0]))
     assert_allclose(found, [20e3, 22e3, 24e3], atol=100.0)
+
+
+def test_a_narrow_layer_keeps_both_its_ends() -> None:
+    # Its own ends, 1 km apart in 100 km of air, without a peak between them; those of two layers
+    # that end together are one.
+    rows = [exponential(8e3, 1e5), tent(83e3, 500.0, 1e5), tent(80e3, 3.5e3, 1e5)]
+    density = DensitySegments.from_rows(rows)
+    found = layer_edges(density, np.array([1e-5, 1e-4, 0.0]))
+    assert_allclose(found, [82.5e3, 83.5e3], atol=100.0)
+    found = layer_edges(density, np.array([1e-5, 1e-4, 1e-4]))
+    assert_allclose(found, [76.5e3, 80e3, 82.5e3, 83.5e3], atol=100.0)

@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import Cancelled, ParameterError
+from airlight.errors import ParameterError
 from airlight.exports import table_errors
 from airlight.exports.air_light import AirLight, described_orders, lines_of_sight
 from airlight.exports.labelled_tables import Labels, facts, transmittance, unscattered
@@ -27,7 +27,7 @@ from airlight.exports.smooth_light import smooth_phases
 from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
 from airlight.exports.texel_values import balanced, fill_angles
 from airlight.kernel import vectorized
-from airlight.kernel.threads import Cancel, Progress
+from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.phase_functions import rayleigh
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.solution import Solution
@@ -42,7 +42,7 @@ FloatArray = NDArray[np.float64]
 #: Names of the layouts of scattered light.
 LAYOUT_NAMES: Final = ("bruneton", "atmosphere-plus")
 #: Texels per block of work.
-_BLOCK: Final = 1 << 15
+_BLOCK: Final = 1 << 13
 #: Largest number of points at which the sky's irradiance is compared.
 _SKIES: Final = 256
 #: Divisors of the smooth light, by the name of the phase function.
@@ -251,7 +251,7 @@ def _packing(layout: str, packing: str | None) -> str:
 
 
 class _Steps:
-    """Run blocks one after another, each on all cores, with progress and cancellation."""
+    """Run blocks on all cores, with progress and cancellation."""
 
     def __init__(self, progress: Progress | None, cancel: Cancel | None) -> None:
         self.progress, self.cancel = progress, cancel
@@ -266,13 +266,13 @@ class _Steps:
         fresh[1:] = ~fresh[1:]
         index = np.cumsum(fresh) - 1
         unique = positions[fresh]
-        made: list[list[FloatArray]] = []
-        for start in range(0, len(unique), _BLOCK):
-            if self.cancel is not None and self.cancel():
-                raise Cancelled("cancelled")
-            made.append(make(unique[start : start + _BLOCK]))
-            if self.progress is not None:
-                self.progress(min(start + _BLOCK, len(unique)), len(unique), message)
+        count = -(-len(unique) // _BLOCK)
+        made: list[list[FloatArray]] = [[] for _ in range(count)]
+
+        def run(block: int) -> None:
+            made[block] = make(unique[block * _BLOCK : (block + 1) * _BLOCK])
+
+        run_blocks(run, count, cancel=self.cancel, progress=self.progress, message=message)
         return [np.concatenate(blocks)[index] for blocks in zip(*made, strict=True)]
 
 

@@ -20,6 +20,7 @@ from airlight.fit.measurements import Measurements
 from airlight.fit.parameter import Parameter, Prior
 from airlight.fit.photograph import Photograph
 from airlight.fit.sky_model import Directions, Nuisance, SkyModel
+from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -28,8 +29,6 @@ from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.reading.overrides import overridden
 from airlight.planets.reading.reader import load_planet, nested_tables, planet_text, read_tables
-from airlight.solvers.moments.reduced_optics import Optics
-from airlight.solvers.moments.settings import Settings, settings_for
 from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
@@ -43,8 +42,6 @@ MOST_TURN: Final = 10.0
 _SCALES: Final = (0.2, 5.0)
 #: Share of the median radiance below which a relative uncertainty no longer shrinks. [1]
 _DARKEST: Final = 1e-3
-#: Tolerance of solutions: all orders, so that their number makes no jump between two neighbours.
-_TOLERANCE: Final = 1e-4
 #: Number of wavelengths of a photograph's colours.
 _COLOUR_WAVELENGTHS: Final = 12
 
@@ -213,44 +210,6 @@ def fit_photograph(
         instrument=lambda first: _camera(request, first, data),
         identity=b"colours",
     )  # fmt: skip
-
-
-def smooth(quality: str) -> Settings:
-    """Settings of a quality by which predictions have no jumps: tolerance, and degree of all air.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such quality.
-    """
-    settings = settings_for(quality)
-    return replace(settings, degree=settings.thick_degree, tolerance=_TOLERANCE)
-
-
-def smooth_near(quality: str, planet: Planet, wavelengths: FloatArray) -> Settings:
-    """Settings as from ``smooth``, with the degree that a planet has at this quality.
-
-    The degree of clear air is lower, and the light of haze differs between the two by more than
-    differences of a fit do. A preview has the higher one for all air, as the first rounds of a fit.
-
-    Parameters
-    ----------
-    quality : str
-    planet : Planet
-        Planet near that which is sought.
-    wavelengths : array, shape (nl,)
-        Wavelengths that are solved. [nm]
-
-    Raises
-    ------
-    ParameterError
-        If there is no such quality.
-    """
-    if quality == "preview":
-        return smooth(quality)
-    medium = Medium.from_planet(planet, wavelengths)
-    degree = Optics.chosen(medium, settings_for(quality)).degree
-    return replace(smooth(quality), degree=degree, thick_degree=degree)
 
 
 class _Base:

@@ -21,7 +21,9 @@ _ALOFT: Final = 2.0
 FAINT: Final = 1e-4
 #: Width over the shell's thickness above which a layer is wide.
 _WIDE: Final = 0.15
-#: Distance below which edges are merged, as a fraction of the shell.
+#: Distances below which two ends of layers count as one, and below which a peak is left out beside
+#: an end or another peak, as fractions of the shell.
+_SAME: Final = 0.002
 _APART: Final = 0.015
 
 
@@ -33,6 +35,8 @@ def layer_edges(
     faint_and_wide: float = 0.0,
 ) -> FloatArray:
     """Altitudes of the bottom, the peak and the top of each elevated layer that scatters.
+
+    A layer narrower than 3 % of the shell has no peak between its ends.
 
     Parameters
     ----------
@@ -60,7 +64,8 @@ def layer_edges(
     """
     thickness = float(density.edges[0, -1])
     altitude = thickness * np.linspace(0.0, 1.0, _SAMPLES)
-    found: list[float] = []
+    ends: list[float] = []
+    peaks: list[float] = []
     columns = density.columns()
     for i, profile in enumerate(density.at(altitude)):
         peak = int(profile.argmax())
@@ -70,10 +75,13 @@ def layer_edges(
         wide = within[-1] - within[0] > _WIDE * (_SAMPLES - 1)
         if wide and scattering[i] * columns[i] < faint_and_wide:
             continue
-        found += [float(altitude[k]) for k in (within[0], peak, within[-1])]
+        ends += [float(altitude[within[0]]), float(altitude[within[-1]])]
+        peaks.append(float(altitude[peak]))
     kept: list[float] = []
-    for one in sorted(found):
-        inside = 0.0 < one < thickness
-        if inside and (not kept or one - kept[-1] > _APART * thickness):
+    for one in sorted(ends):
+        if 0.0 < one < thickness and (not kept or one - kept[-1] > _SAME * thickness):
             kept.append(one)
-    return np.array(kept)
+    for one in sorted(peaks):
+        if all(abs(one - other) > _APART * thickness for other in kept):
+            kept.append(one)
+    return np.array(sorted(kept))

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -42,11 +43,16 @@ class PhaseFunctions:
 
     def at(self, name: str, nu: FloatArray) -> FloatArray:
         """Phase function of one constituent, linear in u, from nu (n,) to (n, nl). [sr⁻¹]"""
-        rows = self.values[self.names.index(name)]
-        x = np.sqrt(np.clip(0.5 * (1.0 - nu), 0.0, 1.0)) * (rows.shape[-1] - 1)
-        low = np.minimum(x.astype(int), rows.shape[-1] - 2)
+        rows = self._by_node[self.names.index(name)]
+        x = np.sqrt(np.clip(0.5 * (1.0 - nu), 0.0, 1.0)) * (len(rows) - 1)
+        low = np.minimum(x.astype(int), len(rows) - 2)
         share = (x - low)[:, None]
-        return np.asarray((1.0 - share) * rows.T[low] + share * rows.T[low + 1])
+        return np.asarray((1.0 - share) * rows[low] + share * rows[low + 1])
+
+    @cached_property
+    def _by_node(self) -> FloatArray:
+        """Values with all wavelengths of a node side by side, shape (np, nodes, nl). [sr⁻¹]"""
+        return np.ascontiguousarray(np.swapaxes(self.values, 1, 2))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -9,11 +9,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.fit_sky import smooth, smooth_near
 from airlight.fit.least_squares import Data, Fitted, fit
 from airlight.fit.parameter import Parameter
 from airlight.fit.scans import Scans
 from airlight.fit.sky_model import Directions, Nuisance, SkyModel
+from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.kernel.threads import Cancel
 from airlight.planets.planet import Planet
 from airlight.validation.kider.planets import Load
