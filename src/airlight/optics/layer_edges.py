@@ -21,10 +21,10 @@ _ALOFT: Final = 2.0
 FAINT: Final = 1e-4
 #: Width over the shell's thickness above which a layer is wide.
 _WIDE: Final = 0.15
-#: Distances below which two ends of layers count as one, and below which a peak is left out beside
-#: an end or another peak, as fractions of the shell.
-_SAME: Final = 0.002
+#: Distance below which edges are merged, but for the two ends of one layer, and that below which
+#: these are, as fractions of the shell.
 _APART: Final = 0.015
+_SAME: Final = 0.002
 
 
 def layer_edges(
@@ -36,7 +36,7 @@ def layer_edges(
 ) -> FloatArray:
     """Altitudes of the bottom, the peak and the top of each elevated layer that scatters.
 
-    A layer narrower than 3 % of the shell has no peak between its ends.
+    Both ends of a layer are kept, however narrow it is; a peak is left out next to them.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def layer_edges(
     """
     thickness = float(density.edges[0, -1])
     altitude = thickness * np.linspace(0.0, 1.0, _SAMPLES)
-    ends: list[float] = []
+    ends: list[tuple[float, bool]] = []
     peaks: list[float] = []
     columns = density.columns()
     for i, profile in enumerate(density.at(altitude)):
@@ -75,13 +75,15 @@ def layer_edges(
         wide = within[-1] - within[0] > _WIDE * (_SAMPLES - 1)
         if wide and scattering[i] * columns[i] < faint_and_wide:
             continue
-        ends += [float(altitude[within[0]]), float(altitude[within[-1]])]
+        bottom, top = float(altitude[within[0]]), float(altitude[within[-1]])
+        ends += [(bottom, False), (top, top - bottom <= _APART * thickness)]
         peaks.append(float(altitude[peak]))
     kept: list[float] = []
-    for one in sorted(ends):
-        if 0.0 < one < thickness and (not kept or one - kept[-1] > _SAME * thickness):
+    for one, narrow in sorted(ends):
+        apart = (_SAME if narrow else _APART) * thickness
+        if 0.0 < one < thickness and (not kept or one - kept[-1] > apart):
             kept.append(one)
     for one in sorted(peaks):
-        if all(abs(one - other) > _APART * thickness for other in kept):
+        if 0.0 < one < thickness and all(abs(one - end) > _APART * thickness for end in kept):
             kept.append(one)
     return np.array(sorted(kept))
