@@ -36,7 +36,7 @@ def layer_edges(
 ) -> FloatArray:
     """Altitudes of the bottom, the peak and the top of each elevated layer that scatters.
 
-    Both ends of a layer are kept, however narrow it is; a peak is left out next to them.
+    Edges of different layers next to each other are merged, and peaks left out next to ends.
 
     Parameters
     ----------
