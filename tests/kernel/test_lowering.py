@@ -13,7 +13,7 @@ from numba.core.caching import NullCache
 from numpy.testing import assert_allclose
 
 from airlight.kernel import compiled_loop, kernel
-from airlight.kernel.lowering import IntermediateCode
+from airlight.kernel.lowering import CompiledKernel, IntermediateCode
 
 
 def libraries(function: object) -> list[type]:
@@ -125,3 +125,38 @@ def test_the_disk_has_both_forms(tmp_path: Path) -> None:
 def test_arithmetic_is_as_accurate_as_in_python() -> None:
     x = np.linspace(0.1, 9.0, 50)
     assert_allclose(sum_of_roots(x), np.sum(x**1.5), rtol=1e-14)
+
+
+@compiled_loop
+def ends_and_sums(a, b, i):
+    a[-1] = 2.0
+    b[i, -1] = 3.0
+    b[-2, i] += 4.0
+    total = 0.0
+    for k in range(a.size):
+        total += a[k] + b[k % 2, k % 3]
+    return a[-1], b[i, -1], b[-1][i], a[1:-1].sum(), a[np.int32(1)], total
+
+
+def test_negative_numbers_as_indices_count_from_the_end() -> None:
+    results = []
+    for function in (ends_and_sums, ends_and_sums.py_func):
+        a, b = np.arange(5.0), np.ones((2, 3))
+        results.append((*function(a, b, 1), *a, *b.ravel()))
+    assert results[0] == results[1]
+
+
+@pytest.mark.parametrize("place", [(-1,), (0, -1), (-1, 0)])
+def test_a_variable_as_an_index_counts_from_the_start(place: tuple[int, ...]) -> None:
+    # Numba's own functions would test each index, and read the last element
+    def element(a, i):
+        return a[i]
+
+    def put(a, i):
+        a[i] = 1.0
+
+    array = np.zeros((3,) * len(place))
+    at = place if len(place) > 1 else place[0]
+    for function in (element, put):
+        with pytest.raises(IndexError):
+            CompiledKernel(function, boundscheck=True)(array, at)

@@ -80,7 +80,8 @@ def kernel(function: Callable[..., Any]) -> Any:
     """Compile a scalar formula so that other kernels and compiled loops inline it.
 
     The function takes and returns scalars (or tuples of them), in restricted Python: floats
-    and ints, ``if``/``else``, bounded ``for`` loops, ``math`` and other kernels.
+    and ints, ``if``/``else``, bounded ``for`` loops, ``math`` and other kernels. An array's index
+    counts from the start: below zero it reads beyond the array, unless it is written as a number.
     ``vectorized`` makes it a function of arrays.
 
     Examples

@@ -5,6 +5,9 @@ and from C, although the loop takes in its intermediate code and optimises that 
 tower of kernels, again on each floor. Here a kernel that is compiled for a caller stays
 intermediate code, which is optimised once, in the loop. If Python calls it, it is compiled to
 the end.
+
+An index counts from the start. Python's ``a[-1]`` counts from the end, for which Numba tests every
+index of every access; here only an index that is written as a negative number does.
 """
 
 from __future__ import annotations
@@ -18,12 +21,14 @@ from pathlib import Path
 from typing import Any, Final
 
 from llvmlite import binding
+from numba import types
 from numba.core import sigutils
 from numba.core.caching import CompileResultCacheImpl, FunctionCache
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, compile_result
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import register_pass
+from numba.core.lowering import Lower
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering
 
@@ -76,11 +81,50 @@ class IntermediateCode(JITCodeLibrary):
         return library
 
 
+def _from_the_start(kind: Any) -> Any:
+    """Type of an index, or of a tuple of them, with integers that cannot count from the end."""
+    if isinstance(kind, types.BaseTuple):
+        return types.BaseTuple.from_types([_from_the_start(part) for part in kind.types])
+    if isinstance(kind, types.IntegerLiteral) and kind.literal_value < 0:
+        return types.intp
+    if isinstance(types.unliteral(kind), types.Integer):
+        return types.uintp
+    return kind
+
+
+class _IndexedFromStart(Lower):
+    """Lowering in which the indices of arrays count from the start; see the head of this file."""
+
+    def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
+        """Lower ``value[index]``."""
+        signature = self._with_index(index, signature)
+        return super().lower_getitem(resty, expr, value, index, signature)
+
+    def lower_setitem(
+        self, target_var: Any, index_var: Any, value_var: Any, signature: Any
+    ) -> Any:  # fmt: skip
+        """Lower ``target[index] = value``."""
+        signature = self._with_index(index_var, signature)
+        return super().lower_setitem(target_var, index_var, value_var, signature)
+
+    def _with_index(self, index: Any, signature: Any) -> Any:
+        array, _, *others = signature.args
+        if not isinstance(array, types.Array):
+            return signature
+        kind = _from_the_start(self.typeof(index.name))
+        return signature.replace(args=(array, kind, *others))
+
+
 @register_pass(mutates_CFG=True, analysis_only=False)
 class _Lowering(NativeLowering):
     """Lowering to machine code, or to intermediate code for a caller."""
 
     _name = "lowering_for_callers"
+
+    @property
+    def lowering_class(self) -> type[Lower]:
+        """Class that lowers the statements of a function."""
+        return _IndexedFromStart
 
     def run_pass(self, state: Any) -> bool:
         if not _is_for_a_caller():
