@@ -25,7 +25,7 @@ from airlight.exports.packing import (
 )
 from airlight.exports.smooth_light import smooth_phases
 from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
-from airlight.exports.texel_values import balanced, fill_angles
+from airlight.exports.texel_values import balanced, fill_angles, of_views
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.phase_functions import rayleigh
@@ -273,7 +273,16 @@ class _Steps:
             made[block] = make(unique[block * _BLOCK : (block + 1) * _BLOCK])
 
         run_blocks(run, count, cancel=self.cancel, progress=self.progress, message=message)
-        return [np.concatenate(blocks)[index] for blocks in zip(*made, strict=True)]
+        found = [np.concatenate(blocks) for blocks in zip(*made, strict=True)]
+        out = [np.empty((len(index), *values.shape[1:])) for values in found]
+
+        def repeat(block: int) -> None:
+            rows = slice(block * _BLOCK, (block + 1) * _BLOCK)
+            for values, all_values in zip(found, out, strict=True):
+                np.take(values, index[rows], axis=0, out=all_values[rows], mode="clip")
+
+        run_blocks(repeat, -(-len(index) // _BLOCK))
+        return out
 
 
 def _scattering(
@@ -317,10 +326,9 @@ def _scattering(
 
     def apart(block: Positions) -> list[FloatArray]:
         split: Split = split_once(air, block, parts, each=packing == "separate")
-        dust = split.particles
-        return [split.gas, split.rest, split.higher, *(dust[:, k] for k in range(dust.shape[1]))]
+        dust = (split.particles[:, k] for k in range(split.particles.shape[1]))
+        return [split.gas, split.rest, *([split.higher] if higher_orders else []), *dust]
 
-    gas, rest, higher, *dust = step.run(positions, apart, "scattering")
     shapes = PhaseFunctions(
         (*phases.names, "gas", "rest"),
         np.stack([*phases.values, parts.phases.values[0], rest_shape]),
@@ -328,43 +336,45 @@ def _scattering(
     # A texel whose angle no view and sun can have holds the light at the nearest possible angle,
     # brought to its own by the light's shape.
     angles = np.linspace(-1.0, 1.0, where.shape[-1])
+    by_rayleigh = vectorized(rayleigh)(angles, 0.0)[:, None]
+    divisor, of_gas, of_rest = (
+        shapes.at(name, angles) for name in (phases.names[0], "gas", "rest")
+    )
 
-    def on_axis(shape: str) -> FloatArray:
-        values = shapes.at(shape, angles)
-        return np.broadcast_to(values, (len(positions) // angles.size, *values.shape)).reshape(
-            len(positions), -1
-        )
-
-    shape = where.shape
-    near = (rest / shapes.at("rest", positions.nu)).reshape(*shape, -1)
-    there = fill_angles(near, positions.nu.reshape(shape))
-    turned = np.divide(there, near, out=np.ones_like(near), where=near > 0.0)
-    turned = turned.reshape(rest.shape) * on_axis("rest") / shapes.at("rest", positions.nu)
-    rest, higher = rest * turned, higher * turned
+    def texels(
+        nu: FloatArray, gas: FloatArray, rest: FloatArray, *others: FloatArray
+    ) -> list[FloatArray]:
+        shape = shapes.at("rest", nu)
+        near = rest / shape
+        there = fill_angles(near, nu)
+        turned = np.divide(there, near, out=np.ones_like(near), where=near > 0.0) * of_rest / shape
+        smooth = kept((gas * of_gas + rest * turned) / divisor)
+        made = [smooth]
+        if higher_orders:
+            higher, others = others[0], others[1:]
+            # Where the first order ends, the smooth light is shifted by more than the higher orders
+            # in it, which are no more than all of it.
+            made.append(
+                np.minimum(kept(higher * turned / by_rayleigh), smooth * divisor / by_rayleigh)
+            )
+        return [*made, *(kept(values) for values in others)]
 
     def kept(values: FloatArray) -> FloatArray:
-        if not balance:
-            return values
-        return balanced(values.reshape(*shape, -1)).reshape(values.shape)
+        return balanced(values) if balance else values
 
-    smooth = (gas * on_axis("gas") + rest) / on_axis(phases.names[0])
-    smooth, dust = kept(smooth), [kept(values) for values in dust]
+    made = step.run(positions, apart, "scattering")
+    smooth, *dust = of_views(texels, where.shape, positions.nu, *made)
     apart_too = []
     if higher_orders:
-        by_rayleigh = np.tile(vectorized(rayleigh)(angles, 0.0), len(positions) // angles.size)
-        by_rayleigh = by_rayleigh[:, None]
-        # Where the first order ends, the smooth light is shifted by more than the higher orders in
-        # it, which are no more than all of it.
-        whole = smooth * on_axis(phases.names[0]) / by_rayleigh
-        part = np.minimum(kept(higher / by_rayleigh), whole)
+        part, *dust = dust
         quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
         apart_too.append(("higher-order", part, quantity, "1"))
     if packing == "combined":
         if not dust:
             dust = [np.zeros_like(smooth)]
-        p_smooth, p_dust = on_axis(phases.names[0]), on_axis(phases.names[-1])
-        light = smooth * p_smooth + dust[0] * p_dust
-        values = combine(light, dust[0], p_smooth, p_dust, *colours)
+        p_dust = shapes.at(phases.names[-1], angles)
+        light = smooth * divisor + dust[0] * p_dust
+        values = combine(light, dust[0], divisor, p_dust, *colours)
         nm = medium.wavelengths[colours[1]]
         quantity = f"{smooth_is}; {dust_is}, scattered once, at {nm:g} nm"
         return [("scattering", values, quantity, "1"), *apart_too]

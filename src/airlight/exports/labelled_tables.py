@@ -38,7 +38,7 @@ class Labels:
     def table(
         self, name: str, quantity: str, unit: str, where: Layout, values: FloatArray, precision: str
     ) -> Table:
-        """Make a table of values of shape (n, nl), or (n, nl + 1) with the particles' light."""
+        """Make a table of values, shape (..., nl), or (..., nl + 1) with the particles' light."""
         if not np.isfinite(values).all():
             raise ParameterError(f"table {name}", "NaN or infinity", "finite values")
         names = self.names

@@ -196,25 +196,27 @@ def combine(
 
     Parameters
     ----------
-    light, particles, p_gas, p_particles : array, shape (n, nl)
-        Radiance of the air [sr⁻¹], particles' part [1] and phase functions [sr⁻¹].
+    light, particles : array, shape (..., nl)
+        Radiance of the air [sr⁻¹], and particles' part [1].
+    p_gas, p_particles : array, shapes that broadcast to (..., nl)
+        Phase functions. [sr⁻¹]
     colours, reference
         See ``ScatteredLight``.
 
     Returns
     -------
-    array, shape (n, nl + 1)
+    array, shape (..., nl + 1)
         Channels. [1]
     """
-    alpha = particles[:, reference]
-    rest = np.maximum(light[:, reference] - alpha * p_particles[:, reference], 0.0)
-    smooth_reference = rest / p_gas[:, reference]
+    alpha = particles[..., reference]
+    rest = np.maximum(light[..., reference] - alpha * p_particles[..., reference], 0.0)
+    smooth_reference = rest / p_gas[..., reference]
     per_smooth = np.divide(
         alpha, smooth_reference, out=np.zeros_like(alpha), where=smooth_reference > 0.0
     )
-    smooth = light / (p_gas + p_particles * colours * per_smooth[:, None])
-    smooth[:, reference] = smooth_reference
-    return np.concatenate([smooth, alpha[:, None]], axis=-1)
+    smooth = light / (p_gas + p_particles * colours * per_smooth[..., None])
+    smooth[..., reference] = smooth_reference
+    return np.concatenate([smooth, alpha[..., None]], axis=-1)
 
 
 def fit_azimuths(

@@ -1,14 +1,18 @@
 """Values of texels between which a look-up is linear: impossible angles, errors that average out.
 
-Both work on a table of Bruneton's layout, shape (radii, views, suns, angles, nl).
+Both work on a table of Bruneton's layout, shape (radii, views, suns, angles, nl), or on some of its
+views, which do not depend on each other.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+
+from airlight.kernel.threads import run_blocks
 
 FloatArray = NDArray[np.float64]
 
@@ -21,6 +25,47 @@ _LEAST, _MOST = 0.5, 1.2
 _NARROW, _WIDE = 0.5, 2.0
 #: Axes along which values are balanced: radii and suns.
 _BALANCED: Final = (0, 2)
+#: Views of one block of work.
+_VIEWS: Final = 4
+
+
+def of_views(
+    make: Callable[..., Sequence[FloatArray]],
+    shape: tuple[int, ...],
+    nu: FloatArray,
+    *values: FloatArray,
+) -> list[FloatArray]:
+    """Values of ``make`` for all texels, a few views at a time, on all cores.
+
+    Parameters
+    ----------
+    make : callable
+        Function of the angles' cosines, shape (radii, v, suns, angles), and of each of ``values``,
+        shape (radii, v, suns, angles, nl); returns arrays of the latter shape.
+    shape : tuple of int
+        Texels along r, mu, mu_s, nu.
+    nu : array, shape (n,)
+        Cosines of the angle between view and sun at all texels. [1]
+    values : array, shape (n, nl)
+        Values of all texels.
+
+    Returns
+    -------
+    list of array, shape (radii, views, suns, angles, nl)
+    """
+    angles = nu.reshape(shape)
+    given = [one.reshape(*shape, -1) for one in values]
+    made: dict[int, Sequence[FloatArray]] = {}
+
+    def run(index: int) -> None:
+        views = slice(index * _VIEWS, (index + 1) * _VIEWS)
+        made[index] = make(angles[:, views], *(one[:, views] for one in given))
+
+    run_blocks(run, -(-shape[1] // _VIEWS))
+    parts = zip(*(made[index] for index in sorted(made)), strict=True)
+    return [
+        np.concatenate(part, axis=1, out=np.empty((*shape, part[0].shape[-1]))) for part in parts
+    ]
 
 
 def fill_angles(relative: FloatArray, nu: FloatArray) -> FloatArray:

@@ -1,7 +1,7 @@
 """Independent blocks of work on all cores, with progress and cancellation.
 
 Each block writes its own part of the result, so that the result does not depend on the number of
-threads.
+threads. Subnormal numbers count as zero in all of them.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from functools import cache
 from typing import Final, TypeAlias
 
 from airlight.errors import Cancelled
+from airlight.kernel.subnormals import count_as_zero, subnormals_as_zero
 
 #: Called with the amount done, the total, and a description of the work.
 Progress: TypeAlias = Callable[[int, int, str], None]
@@ -39,6 +40,7 @@ _here = threading.local()
 
 def _enter_pool() -> None:
     _here.inside = True
+    count_as_zero()
 
 
 @cache
@@ -83,6 +85,12 @@ class _Blocks:
     def stop(self) -> None:
         """Begin no further block."""
         self._stopped = True
+
+
+def _run_here(blocks: _Blocks) -> bool:
+    """Run the next block in the calling thread; what it calls between blocks has its own mode."""
+    with subnormals_as_zero():
+        return blocks.run_next()
 
 
 def run_blocks(
@@ -132,7 +140,7 @@ def run_blocks(
             pool = _pool(threads - 1)
             helpers = [pool.submit(blocks.run_all) for _ in range(min(threads, count) - 1)]
         _here.inside = True
-        while blocks.run_next():
+        while _run_here(blocks):
             look_up()
         while wait(helpers, _LOOK).not_done:
             look_up()

@@ -34,6 +34,8 @@ TABLE_SHAPE = (160, 288)
 THICK = 15.0
 #: Number of nodes of the density table that marches read.
 DENSITY_NODES = 4097
+#: Rays in one block of work.
+_BLOCK = 1024
 
 
 def density_table(density: DensitySegments, thickness: float) -> FloatArray:
@@ -295,16 +297,15 @@ def columns(
     r, mu, length = np.broadcast_arrays(*(np.asarray(x, float) for x in (r, mu, length)))
     constituents = density.edges.shape[0]
     out = np.empty((r.size, constituents))
-    _columns(
-        r.ravel(),
-        mu.ravel(),
-        length.ravel(),
-        panels,
-        gauss_legendre(nodes).as_tuple(),
-        bottom_radius,
-        density.arrays,
-        out,
-    )
+    rays, rule = (r.ravel(), mu.ravel(), length.ravel()), gauss_legendre(nodes).as_tuple()
+
+    def block(index: int) -> None:
+        rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
+        _columns(
+            *(one[rows] for one in rays), panels, rule, bottom_radius, density.arrays, out[rows]
+        )
+
+    run_blocks(block, -(-r.size // _BLOCK))
     return out.reshape(*r.shape, constituents)
 
 

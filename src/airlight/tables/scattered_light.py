@@ -42,11 +42,11 @@ class PhaseFunctions:
     values: FloatArray
 
     def at(self, name: str, nu: FloatArray) -> FloatArray:
-        """Phase function of one constituent, linear in u, from nu (n,) to (n, nl). [sr⁻¹]"""
+        """Phase function of one constituent, linear in u, from nu (...) to (..., nl). [sr⁻¹]"""
         rows = self._by_node[self.names.index(name)]
         x = np.sqrt(np.clip(0.5 * (1.0 - nu), 0.0, 1.0)) * (len(rows) - 1)
         low = np.minimum(x.astype(int), len(rows) - 2)
-        share = (x - low)[:, None]
+        share = (x - low)[..., None]
         return np.asarray((1.0 - share) * rows[low] + share * rows[low + 1])
 
     @cached_property

@@ -419,14 +419,15 @@ def _add_degrees(row, sun, f, light, stars):
         for m in range(degree + 1):
             # Four sums that do not wait for each other.
             low, high, next_low, next_high = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+            index = lanes * (m * (m + 1) // 2 + m) + at
             for l in range(m, degree + 1):
-                index = l * (l + 1) // 2 + m
-                here = lanes * (1 + index) + at
-                factor = load(stars.factors, index * lanes + at)
+                here = lanes + index
+                factor = load(stars.factors, index)
                 low = low + factor * load(light.field, near + here)
                 high = high + factor * load(light.field, far + here)
                 next_low = next_low + factor * load(light.field, near + block + here)
                 next_high = next_high + factor * load(light.field, far + block + here)
+                index += lanes * (l + 1)
             if m < EVEN:
                 here = lanes * (1 + last + m) + at
                 factor = load(stars.factors, (last + m) * lanes + at)

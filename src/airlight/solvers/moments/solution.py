@@ -47,8 +47,9 @@ Float32Array = NDArray[np.float32]
 
 #: Altitudes between which the end of a layer divides the air, over the shell's thickness. [1]
 _MIDDLE = (0.05, 0.5)
-#: Lines of sight in one block of work.
-_BLOCK = 2048
+#: Lines of sight in one block of work: an equal share of all, for all threads to have some, within
+#: these limits.
+_SHARES, _FEWEST, _MOST = 8, 256, 2048
 
 
 class MomentsSolution(Solution):
@@ -280,9 +281,10 @@ class MomentsSolution(Solution):
         out, through, air = (np.empty((n, count)) for _ in range(3))
         polarised = np.zeros((n, 3, count))
         ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
+        block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
 
         def run(index: int) -> None:
-            rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
+            rows = slice(index * block, min((index + 1) * block, n))
             phases = self.paths.medium.phase_function(seen[rows])
             if scatterers is not None:
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
@@ -316,7 +318,7 @@ class MomentsSolution(Solution):
                 kept = result.reshape(-1, 6, chosen.lanes)[:, [0, 4, 5], :count]
                 polarised[rows] = kept
 
-        run_blocks(run, -(-n // _BLOCK))
+        run_blocks(run, -(-n // block))
         return out, through, polarised, air
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
