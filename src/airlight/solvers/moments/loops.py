@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from airlight.kernel.subnormals import _exchange
 from airlight.optics.density_profile import _relative_densities, segment_density
 from airlight.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.optics.phase_table import _interpolate
@@ -35,6 +36,7 @@ from airlight.tables.columns import _columns, table_rays
 
 #: Loops in the order in which a solve of at most four wavelengths runs them.
 LOOPS: Final = (
+    _exchange,
     segment_density,
     _relative_densities,
     rayleigh,
