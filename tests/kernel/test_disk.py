@@ -12,6 +12,7 @@ from numpy.testing import assert_array_equal
 
 from airlight import ParameterError, load_planet, replace, solve
 from airlight.kernel import disk as cache
+from airlight.kernel import large_arrays
 from airlight.planets import Planet
 
 ARRAYS = {"field": np.arange(24, dtype=np.float32).reshape(2, 3, 4), "counts": np.array([4, 7])}
@@ -123,6 +124,88 @@ def test_the_oldest_go_when_there_is_too_much(
         os.utime(folder / f"{key}.npz", (1e9 - age, 1e9 - age))
     cache.save("d", ARRAYS)
     assert sorted(file.stem for file in folder.iterdir()) == ["c", "d"]
+
+
+TEXELS = np.random.default_rng(5).integers(0, 256, 3 << 20, dtype=np.uint8)
+
+
+@pytest.mark.parametrize("shape", [(-1,), (3, 1024, -1)])
+def test_bytes_can_stay_in_their_file(shape: tuple[int, ...], folder: Path) -> None:
+    cache.save("abc", {"texels": TEXELS.reshape(shape), **ARRAYS})
+    loaded = cache.load("abc", in_place=True)
+    assert loaded is not None
+    assert set(loaded) == {"texels", *ARRAYS}
+    assert_array_equal(loaded["texels"], TEXELS.reshape(shape), strict=True)
+    assert_array_equal(loaded["field"], ARRAYS["field"], strict=True)
+    assert type(loaded["texels"]) is np.ndarray
+    assert loaded["texels"].flags.aligned
+    assert loaded["texels"].flags.writeable
+
+
+def test_what_is_written_to_bytes_in_place_is_not_kept(folder: Path) -> None:
+    cache.save("abc", {"texels": TEXELS})
+    first = cache.load("abc", in_place=True)
+    assert first is not None
+    first["texels"][:] = 0
+    second = cache.load("abc", in_place=True)
+    assert second is not None
+    assert_array_equal(second["texels"], TEXELS)
+
+
+def test_bytes_in_place_outlive_their_file(folder: Path) -> None:
+    cache.save("abc", {"texels": TEXELS})
+    loaded = cache.load("abc", in_place=True)
+    assert loaded is not None
+    cache.save("abc", {"texels": TEXELS[::-1].copy()})
+    assert_array_equal(loaded["texels"], TEXELS)
+    (folder / "abc.npz").unlink()
+    assert_array_equal(loaded["texels"], TEXELS)
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="reads what Linux says")
+def test_bytes_in_place_take_no_memory_until_they_are_read(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def resident() -> int:
+        text = Path("/proc/self/status").read_text()
+        return 1024 * int(text.split("RssFile:")[1].split()[0])
+
+    monkeypatch.setattr(large_arrays, "_RESIDENT", 1)
+    texels = np.tile(TEXELS, 8)
+    cache.save("abc", {"texels": texels})
+    before = resident()
+    loaded = cache.load("abc", in_place=True)
+    assert loaded is not None
+    assert resident() - before < texels.nbytes // 8
+    assert_array_equal(loaded["texels"], texels)
+    assert resident() - before > texels.nbytes // 2
+    large_arrays.release(loaded["texels"])
+    assert resident() - before < texels.nbytes // 8
+
+
+@pytest.mark.parametrize("harm", [0.0, 0.01, 0.9, 0.999, "bit", "name", "header"])
+def test_damaged_bytes_are_not_read_in_place(harm: float | str, folder: Path) -> None:
+    cache.save("abc", {"texels": TEXELS})
+    file = folder / "abc.npz"
+    whole = bytearray(file.read_bytes())
+    at = whole.index(TEXELS[:64].tobytes())
+    if isinstance(harm, float):
+        whole = whole[: int(harm * len(whole))]
+    elif harm == "bit":
+        whole[at + 2_000_000] ^= 1
+    elif harm == "name":
+        whole[whole.rindex(b"PK\x03\x04", 0, at) + 26] ^= 1  # length of the member's name
+    else:
+        whole[at - 100] ^= 1
+    file.write_bytes(whole)
+    assert cache.load("abc", in_place=True) is None
+
+
+def test_arrays_of_another_folder_are_kept_apart(folder: Path) -> None:
+    cache.save("abc", ARRAYS, "others")
+    assert cache.load("abc") is None
+    assert cache.load("abc", "others") is not None
+    assert [file.name for file in (folder.parent / "others").iterdir()] == ["abc.npz"]
 
 
 @pytest.fixture

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import mmap
 from pathlib import Path
 
@@ -89,3 +90,27 @@ def test_a_cache_that_cannot_be_written_leaves_it_in_memory(
     assert zeros((512, 1024), np.float32).base is None
     monkeypatch.setenv("AIRLIGHT_CACHE", str(large / "not" / "yet"))
     assert zeros((512, 1024), np.float32).base is not None
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="reads what Linux says")
+def test_memory_that_is_no_longer_used_is_given_back() -> None:
+    # The last block is not freed: the C library keeps all memory below it.
+    def resident() -> int:
+        text = Path("/proc/self/status").read_text()
+        return 1024 * int(text.split("RssAnon:")[1].split()[0])
+
+    libc = ctypes.CDLL(None)
+    if not hasattr(libc, "malloc_trim"):
+        pytest.skip("another C library")
+    libc.malloc.restype, libc.malloc.argtypes = ctypes.c_void_p, [ctypes.c_size_t]
+    libc.free.argtypes = [ctypes.c_void_p]
+    size, count = 100_000, 1000  # below the size that gets memory of its own
+    blocks = [libc.malloc(size) for _ in range(count)]
+    for block in blocks:
+        ctypes.memset(block, 1, size)
+    for block in blocks[:-1]:
+        libc.free(block)
+    held = resident()
+    memory.give_back()
+    assert held - resident() > 0.8 * size * count
+    libc.free(blocks[-1])

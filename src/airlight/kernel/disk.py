@@ -2,45 +2,63 @@
 
 A file is written beside its target and renamed, so that it is complete or absent. The key and a
 checksum of every array are verified before anything is used: a truncated, damaged or foreign file
-counts as absent.
+counts as absent. Large arrays can stay in their file, whose memory all processes share.
 """
 
 from __future__ import annotations
 
 import contextlib
+import mmap
 import os
 import tempfile
 import zipfile
+import zlib
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Final
+from typing import IO, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import cache_folder
+from airlight.kernel.large_arrays import FileMemory, release
 
-#: Total size above which the oldest results are removed. [bytes]
+#: Total size of a folder above which its oldest results are removed. [bytes]
 LARGEST_TOTAL: Final = 1_000_000_000
+#: Folder of what nobody names another one for.
+_SOLUTIONS: Final = "solutions"
+#: Size of the header of a member of an archive, and where it has the lengths of the two texts that
+#: follow it. [bytes]
+_HEADER: Final = 30
+_LENGTHS: Final = slice(26, 30)
 
 
-def _file(key: str) -> Path:
-    return cache_folder() / "solutions" / f"{key}.npz"
+def _file(key: str, folder: str) -> Path:
+    return cache_folder() / folder / f"{key}.npz"
 
 
-def load(key: str) -> dict[str, NDArray[Any]] | None:
+def load(
+    key: str, folder: str = _SOLUTIONS, *, in_place: bool = False
+) -> dict[str, NDArray[Any]] | None:
     """Load the arrays kept under a key, or None if there are no valid ones.
 
     Parameters
     ----------
     key : str
         Fingerprint: letters and digits.
+    folder : str
+        Folder of the cache.
+    in_place : bool
+        Whether arrays of bytes stay in the file. What is written to them is seen by nobody else,
+        and lost where they are released.
     """
-    file = _file(key)
+    file = _file(key, folder)
     try:
         # Opened here: NumPy forgets to close a file that is not an archive.
         with file.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
-            arrays = {name: stored[name] for name in stored.files}  # zip checks each CRC-32
+            arrays = _in_place(stream) if in_place else {}
+            for name in set(stored.files) - set(arrays):
+                arrays[name] = stored[name]  # zip checks each CRC-32
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, NotImplementedError):
         return None
     if str(arrays.pop("key", "")) != key:
@@ -50,9 +68,34 @@ def load(key: str) -> dict[str, NDArray[Any]] | None:
     return arrays
 
 
-def save(key: str, arrays: Mapping[str, NDArray[Any]]) -> None:
+def _in_place(stream: IO[bytes]) -> dict[str, NDArray[Any]]:
+    """Arrays of bytes of an archive that is not compressed, in the memory of its file."""
+    memory = FileMemory(stream.fileno(), 0, access=mmap.ACCESS_COPY)
+    arrays: dict[str, NDArray[Any]] = {}
+    with zipfile.ZipFile(stream) as archive:
+        for member in archive.infolist():
+            header = memory[member.header_offset : member.header_offset + _HEADER]
+            texts = np.frombuffer(header[_LENGTHS], "<u2")
+            first = member.header_offset + _HEADER + int(texts.sum())
+            stream.seek(first)
+            if np.lib.format.read_magic(stream) != (1, 0):
+                continue
+            shape, _, dtype = np.lib.format.read_array_header_1_0(stream)
+            if dtype != np.uint8 or member.compress_type != zipfile.ZIP_STORED:
+                continue
+            with memoryview(memory) as whole:
+                found = zlib.crc32(whole[first : first + member.file_size])
+            if found != member.CRC:
+                raise zipfile.BadZipFile(member.filename)
+            array = np.ndarray(shape, dtype, buffer=memory, offset=stream.tell())
+            release(array)
+            arrays[member.filename.removesuffix(".npy")] = array
+    return arrays
+
+
+def save(key: str, arrays: Mapping[str, NDArray[Any]], folder: str = _SOLUTIONS) -> None:
     """Keep arrays under a key; if the folder cannot be written to, do nothing."""
-    file = _file(key)
+    file = _file(key, folder)
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=file.parent, prefix=".", suffix=".part")

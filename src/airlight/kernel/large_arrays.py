@@ -31,8 +31,8 @@ _RESIDENT: Final = 1 << 25
 _BAND: Final = 1 << 22
 
 
-class _File(mmap.mmap):
-    """Memory of a file.
+class FileMemory(mmap.mmap):
+    """Memory of a file, which the system may take back and read again.
 
     Attributes
     ----------
@@ -74,7 +74,7 @@ def release(array: NDArray[Any]) -> None:
     owner: Any = array
     while isinstance(owner, np.ndarray):
         owner = owner.base
-    if not isinstance(owner, _File):
+    if not isinstance(owner, FileMemory) or not hasattr(mmap, "MADV_DONTNEED"):
         return
     owner.used += array.nbytes
     if owner.used >= _RESIDENT:
@@ -122,7 +122,7 @@ def free_disk() -> float:
     return 0.0
 
 
-def _file(size: int) -> _File | None:
+def _file(size: int) -> FileMemory | None:
     """Memory of a file of zeros, or None where the disk has too little room."""
     if free_disk() < size:
         return None
@@ -132,6 +132,6 @@ def _file(size: int) -> _File | None:
         with tempfile.TemporaryFile(dir=folder) as file:
             # A page that finds no room later would end the process.
             os.posix_fallocate(file.fileno(), 0, size)
-            return _File(file.fileno(), size)
+            return FileMemory(file.fileno(), size)
     except OSError:
         return None

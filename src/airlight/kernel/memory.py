@@ -1,8 +1,10 @@
-"""Memory that is free on this machine, asked before work that may need more."""
+"""Memory of this machine: what is free, asked before work that may need more; and given back."""
 
 from __future__ import annotations
 
+import ctypes
 import os
+import sys
 from pathlib import Path
 from typing import Final
 
@@ -34,6 +36,17 @@ def free_memory() -> float:
     """
     free = [_of_machine(), _of_container(), _of_process()]
     return min(free)
+
+
+def give_back() -> None:
+    """Return memory that is no longer used to the system, where the C library keeps it for later.
+
+    Worthwhile after work that took much of it and is not repeated.
+    """
+    if sys.platform == "linux":
+        trim = getattr(ctypes.CDLL(None), "malloc_trim", None)  # glibc's
+        if trim is not None:
+            trim(0)
 
 
 def check_memory(needed: float, work: str) -> None:

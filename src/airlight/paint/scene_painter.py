@@ -28,6 +28,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final
 
 from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.memory import give_back
 from airlight.render import render
 from airlight.render.ahead import DRAWING, MARCHING
 from airlight.scene.picture_size import scaled
@@ -403,6 +404,7 @@ class ScenePainter:
                     _draw_small(replace(picture, pictures=self._pictures))
         finally:
             self._compiled = True
+            give_back()
 
 
 def _draw_small(picture: LivePicture) -> None:

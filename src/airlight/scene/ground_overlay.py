@@ -17,7 +17,9 @@ from airlight.color.texels import CHANNELS
 from airlight.errors import FileError
 from airlight.planets.cloud_cover import cloud_pixels
 from airlight.planets.map_picture import map_pixels
-from airlight.scene.surface_map import SurfaceMap, from_pixels, packed_texels
+from airlight.scene.kept_maps import kept_levels
+from airlight.scene.map_levels import Levels
+from airlight.scene.surface_map import SurfaceMap, levels_of, packed_texels
 
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged lights: ``earth`` is in ``data/earth-lights.jpg``.
@@ -71,6 +73,12 @@ def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap 
     """
     if lights is None and clouds is None:
         return None
+    files = lights_file(lights) if lights else None, Path(clouds) if clouds else None
+    levels = kept_levels(Path(__file__), files, lambda: _decoded(lights, clouds))
+    return SurfaceMap(name=f"{lights}, {clouds}", **levels._asdict())
+
+
+def _decoded(lights: str | None, clouds: str | None) -> Levels:
     lamps = None if lights is None else _lamp_pixels(lights)
     cover = None if clouds is None else cloud_pixels(clouds)
     if lamps is None:
@@ -78,7 +86,7 @@ def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap 
         lamps = np.zeros_like(cover)
     if cover is not None and cover.shape != lamps.shape:
         lamps, cover = _of_one_size(lamps, cover)
-    return from_pixels(f"{lights}, {clouds}", _grey(lamps), cover)
+    return levels_of(_grey(lamps), cover)
 
 
 def _lamp_pixels(lights: str) -> NDArray[np.uint8]:

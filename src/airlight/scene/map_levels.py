@@ -7,7 +7,7 @@ of its neighbours, so that every level covers the whole sphere and has its mean.
 from __future__ import annotations
 
 import itertools
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,22 @@ from airlight.kernel import compiled_loop, kernel
 
 #: Texels of which a mean is made along an axis: two, or one and parts of two others.
 _TAPS: Final = 3
+
+
+class Levels(NamedTuple):
+    """All levels of a map.
+
+    Attributes
+    ----------
+    rows, columns : int
+        Size of the full map.
+    flat : array of uint8, shape (4·n,)
+        Texels of ``airlight.color.texels``, one level after another.
+    """
+
+    rows: int
+    columns: int
+    flat: NDArray[np.uint8]
 
 
 @kernel

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.color.texels import CHANNELS, DECODED, decoded_texels
 from airlight.errors import FileError
 from airlight.planets.map_picture import map_pixels
-from airlight.scene.map_levels import empty_levels, fill_levels, level_views, reduced
+from airlight.scene.kept_maps import kept_levels
+from airlight.scene.map_levels import Levels, empty_levels, fill_levels, level_views, reduced
 
 _DATA = Path(__file__).parent / "data"
 #: Suffix of packaged maps: ``earth`` is in ``data/earth-albedo.jpg``.
@@ -164,12 +165,17 @@ def from_pixels(
     SurfaceMap
         Map with all its levels, reduced to ``MOST_TEXELS`` if it is larger.
     """
+    return SurfaceMap(name=name, **levels_of(pixels, water)._asdict())
+
+
+def levels_of(pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None) -> Levels:
+    """Levels of a map from the pixels of an sRGB picture; arguments of ``from_pixels``."""
     rows, columns = map_size(*pixels.shape[:2])
     flat = empty_levels(rows, columns)
     levels = level_views(flat, rows, columns)
     packed_texels(pixels, water, levels[0])
     fill_levels(levels)
-    return SurfaceMap(name=name, rows=rows, columns=columns, flat=flat)
+    return Levels(rows, columns, flat)
 
 
 def map_size(rows: int, columns: int) -> tuple[int, int]:
@@ -255,7 +261,13 @@ def surface_map(name: str) -> SurfaceMap:
     FileError
         If there is no such map, or ``map_pixels`` refuses a file, or the sizes differ.
     """
-    file, beside = map_file(name), water_file(name)
+    pictures = map_file(name), water_file(name)
+    levels = kept_levels(Path(__file__), pictures, lambda: _decoded(name, *pictures))
+    return SurfaceMap(name=name, **levels._asdict())
+
+
+def _decoded(name: str, file: Path, beside: Path) -> Levels:
+    """Levels of the map in a file, with the shares of water in the one beside it, if any."""
     try:
         pixels = map_pixels(file)
     except FileNotFoundError as error:
@@ -265,4 +277,4 @@ def surface_map(name: str) -> SurfaceMap:
     if water is not None and water.shape != pixels.shape[:2]:
         height, width = pixels.shape[:2]
         raise FileError(beside, f"has another size; allowed: {width} x {height}, that of {file}")
-    return from_pixels(name, pixels, water)
+    return levels_of(pixels, water)

@@ -16,6 +16,7 @@ from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.uniform_struct import Place
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
+from airlight.kernel.large_arrays import release
 from airlight.pixels.capacity import check_capacity
 from airlight.pixels.picture_numbers import map_numbers, overlay_numbers, overlay_size
 from airlight.pixels.shown import as_texels, shown_solution
@@ -132,6 +133,7 @@ class SolutionTextures:
         else:
             texels = np.zeros(CHANNELS, np.uint8) if found is None else found.flat
             textures["ground"] = packed_texture(device, texels, "ground")
+            release(texels)
         textures["map of"] = name
         over = (medium.ground_lights, medium.ground_clouds) if maps else (None, None)
         overlay = ground_overlay(*over)
@@ -140,6 +142,7 @@ class SolutionTextures:
         else:
             texels = np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat
             textures["overlay"] = packed_texture(device, texels, "overlay")
+            release(texels)
         textures["overlay of"] = over
         sizes = map_numbers(found) | overlay_size(overlay)
         numbers = made.numbers | {key: float(n) for key, n in sizes.items()}

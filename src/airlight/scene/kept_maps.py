@@ -1,0 +1,69 @@
+"""Maps as they are drawn, kept on disk: a picture is decoded once for all processes.
+
+A map of the ground with its levels has some hundred million bytes, which take longer to decode than
+a picture takes to draw. They stay in their file: processes share its memory, and the system takes
+back what nobody reads.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from airlight.kernel import disk
+from airlight.kernel.fingerprints import fingerprint
+from airlight.scene.map_levels import Levels
+
+#: Folder of the cache.
+_FOLDER: Final = "maps"
+#: Size of a map from which it is kept; smaller ones are decoded in no time. [byte]
+SMALLEST: Final = 1 << 22
+
+
+def kept_levels(source: Path, files: Sequence[Path | None], decode: Callable[[], Levels]) -> Levels:
+    """Load the levels of a map from disk, or decode its pictures and keep what results.
+
+    Parameters
+    ----------
+    source : Path
+        Source file of what decodes them: its code belongs to the key.
+    files : sequence of Path or None
+        Pictures; None, or one that is missing, for a part that the map lacks.
+    decode : callable
+        Decodes the pictures; raises what their reader raises.
+    """
+    try:
+        key = _key(source, files)
+    except OSError:  # the reader finds words for it
+        return decode()
+    kept = _kept(key)
+    if kept is None:
+        made = decode()
+        if made.flat.nbytes < SMALLEST:
+            return made
+        disk.save(key, {"size": np.array(made[:2]), "flat": made.flat}, _FOLDER)
+        kept = _kept(key)
+    return made if kept is None else kept
+
+
+def _kept(key: str) -> Levels | None:
+    arrays = disk.load(key, _FOLDER, in_place=True)
+    if arrays is None or not {"size", "flat"} <= set(arrays):
+        return None
+    rows, columns = arrays["size"].tolist()
+    return Levels(rows, columns, arrays["flat"])
+
+
+def _key(source: Path, files: Sequence[Path | None]) -> str:
+    digest = hashlib.sha256(fingerprint(source).encode())
+    for file in files:
+        if file is None or not file.is_file():
+            digest.update(bytes(1))
+            continue
+        with file.open("rb") as stream:
+            digest.update(hashlib.file_digest(stream, "sha256").digest())
+    return digest.hexdigest()[:32]
