@@ -10,8 +10,6 @@ the caller's is given back, since other libraries may rely on it.
 from __future__ import annotations
 
 import platform
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any, Final
 
 from llvmlite import ir
@@ -68,13 +66,3 @@ def restore(mode: int) -> None:
     """Give this thread the mode back that ``count_as_zero`` returned."""
     if not config.DISABLE_JIT:
         _exchange(mode, 0)
-
-
-@contextmanager
-def subnormals_as_zero() -> Iterator[None]:
-    """Count subnormal numbers as zero in this thread as long as the block lasts."""
-    mode = count_as_zero()
-    try:
-        yield
-    finally:
-        restore(mode)

@@ -14,7 +14,7 @@ from functools import cache
 from typing import Final, TypeAlias
 
 from airlight.errors import Cancelled
-from airlight.kernel.subnormals import count_as_zero, subnormals_as_zero
+from airlight.kernel.subnormals import count_as_zero, restore
 
 #: Called with the amount done, the total, and a description of the work.
 Progress: TypeAlias = Callable[[int, int, str], None]
@@ -89,8 +89,11 @@ class _Blocks:
 
 def _run_here(blocks: _Blocks) -> bool:
     """Run the next block in the calling thread; what it calls between blocks has its own mode."""
-    with subnormals_as_zero():
+    mode = count_as_zero()
+    try:
         return blocks.run_next()
+    finally:
+        restore(mode)
 
 
 def run_blocks(

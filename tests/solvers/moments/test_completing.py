@@ -21,9 +21,9 @@ def light(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
 
 def test_a_sweep_gets_the_first_order_and_loses_the_light_before() -> None:
     rng = np.random.default_rng(1)
-    swept, first, before = light(rng), light(rng), light(rng)
+    swept, first, before, more = light(rng), light(rng), light(rng), light(rng)
     wanted = [one + other for one, other in zip(swept, first, strict=True)]
-    more = sum_orders(swept, first, before)
+    sum_orders(swept, first, before, more)
     for got, sums, total, old in zip(more, swept, wanted, before, strict=True):
         assert_array_equal(sums, total)
         assert_array_equal(got, total - old)

@@ -17,27 +17,22 @@ from airlight.solvers.moments.harmonics import POLARISED
 Float32Array = NDArray[np.float32]
 
 
-def sum_orders(swept: Light, first: Light, before: Light) -> Light:
+def sum_orders(swept: Light, first: Light, before: Light, more: Light) -> None:
     """Add the first order to a sweep, in place, and find the change that it makes.
 
     Parameters
     ----------
     swept, first, before : two arrays, shapes (r, s, k, 8), (r, s, 8)
         Moments and irradiances of the sweep, of the first order, and of the light that was swept.
-
-    Returns
-    -------
-    two arrays
-        Sum less the light that was swept.
+    more : two arrays
+        Receives the sum less the light that was swept.
     """
-    more = np.empty_like(swept[0]), np.empty_like(swept[1])
 
     def at(i: int) -> None:
         for one, other, old, new in zip(swept, first, before, more, strict=True):
             _sum(one[i].reshape(-1), other[i].reshape(-1), old[i].reshape(-1), new[i].reshape(-1))
 
     run_blocks(at, swept[0].shape[0])
-    return more
 
 
 @compiled_loop

@@ -183,7 +183,7 @@ def remaining_change(residuals: deque[FloatArray]) -> FloatArray:
     return np.asarray(vectorized(rest_after)(sizes[-1], sizes[-1 - steps], steps))
 
 
-def mix(images: deque[Light], weights: Float32Array, trust: Float32Array) -> Light:
+def mix(images: deque[Light], weights: Float32Array, trust: Float32Array, mixed: Light) -> None:
     """Next guess: for each wavelength its own combination of the last images.
 
     Parameters
@@ -194,18 +194,18 @@ def mix(images: deque[Light], weights: Float32Array, trust: Float32Array) -> Lig
         Weights of the images. [1]
     trust : array, shape (r, s, 8)
         Weights from ``trust``. [1]
+    mixed : Light
+        Receives the guess; none of the images.
     """
-    mixed = []
     for part, last in enumerate(images[-1]):
         shape = (*last.shape[:2], -1, last.shape[-1])
-        total, latest = np.zeros(last.shape, np.float32).reshape(shape), last.reshape(shape)
+        total, latest = mixed[part].reshape(shape), last.reshape(shape)
+        total[:] = 0.0
         for image, weight in zip(images, weights, strict=True):
             _add(total, image[part].reshape(shape), weight)
         _approach(total, latest, trust)
         # In the dark, and where the combination leaps, it means nothing: keep the computed light.
         _replace(total, latest, _is_near(total[:, :, 0], latest[:, :, 0]))
-        mixed.append(total.reshape(last.shape))
-    return mixed[0], mixed[1]
 
 
 @compiled_loop

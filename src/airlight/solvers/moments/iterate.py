@@ -157,8 +157,12 @@ def solve_moments(
 
 
 def gather(
-    block: Block, kernel: Callable[..., None], *light: NDArray[Any], cancel: Cancel | None = None
-) -> tuple[Float32Array, Float32Array]:
+    block: Block,
+    kernel: Callable[..., None],
+    *light: NDArray[Any],
+    cancel: Cancel | None = None,
+    out: Light | None = None,
+) -> Light:
     """Run ``first_order_radius`` or ``sweep_radius`` at every radius, on all cores.
 
     Parameters
@@ -171,15 +175,16 @@ def gather(
         Arrays that it reads beside the set-up.
     cancel : callable, optional
         See ``airlight.kernel.threads``.
+    out : Light, optional
+        Arrays that receive the result.
 
     Returns
     -------
     moments, sky : array, shapes (r, s, k, 8), (r, s, 8)
     """
     setup = block.setup
-    radii, suns = block.rays.mu.shape[0], setup.grid.sun_cosines.size
-    moments = np.empty((radii, suns, setup.terms, LANES), np.float32)
-    sky = np.empty((radii, suns, LANES), np.float32)
+    radii = block.rays.mu.shape[0]
+    moments, sky = _arrays(block) if out is None else out
 
     def radius(i: int) -> None:
         kernel(
@@ -189,6 +194,16 @@ def gather(
 
     run_blocks(radius, radii, cancel=cancel)
     return moments, sky
+
+
+def _arrays(block: Block) -> Light:
+    """Arrays of moments and irradiances, with any contents."""
+    setup = block.setup
+    shape = block.rays.mu.shape[0], setup.grid.sun_cosines.size
+    return (
+        np.empty((*shape, setup.terms, LANES), np.float32),
+        np.empty((*shape, LANES), np.float32),
+    )
 
 
 @dataclass(frozen=True)
@@ -246,6 +261,9 @@ def _iterate(
     degrees = light_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
     images: deque[Light] = deque(maxlen=iteration.stopping.images)
     best, at, way = light, 0, WAYS[0]
+    # Arrays are used again by each sweep: new memory costs as much as what is done with it.
+    swept, more, mixed = _arrays(block), _arrays(block), _arrays(block)
+    packed: tuple[Float32Array | None, Float32Array | None] = None, None
     while iteration.goes_on():
         if iteration.strays and at + 1 < len(WAYS):
             light, at = best, at + 1
@@ -253,9 +271,11 @@ def _iterate(
             wandering.widen(way.wider)
             images.clear()
             iteration.restart(accelerated=way.part > 0.0)
-        packed = pack_light(light[0], light[1][:1], block.level, setup.parts, few=block.few)
-        swept = gather(block, sweep, *packed, degrees, cancel=cancel)
-        more = sum_orders(swept, (first_field, first_sky), light)
+        packed = pack_light(
+            light[0], light[1][:1], block.level, setup.parts, few=block.few, out=packed[0]
+        )
+        gather(block, sweep, *packed, degrees, cancel=cancel, out=swept)
+        sum_orders(swept, (first_field, first_sky), light, more)
         mean = swept[0][:, :, 0]
         trusted = way.part * trust(mean, block.sidelit)
         all_more = wandering.finish(*more, (mean, swept[1])) if way.part > 0.0 else None
@@ -266,7 +286,8 @@ def _iterate(
             corrections.check(nm, iteration.to_come)
         if iteration.best:
             best = images[-1]
-        light = mix(images, iteration.weights().astype(np.float32), trusted)
+        mix(images, iteration.weights().astype(np.float32), trusted, mixed)
+        light = mixed
     if iteration.sweeps == 0:
         watch.report(iteration)
     elif corrections is not None and not last:

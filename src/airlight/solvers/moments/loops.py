@@ -26,11 +26,11 @@ from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.sweep import sweep_radius_of_few
 from airlight.solvers.moments.vertical_coupling import (
     _legendre_rows,
-    couple_radius,
     multiply,
     spread_onto,
     take_terms,
 )
+from airlight.solvers.moments.vertical_matrix import couple_radius, gather_levels, project_radii
 from airlight.solvers.moments.visible_rays import share_into
 from airlight.tables.columns import _columns, table_rays
 
@@ -49,7 +49,9 @@ LOOPS: Final = (
     _columns,
     first_order_radius_of_few,
     couple_radius,
+    gather_levels,
     _legendre_rows,
+    project_radii,
     factorise,
     take_terms,
     substitute,

@@ -81,7 +81,13 @@ def floor_below(brightest):
 
 
 def pack_light(
-    field: Float32Array, sky: Float32Array, level: Float32Array, parts: int, *, few: bool = False
+    field: Float32Array,
+    sky: Float32Array,
+    level: Float32Array,
+    parts: int,
+    *,
+    few: bool = False,
+    out: Float32Array | None = None,
 ) -> tuple[Float32Array, Float32Array]:
     """Pack moments (r, s, k, w) and irradiances (r, s, w) for the kernels.
 
@@ -96,6 +102,8 @@ def pack_light(
         See ``levels.finer``. Irradiances of only one radius stay as they are.
     few : bool
         Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_of_few``.
+    out : array, optional
+        Earlier result for moments of the same shape, which receives them.
     """
     mean = positive(field[:, :, 0])
     received = positive(sky)
@@ -106,7 +114,8 @@ def pack_light(
     order = np.arange(1 + terms)
     if few:
         order, lanes = pair_order(terms), FEW
-    packed = np.empty(((radii - 1) * parts + 1, suns, order.size, lanes), np.float32)
+    shape = ((radii - 1) * parts + 1, suns, order.size, lanes)
+    packed = np.empty(shape, np.float32) if out is None else out.reshape(shape)
 
     def under(sun: int) -> None:
         _pack_sun(field[:, sun], mean[:, sun], level[sun], parts, order, packed[:, sun])

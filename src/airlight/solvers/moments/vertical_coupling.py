@@ -13,22 +13,20 @@ sweep's own operator in place of diffusion.
 from __future__ import annotations
 
 from math import acos, cos, pi, sin
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
+from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.kernel.threads import Cancel, run_blocks
-from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import positive
-from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, through_ray
 from airlight.solvers.moments.setup import Block
+from airlight.solvers.moments.vertical_matrix import couple_radius, gather_levels, project_radii
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -40,67 +38,6 @@ DEGREE: Final = 8
 ORDER: Final = 3
 #: Number of sun elevations solved for together.
 _SUNS: Final = 14
-
-
-@compiled_loop
-def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
-    """Weights of the moments at all radii in the radiance of the rays from one radius.
-
-    Parameters
-    ----------
-    i, grid, rays, share, air, expansion :
-        As in ``sweep_radius``.
-    mu_along : array, shape (p,)
-        Zenith cosine of the rays at their points. [1]
-    degree, order : int
-        Limits of the moments that count: l up to ``degree``, m up to ``order``.
-    out : array, shape (a·r·pairs·8,)
-        Receives the weight of each moment (l, m), ordered by m and then l, in each ray. [1]
-    bounced : array, shape (a·8,)
-        Receives the weight of the ground's irradiance. [1]
-    """
-    bottom, top, radii, _, rows_at, _ = grid
-    extinction, moments, surface, _, _ = air
-    highest = expansion.degree
-    starts, ray_radii = rays.start, rays.radius
-    amounts, depths, totals = rays.amount, rays.column, rays.total
-    constituents = extinction.size // LANES
-    angles = rays.mu.shape[1]
-    pairs = out.size // (angles * radii.size * LANES)
-    functions = np.empty((highest + 1) * (highest + 2) // 2)
-    strengths = np.empty((degree + 1) * LANES, np.float32)
-    out[:] = 0.0
-    bounced[:] = 0.0
-    for a in range(angles):
-        exact = load(share, LANES * (i * angles + a))
-        for k in range(starts[i, a], starts[i, a + 1]):
-            legendre_functions(mu_along[k], expansion, functions)
-            depth = optical_depth(depths[k], 0, extinction, constituents)
-            through = exponential(0.0 - depth) * exact
-            for l in range(degree + 1):
-                strength = splat(0.0)
-                for c in range(constituents):
-                    strength = strength + load(
-                        moments, LANES * (c * (highest + 1) + l)
-                    ) * np.float32(amounts[k, c])
-                store(strengths, LANES * l, strength * through)
-            x = radius_index(ray_radii[k], bottom, top, rows_at)
-            row = min(int(x), radii.size - 2)
-            f = x - row
-            low = (a * radii.size + row) * pairs * LANES
-            high = low + pairs * LANES
-            for m in range(order + 1):
-                for l in range(m, degree + 1):
-                    value = functions[l * (l + 1) // 2 + m]
-                    strength = load(strengths, LANES * l)
-                    store(out, low, load(out, low) + np.float32(value * (1.0 - f)) * strength)
-                    store(out, high, load(out, high) + np.float32(value * f) * strength)
-                    low += LANES
-                    high += LANES
-        if a < angles // 2:
-            through = through_ray(extinction, totals[i, a], 0, constituents)
-            leaving = leaving_at_end(rays.end, i, a, rays.mu[i, a])
-            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * through)
 
 
 class Wandering:
@@ -134,6 +71,7 @@ class Wandering:
         self.sizes = sizes = [self.radii * width + (m == 0) for m, width in enumerate(widths)]
         self.factors = [np.zeros((size, size, LANES), np.float32) for size in sizes]
         self.to_sky = np.zeros((self.radii, self.radii * widths[0], LANES), np.float32)
+        self.finished: Light | None = None
 
         def couple(i: int) -> None:
             weights = np.empty(angles * levels * int(starts[-1]) * LANES, np.float32)
@@ -142,23 +80,22 @@ class Wandering:
                 i, grid, rays, share, along, air, expansion, self.degree, self.order,
                 weights, bounced,
             )  # fmt: skip
-            seen: NDArray[Any] = weights.reshape(angles, levels, -1)
+            seen = weights
             if parts > 1:
-                seen = np.einsum("fr,afk->ark", cubics, seen, optimize=True)
-            seen = seen.reshape(angles, self.radii, -1, LANES)
+                seen = np.empty(weights.size // levels * self.radii, np.float32)
+                gather_levels(cubics, weights, angles, seen)
             functions = _functions(rays.mu[i], expansion)
             for m, (first, width) in enumerate(zip(starts[:-1], widths, strict=True)):
                 turn = 2.0 * pi if m == 0 else pi
                 project = turn * rays.weight[i] * functions[_indices(m, self.degree)]
-                part = seen[:, :, first : first + width].reshape(angles, -1)
                 here = slice(i * width, (i + 1) * width)
-                moments = self.radii * width
-                self.factors[m][here, :moments] = np.einsum("la,an->ln", project, part).reshape(
-                    width, moments, LANES
+                project_radii(
+                    project, seen, int(first), width, self.radii, self.factors[m][here].reshape(-1)
                 )
                 if m == 0:
                     self.factors[0][here, -1] = project @ bounced.reshape(angles, LANES)
-                    self.to_sky[i] = (turn * rays.flux[i] @ part).reshape(-1, LANES)
+                    flux = turn * rays.flux[i : i + 1]
+                    project_radii(flux, seen, 0, width, self.radii, self.to_sky[i].reshape(-1))
 
         run_blocks(couple, self.radii, cancel=cancel)
         self.factors[0][-1, :-1] = self.to_sky[0]
@@ -184,6 +121,7 @@ class Wandering:
         is. Of the first order there is little in the dusk, where light comes from the side; what
         follows it spreads as it is, as far as light goes, and then relative to the light with it.
         In other air all of it spreads as it is, as far as light goes and interpolation spreads it.
+        The result is overwritten by the next call.
 
         Parameters
         ----------
@@ -223,7 +161,11 @@ class Wandering:
             added = more[0][: radii * (self.degree + 1) : self.degree + 1]
             mean = positive(np.maximum(light[0], 0.0) + np.abs(added))
             received = positive(np.maximum(light[1], 0.0) + np.abs(more_sky))
-        field, sky = field.copy(), sky.copy()
+        if self.finished is None:
+            self.finished = np.empty_like(field), np.empty_like(sky)
+        np.copyto(self.finished[0], field)
+        np.copyto(self.finished[1], sky)
+        field, sky = self.finished
 
         def move(i: int) -> None:
             for m in range(self.order + 1):
