@@ -34,7 +34,17 @@ def kept_levels(source: Path, files: Sequence[Path | None], decode: Callable[[],
     files : sequence of Path or None
         Pictures; None, or one that is missing, for a part that the map lacks.
     decode : callable
-        Decodes the pictures; raises what their reader raises.
+        Decodes the pictures.
+
+    Returns
+    -------
+    Levels
+        Size and texels, in the memory of their file if they are kept; not to be written to.
+
+    Raises
+    ------
+    FileError
+        Errors of ``decode``.
     """
     try:
         key = _key(source, files)

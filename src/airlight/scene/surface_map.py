@@ -169,7 +169,18 @@ def from_pixels(
 
 
 def levels_of(pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None) -> Levels:
-    """Levels of a map from the pixels of an sRGB picture; arguments of ``from_pixels``."""
+    """Make all levels of a map from the pixels of an sRGB picture.
+
+    Parameters
+    ----------
+    pixels, water : array
+        Arguments of ``from_pixels``.
+
+    Returns
+    -------
+    Levels
+        Its size, that of ``map_size``, and its texels.
+    """
     rows, columns = map_size(*pixels.shape[:2])
     flat = empty_levels(rows, columns)
     levels = level_views(flat, rows, columns)
@@ -267,7 +278,7 @@ def surface_map(name: str) -> SurfaceMap:
 
 
 def _decoded(name: str, file: Path, beside: Path) -> Levels:
-    """Levels of the map in a file, with the shares of water in the one beside it, if any."""
+    """Decode the map in a file, with the shares of water in the one beside it, if any."""
     try:
         pixels = map_pixels(file)
     except FileNotFoundError as error:

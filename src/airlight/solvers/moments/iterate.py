@@ -261,7 +261,7 @@ def _iterate(
     degrees = light_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
     images: deque[Light] = deque(maxlen=iteration.stopping.images)
     best, at, way = light, 0, WAYS[0]
-    # Arrays are used again by each sweep: new memory costs as much as what is done with it.
+    # Each sweep uses the arrays of the one before: the system clears new memory page by page.
     swept, more, mixed = _arrays(block), _arrays(block), _arrays(block)
     packed: tuple[Float32Array | None, Float32Array | None] = None, None
     while iteration.goes_on():
