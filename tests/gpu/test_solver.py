@@ -83,7 +83,9 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
     paths = LightPaths.of(medium_of(name, **changes))
     plan = plan_for(paths, PREVIEW)
     block = Setup(paths=paths, settings=PREVIEW).block(slice(None))
-    first, first_sky = gather(block, first_order_radius, block.setup.star_ratios, paths.lift)
+    first, first_sky = gather(
+        block, first_order_radius, block.setup.column_rows, block.setup.star_ratios, paths.lift
+    )
     packed = pack_light(first, first_sky[:1], block.level, block.setup.parts)
     second, second_sky = gather(block, sweep_radius, *packed, block.all_degrees)
     with borrowed_sweeper(device) as gpu:

@@ -24,8 +24,9 @@ from airlight.gpu.picture.display_shaders import all_shaders
 from airlight.gpu.solver import passes as solver_passes
 from airlight.gpu.solver import ray_sums
 from airlight.kernel.lanes import LANES, lane_array, load, store
+from airlight.optics import altitude_nodes
 from airlight.pixels import pixel as picture
-from airlight.solvers.moments import first_order, grid, harmonics, ray_optics, source
+from airlight.solvers.moments import first_order, harmonics, ray_optics, source
 from airlight.solvers.moments import visible_rays as block_rays
 from airlight.tables import column_ratios, columns
 
@@ -130,22 +131,22 @@ def between_four(a, b, c, d, field):
     )
 
 
-def row_in_grid(q, row):
-    return grid.radius_index(q, BOTTOM, TOP, row)
+def row_in_grid(q, nodes, row):
+    return altitude_nodes.node_value(q, BOTTOM, TOP, nodes, row)
 
 
 def place_in_grid(mu_s, place):
     return ray_optics.sun_index(mu_s, place)
 
 
-def place_of_density(radius):
-    node, share = columns.density_index(radius, BOTTOM, TOP - BOTTOM, 512)
-    return node + share
+def place_of_density(radius, nodes):
+    node, fraction = altitude_nodes.altitude_node(radius, BOTTOM, TOP - BOTTOM, nodes)
+    return node + fraction
 
 
-def three_columns(r, mu, ratios):
+def three_columns(r, mu, nodes, rows, ratios):
     here = np.empty(THREE)
-    column_ratios.columns_to_top(r, mu, BOTTOM, TOP, ratios, here)
+    column_ratios.columns_to_top(r, mu, BOTTOM, TOP, nodes, rows, ratios, here)
     return here[0], here[1], here[2]
 
 
@@ -255,6 +256,10 @@ R = uniform(BOTTOM + 1e3, TOP)
 DEPTH = 64.0 * EPS
 SPECTRA = {"extinction": lanes(THREE)}
 GRID = np.sort(RNG.uniform(0.0, 40.0, 33))
+#: Cells of 1 to 3 steps, 32 in all.
+CELLS = np.concatenate([[0.0], np.cumsum([1.0, 2.0, 3.0, 2.0] * 4)])
+#: Rows of the ratios at the nodes.
+ROWS = np.sort(RNG.uniform(0.0, 7.0, 33))
 RATIOS = 1.0 + RNG.uniform(0.0, 0.2, (8, 16, THREE, 2))
 LIFT = np.stack([RNG.uniform(0.0, 0.01, (8, 12)), RNG.uniform(0.8, 1.0, (8, 12))], -1)
 FIELD = np.concatenate(
@@ -285,13 +290,15 @@ CASES = [
          {"moments": lanes(THREE * (DEGREE + 1)), "polarising": lanes(4 * THREE), "field": FIELD},
          rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
-    Case(row_in_grid, (grid.radius_index,), (R,), {"row": GRID}, atol=40 * 33 * METRES / 1e5),
+    Case(row_in_grid, (altitude_nodes.node_value,), (R,), {"nodes": CELLS, "row": GRID},
+         atol=40 * 33 * METRES / 1e5),
     Case(place_in_grid, (ray_optics.sun_index,), (MU,), {"place": GRID}, atol=40 * 33 * 4 * EPS),
-    # As the grid's: 512 nodes, over twice the root of the lowest height, 1 km of 100.
-    Case(place_of_density, (columns.density_index,), (R,), atol=512 * METRES / 1e5 / 0.2),
+    # As the grid's: 16 cells of at most 4 steps, over twice the root of the lowest height, 1 km.
+    Case(place_of_density, (altitude_nodes.altitude_node,), (R,), {"nodes": CELLS},
+         atol=64 * METRES / 1e5 / 0.2),
     # Positions in the table as in test_kernels_agree, its steps a fifth; a path of up to 1000 km.
     Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
-         {"ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
+         {"nodes": CELLS, "rows": ROWS, "ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
     Case(corners_cut, (columns.cut_at_corners,), (uniform(BOTTOM, BOTTOM + 15e3),
          uniform(0.2, 0.9), np.full(COUNT, 2)), {"ends": np.array([20e3, 60e3])},
          atol=4 * METRES / 0.2),

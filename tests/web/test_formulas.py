@@ -110,7 +110,13 @@ CASES: dict[str, tuple[Any, ...]] = {
     "is_near": (POSITIVE, POSITIVE[::-1], 10.0),
     "trusted_part": (POSITIVE, POSITIVE[::-1]),
     "floor_below": (POSITIVE,),
-    "radius_index": (numbers(BOTTOM, TOP), BOTTOM, TOP, np.cumsum(RNG.uniform(0.0, 1.0, 33))),
+    "node_value": (
+        numbers(BOTTOM, TOP), BOTTOM, TOP, np.cumsum([0, *RNG.integers(1, 4, 32)]),
+        RNG.uniform(0.0, 1.0, 100),
+    ),
+    "altitude_node": (
+        numbers(BOTTOM, TOP), BOTTOM, TOP - BOTTOM, np.cumsum([0, *RNG.integers(1, 4, 32)])
+    ),
     "squared": (numbers(-3.0, 3.0),),
     "is_peaked": (numbers(-2e-6, 2e-6),),
     "cut_weight": (POSITIVE,),

@@ -10,7 +10,7 @@ which is positive where n falls with height and vanishes with it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -114,8 +114,11 @@ class BentShell:
             top=float(optical[-1]),
             altitude=nodes,
             optical=optical,
-            density=DensitySegments.from_rows(
-                [*rows, _row(optical_altitude, share[:-1], share[1:], None)]
+            density=replace(
+                DensitySegments.from_rows(
+                    [*rows, _row(optical_altitude, share[:-1], share[1:], None)]
+                ),
+                known_corners=np.interp(density.corners, nodes, optical_altitude),
             ),
             length=DensitySegments.from_rows(
                 [_row(optical_altitude, stretch[:-1], stretch[1:], None)]

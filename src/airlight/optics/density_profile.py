@@ -20,6 +20,7 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop, kernel
+from airlight.optics.altitude_nodes import altitude_nodes, node_altitudes
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -30,6 +31,11 @@ Row = tuple[FloatArray, FloatArray]
 _LARGEST_TERM: Final = 1e6
 #: Largest number of inner edges that count as corners; more are a smooth curve in pieces.
 _MOST_CORNERS: Final = 12
+#: Density over its largest above which a layer counts as dense.
+DENSE: Final = 0.01
+#: Largest width of a thin layer, aloft and on the ground, over the thickness of the shell.
+_THIN: Final = 0.07
+_THIN_ON_GROUND: Final = 0.015
 
 
 @kernel
@@ -109,10 +115,13 @@ class DensitySegments:
         fewer segments repeats its last edge. [m]
     coefficients : array, shape (nc, ns, 4)
         Coefficients a, b, c, d of ``segment_density``.
+    known_corners : array, optional
+        Corners, where the segments are pieces of other profiles. [m]
     """
 
     edges: FloatArray
     coefficients: FloatArray
+    known_corners: FloatArray | None = None
 
     @classmethod
     def from_rows(cls, rows: Sequence[Row]) -> DensitySegments:
@@ -136,18 +145,44 @@ class DensitySegments:
         padded.flags.writeable = False
         return cls(edges, padded)
 
+    @property
+    def thickness(self) -> float:
+        """Thickness of the shell. [m]"""
+        return float(self.edges[0, -1])
+
+    @cached_property
+    def first_nodes(self) -> FloatArray:
+        """Index of the first altitude node of each cell, see ``altitude_nodes``. [1]"""
+        return altitude_nodes(self.edges, self.coefficients)
+
+    @cached_property
+    def node_altitudes(self) -> FloatArray:
+        """Altitudes of the nodes, ascending, shape (n,). [m]"""
+        return node_altitudes(self.first_nodes, self.thickness)
+
     @cached_property
     def corners(self) -> FloatArray:
-        """Altitudes of the corners of profiles that have few, ascending, shape (n,). [m]
+        """Altitudes of the corners of profiles, ascending, shape (n,). [m]
 
-        Many segments are pieces of a smooth curve; few have corners: a tent, layers.
+        Few segments have a corner wherever they meet: a tent, layers. Of one, or of many that are
+        pieces of a smooth curve, the ends of thin layers count.
         """
+        if self.known_corners is not None:
+            return self.known_corners
         found: set[float] = set()
-        for edges in self.edges:
+        for edges, profile in zip(self.edges, self.at(self.node_altitudes), strict=True):
             inside = np.unique(edges[(edges > edges[0]) & (edges < edges[-1])])
-            if inside.size <= _MOST_CORNERS:
-                found.update(inside.tolist())
+            if not 0 < inside.size <= _MOST_CORNERS:
+                ends = np.ravel(thin_runs(profile, self.node_altitudes))
+                inside = ends[(ends > 0.0) & (ends < self.thickness)]
+            found.update(inside.tolist())
         return np.array(sorted(found))
+
+    def below(self, altitude: float) -> DensitySegments:
+        """Profiles of a shell that ends at an altitude. [m]"""
+        edges = np.minimum(self.edges, altitude)
+        edges.flags.writeable = False
+        return DensitySegments(edges, self.coefficients)
 
     @property
     def arrays(self) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -195,6 +230,29 @@ class DensitySegments:
         return np.array(
             [row_column((e, k)) for e, k in zip(self.edges, self.coefficients, strict=True)]
         )
+
+
+def thin_runs(profile: FloatArray, altitude: FloatArray) -> list[tuple[float, float]]:
+    """Bottom and top of each thin layer in which a profile exceeds 1 % of its maximum. [m]
+
+    Parameters
+    ----------
+    profile, altitude : array, shape (n,)
+        Densities [1] at ascending altitudes, from the ground to the top of the shell. [m]
+
+    Returns
+    -------
+    list of two floats
+        Layers narrower than 7 % of the shell, or than 1.5 % if they lie on the ground.
+    """
+    dense = np.concatenate([[False], profile > DENSE * profile.max(), [False]])
+    changes = np.flatnonzero(dense[1:] != dense[:-1])
+    runs = []
+    for first, last in zip(changes[::2], changes[1::2] - 1, strict=True):
+        width = altitude[last] - altitude[first]
+        if 0.0 < width < (_THIN_ON_GROUND if first == 0 else _THIN) * altitude[-1]:
+            runs.append((float(altitude[first]), float(altitude[last])))
+    return runs
 
 
 def row_column(row: Row) -> float:

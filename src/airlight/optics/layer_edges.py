@@ -1,20 +1,18 @@
-"""Elevated layers: altitudes between which a march must not take too long a step."""
+"""Layers: altitudes between which a march must not take too long a step, and thin layers."""
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from airlight.optics.density_profile import DensitySegments
+from airlight.optics.density_profile import DENSE, DensitySegments, thin_runs
 
 FloatArray = npt.NDArray[np.float64]
 
 #: Number of altitudes at which profiles are sampled.
 _SAMPLES: Final = 2001
-#: Density at the edge of a layer, as a fraction of its largest.
-_EDGE: Final = 0.01
 #: Smallest ratio of the largest density to that at the ground in an elevated layer.
 _ALOFT: Final = 2.0
 #: Smallest scattering optical depth of a layer that counts.
@@ -25,6 +23,52 @@ _WIDE: Final = 0.15
 #: these are, as fractions of the shell.
 _APART: Final = 0.015
 _SAME: Final = 0.002
+
+
+class ThinLayer(NamedTuple):
+    """Layer that is thin compared with the shell.
+
+    Attributes
+    ----------
+    bottom, top : float
+        Altitudes at which its density is 1 % of the maximum. [m]
+    """
+
+    bottom: float
+    top: float
+
+
+def thin_layers(density: DensitySegments, extinction: FloatArray) -> list[ThinLayer]:
+    """Layers that are thin compared with the shell, from the lowest up.
+
+    Parameters
+    ----------
+    density : DensitySegments
+        Profiles of the constituents.
+    extinction : array, shape (nc,)
+        Largest extinction coefficient of each constituent at relative density 1. [m⁻¹]
+
+    Examples
+    --------
+    >>> from airlight.optics.density_profile import exponential, tent
+    >>> air = DensitySegments.from_rows([exponential(8e3, 1e5), tent(10e3, 100.0, 1e5)])
+    >>> [(round(one.bottom), round(one.top)) for one in thin_layers(air, np.array([1e-5, 1e-3]))]
+    [(9901, 10099)]
+    """
+    altitude, columns = _samples(density), density.columns()
+    found: set[ThinLayer] = set()
+    for profile, column, strength in zip(density.at(altitude), columns, extinction, strict=True):
+        if strength * column >= FAINT:
+            found.update(ThinLayer(*ends) for ends in thin_runs(profile, altitude))
+    return sorted(found)
+
+
+def _samples(density: DensitySegments) -> FloatArray:
+    """Altitudes at which profiles are sampled: even, and closer where they change fast. [m]"""
+    steps = np.diff(density.first_nodes).astype(int)
+    refined = np.repeat(steps > 1, steps)
+    even = np.linspace(0.0, density.thickness, _SAMPLES)
+    return np.union1d(even, density.node_altitudes[:-1][refined])
 
 
 def layer_edges(
@@ -62,8 +106,8 @@ def layer_edges(
     >>> layer_edges(air, np.array([1e-5, 1e-5])).round(-2).tolist()
     [17100.0, 22000.0, 26900.0]
     """
-    thickness = float(density.edges[0, -1])
-    altitude = thickness * np.linspace(0.0, 1.0, _SAMPLES)
+    thickness = density.thickness
+    altitude = _samples(density)
     ends: list[tuple[float, bool]] = []
     peaks: list[float] = []
     columns = density.columns()
@@ -71,11 +115,10 @@ def layer_edges(
         peak = int(profile.argmax())
         if scattering[i] * columns[i] < faint or profile[peak] < _ALOFT * profile[0]:
             continue
-        within = np.flatnonzero(profile > _EDGE * profile[peak])
-        wide = within[-1] - within[0] > _WIDE * (_SAMPLES - 1)
-        if wide and scattering[i] * columns[i] < faint_and_wide:
-            continue
+        within = np.flatnonzero(profile > DENSE * profile[peak])
         bottom, top = float(altitude[within[0]]), float(altitude[within[-1]])
+        if top - bottom > _WIDE * thickness and scattering[i] * columns[i] < faint_and_wide:
+            continue
         ends += [(bottom, False), (top, top - bottom <= _APART * thickness)]
         peaks.append(float(altitude[peak]))
     kept: list[float] = []

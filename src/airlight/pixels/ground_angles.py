@@ -43,10 +43,21 @@ def bent_to_ground(z, sine, observer, light, columns):
     bottom, top = light.bottom, light.top
     impact = min(observer.r * sine, bottom)
     slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
-    columns_to_top(bottom, slant, bottom, top, light.columns, columns)
+    columns_to_top(
+        bottom, slant, bottom, top, light.first_nodes, light.column_rows, light.columns, columns
+    )
     column = columns[light.constituents - 1]
     if not observer.outside:
-        columns_to_top(observer.r, -z, bottom, top, light.columns, columns)
+        columns_to_top(
+            observer.r,
+            -z,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            columns,
+        )
         column = max(column - columns[light.constituents - 1], 0.0)
     return bend_angle(bottom, slant, light.bend, column)
 
@@ -67,9 +78,13 @@ def columns_to_ground(z, sine, observer, light, columns, beyond):
     bottom, top = light.bottom, light.top
     impact = min(observer.r * sine, bottom)
     slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
-    columns_to_top(bottom, slant, bottom, top, light.columns, columns)
+    columns_to_top(
+        bottom, slant, bottom, top, light.first_nodes, light.column_rows, light.columns, columns
+    )
     if not observer.outside:
-        columns_to_top(observer.r, -z, bottom, top, light.columns, beyond)
+        columns_to_top(
+            observer.r, -z, bottom, top, light.first_nodes, light.column_rows, light.columns, beyond
+        )
         for c in range(light.constituents):
             columns[c] = max(columns[c] - beyond[c], 0.0)
 

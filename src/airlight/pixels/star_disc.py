@@ -87,7 +87,16 @@ def leaving_air(x, y, z, observer, light, columns):
     for c in range(light.constituents):
         columns[c] = 0.0
     if inside and free:
-        columns_to_top(start_r, start_mu, light.bottom, light.top, light.columns, columns)
+        columns_to_top(
+            start_r,
+            start_mu,
+            light.bottom,
+            light.top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            columns,
+        )
         if light.bend > 0.0:
             angle = bend_angle(start_r, start_mu, light.bend, columns[light.constituents - 1])
             turn, keep = sin(angle), cos(angle)

@@ -19,6 +19,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
 from airlight.optics.density_profile import DensitySegments, Row
+from airlight.optics.effective_top import effective_top
 from airlight.optics.reflection import WHITE, Reflection
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
@@ -52,7 +53,7 @@ class Medium:
     Parameters
     ----------
     bottom_radius, top_radius : float
-        Radii of the ground and of the top of the air. [m]
+        Radii of the ground and of the top of the air, see ``effective_top``. [m]
     wavelengths : array, shape (nl,)
         Wavelengths in the order given. [nm]
     names : tuple of str, length nc
@@ -207,11 +208,14 @@ class Medium:
         density = DensitySegments.from_rows(
             [_row(planet, i) for i in range(len(planet.constituents))]
         )
+        height = effective_top(density)
+        if height < planet.thickness:
+            density = density.below(height)
         nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, PHASE_NODES) ** 2
         constituents, light = planet.constituents, planet.lights(nm)[0]
         medium = cls(
             bottom_radius=planet.bottom_radius,
-            top_radius=planet.top_radius,
+            top_radius=min(planet.bottom_radius + height, planet.top_radius),
             wavelengths=nm,
             names=tuple(one.name for one in constituents),
             scattering=np.stack(

@@ -22,7 +22,7 @@ from airlight.kernel.threads import Cancel, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.sight import Sight
-from airlight.tables.column_ratios import columns_to_top, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
     ColumnTable,
     density_table,
@@ -44,7 +44,7 @@ def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspac
     r, mu, mu_s, nu, length = sight
     bottom, top = shell
     scattering, extinction, strongest = optics
-    densities, sun_table = tables
+    nodes, rows, sun_table = tables
     path, edges, here = workspace
     distance, radius, weight, density, column, _, _ = path
     constituents, wavelengths = scattering.shape
@@ -55,7 +55,7 @@ def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspac
         first, second = shadow_edges(r[p], mu[p], mu_s[p], nu[p], bottom)
         count = place_edges(r[p], mu[p], length[p], panels, first, second, edges)
         points = trace_resolved(
-            r[p], mu[p], edges, count, rule, bottom, top - bottom, densities, strongest, path
+            r[p], mu[p], edges, count, rule, bottom, top - bottom, nodes, strongest, path
         )
         for k in range(points):
             q = min(max(radius[k], bottom), top)
@@ -63,7 +63,7 @@ def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspac
             seen = visible_fraction(sun_elevation(q, mu_q, bottom), star_radius)
             if seen <= 0.0:
                 continue
-            columns_to_top(q, mu_q, bottom, top, sun_table, here)
+            columns_to_top(q, mu_q, bottom, top, nodes[0], rows, sun_table, here)
             for w in range(wavelengths):
                 tau = 0.0
                 for c in range(constituents):
@@ -93,7 +93,8 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     only_straight(medium, "a table of light scattered once")
     bottom, top = medium.bottom_radius, medium.top_radius
     columns = ColumnTable.build(bottom, top, medium.density)
-    tables = (density_table(medium.density, top - bottom), mean_density_ratios(columns))
+    nodes = medium.density.first_nodes, density_table(medium.density)
+    tables = (nodes, column_rows(columns, medium.density), mean_density_ratios(columns))
     rule = gauss_legendre(_NODES).as_tuple()
     optics = (medium.scattering, medium.extinction, medium.extinction.max(axis=1))
     constituents = len(medium.names)

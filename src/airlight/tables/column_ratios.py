@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import inlined
-from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
+from airlight.mappings.transmittance import direction_coordinate
+from airlight.optics.altitude_nodes import node_value
+from airlight.optics.density_profile import DensitySegments
 from airlight.tables.columns import ColumnTable, table_rays
 
 FloatArray = NDArray[np.float64]
@@ -37,10 +39,8 @@ def mean_density_ratios(table: ColumnTable) -> FloatArray:
     array, shape (radii, directions, nc, 2)
         Pairs (s, m·s). [1]
     """
-    shape = table.values.shape[:2]
-    x, y = np.meshgrid(np.linspace(0, 1, shape[0]), np.linspace(0, 1, shape[1]), indexing="ij")
-    r, mu, length = np.empty(shape), np.empty(shape), np.empty(shape)
-    table_rays(x, y, table.bottom_radius, table.top_radius, r, mu, length)
+    r, mu, length = (np.empty(table.values.shape[:2]) for _ in range(3))
+    table_rays(table.radii, table.bottom_radius, table.top_radius, r, mu, length)
     mean = table.values / np.maximum(length, 1e-9)[..., None]
     mean[-1, 0] = mean[-1, 1]  # at the top, straight up, no distance is left
     largest = mean.max(axis=(0, 1))
@@ -48,8 +48,21 @@ def mean_density_ratios(table: ColumnTable) -> FloatArray:
     return np.stack([scale, mean * scale], axis=-1)
 
 
+def column_rows(table: ColumnTable, density: DensitySegments) -> FloatArray:
+    """Fractional row of a column table at each altitude node of the profiles, shape (n,). [1]
+
+    Between rows it is linear in the distance to the horizon.
+    """
+    bottom = table.bottom_radius
+    altitude = np.clip(table.radii - bottom, 0.0, None)
+    x = np.sqrt(altitude * (altitude + 2.0 * bottom))
+    node = density.node_altitudes
+    horizon = np.sqrt(node * (node + 2.0 * bottom))
+    return np.asarray(np.interp(horizon, x, np.arange(x.size, dtype=float)))
+
+
 @inlined
-def columns_to_top(r, mu, bottom, top, ratios, here):
+def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, here):
     """Columns from a point to the top of the shell, for a ray that misses the ground.
 
     Parameters
@@ -58,12 +71,14 @@ def columns_to_top(r, mu, bottom, top, ratios, here):
         Radius of the point [m] and zenith cosine of the ray there [1].
     bottom, top : float
         Radii of ground and top. [m]
+    first_nodes, rows : array
+        First altitude node of each cell, and rows from ``column_rows``. [1]
     ratios : array, shape (radii, directions, nc, 2)
         Table from ``mean_density_ratios``. [1]
     here : array, shape (nc,)
         Receives the columns. [m]
     """
-    x = altitude_coordinate(r, bottom, top) * (ratios.shape[0] - 1)
+    x = node_value(r, bottom, top, first_nodes, rows)
     row = min(int(x), ratios.shape[0] - 2)
     f = x - row
     x = direction_coordinate(r, mu, bottom, top) * (ratios.shape[1] - 1)

@@ -2,9 +2,9 @@
 
 An optical depth is a sum of columns times extinction coefficients, so columns serve every
 wavelength. ``columns`` integrates the profiles themselves; ``trace`` reads densities from a table
-over the square root of altitude and gives marches their points, densities and columns up to each
-point (relative error below 1e-4). ``ColumnTable`` holds the columns to the top of the shell on
-Bruneton's 2017 mapping for look-ups accurate to 1e-3.
+over the altitude nodes and gives marches their points, densities and columns up to each point
+(relative error below 1e-4). ``ColumnTable`` holds the columns to the top of the shell, its
+directions on Bruneton's 2017 mapping, for look-ups accurate to 1e-3.
 """
 
 from __future__ import annotations
@@ -18,12 +18,10 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.geometry.path import MAX_EDGES, insert_edge, place_edges, place_nodes
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import chord
-from airlight.kernel import compiled_loop, kernel
+from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import run_blocks
-from airlight.mappings.transmittance import (
-    cosine_from_coordinate,
-    radius_from_coordinate,
-)
+from airlight.mappings.transmittance import cosine_from_coordinate, radius_from_coordinate
+from airlight.optics.altitude_nodes import altitude_node
 from airlight.optics.density_profile import DensitySegments, relative_density
 
 FloatArray = NDArray[np.float64]
@@ -32,69 +30,35 @@ FloatArray = NDArray[np.float64]
 TABLE_SHAPE = (160, 288)
 #: A ray with a larger optical depth gets more panels at its start. [1]
 THICK = 15.0
-#: Number of nodes of the density table that marches read.
-DENSITY_NODES = 4097
 #: Rays in one block of work.
 _BLOCK = 1024
 
 
-def density_table(density: DensitySegments, thickness: float) -> FloatArray:
-    """Relative densities at even steps of the square root of altitude.
-
-    Linear interpolation in it errs by less than 1e-5 for a scale height of a hundredth of the
-    shell's thickness, and by less than 1e-3 for a thousandth.
-
-    Parameters
-    ----------
-    density : DensitySegments
-        The profiles.
-    thickness : float
-        Thickness of the shell. [m]
-
-    Returns
-    -------
-    array, shape (DENSITY_NODES, nc)
-        [1]
-    """
-    x = np.linspace(0.0, 1.0, DENSITY_NODES)
-    return np.ascontiguousarray(density.at(thickness * x * x).T)
-
-
-@kernel
-def density_index(radius, bottom_radius, thickness, nodes):
-    """Node and fraction of a radius in a table of ``nodes`` nodes from ``density_table``.
-
-    Returns
-    -------
-    node : int
-    share : float
-        Fraction of the step to the next node. [1]
-    """
-    altitude = min(max((radius - bottom_radius) / thickness, 0.0), 1.0)
-    x = sqrt(altitude) * (nodes - 1)
-    node = min(int(x), nodes - 2)
-    return node, x - node
+def density_table(density: DensitySegments) -> FloatArray:
+    """Relative densities at the altitude nodes, for linear interpolation, shape (n, nc). [1]"""
+    return np.ascontiguousarray(density.at(density.node_altitudes).T)
 
 
 @compiled_loop
-def accumulate(count, rule, bottom_radius, thickness, table, path):
+def accumulate(count, rule, bottom_radius, thickness, nodes, path):
     """Densities at the points of a ray, and the columns up to each.
 
     Parameters
     ----------
     count : int
         Number of points, those of one rule for each panel.
-    rule, bottom_radius, thickness, table :
+    rule, bottom_radius, thickness, nodes :
         Arguments of ``trace``.
     path : tuple of arrays
         Arrays of ``trace``, in which distance, radius and weight are already filled.
     """
     _, weights, running = rule
+    first_nodes, table = nodes
     _, radius, weight, density, column, total, scratch = path
     n = weights.size
     constituents = table.shape[1]
     for k in range(count):
-        node, f = density_index(radius[k], bottom_radius, thickness, table.shape[0])
+        node, f = altitude_node(radius[k], bottom_radius, thickness, first_nodes)
         for i in range(constituents):
             density[i, k] = table[node, i] + (table[node + 1, i] - table[node, i]) * f
     for i in range(constituents):
@@ -119,7 +83,7 @@ def accumulate(count, rule, bottom_radius, thickness, table, path):
 
 
 @compiled_loop
-def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path):
+def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path):
     """Find points along a ray, with the air's densities there and the columns up to them.
 
     Parameters
@@ -132,8 +96,8 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path)
         Nodes (n,), weights (n,) and running integrals (n, n) on [0, 1].
     bottom_radius, thickness : float
         Radius of the ground and thickness of the shell. [m]
-    table : array, shape (DENSITY_NODES, nc)
-        Densities from ``density_table``. [1]
+    nodes : tuple of arrays
+        First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
     path : tuple of arrays
         Receives distance (p,) [m], radius (p,) [m], weight (p,) [m], density (nc, p) [1],
         column (nc, p) [m] for each point, and the whole column (nc,) [m]; the last is a workspace.
@@ -143,15 +107,15 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path)
     int
         Number of points.
     """
-    nodes, weights, _ = rule
-    count = place_nodes(r, mu, edges, edge_count, nodes, weights, path[0], path[1], path[2])
-    accumulate(count, rule, bottom_radius, thickness, table, path)
+    points, weights, _ = rule
+    count = place_nodes(r, mu, edges, edge_count, points, weights, path[0], path[1], path[2])
+    accumulate(count, rule, bottom_radius, thickness, nodes, path)
     return count
 
 
 @compiled_loop
 def trace_resolved(
-    r, mu, edges, edge_count, rule, bottom_radius, thickness, table, strongest, path
+    r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, strongest, path
 ):
     """As ``trace``, with more panels where the start of a thick ray would fall between points.
 
@@ -163,7 +127,7 @@ def trace_resolved(
     ----------
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
-    r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path :
+    r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path :
         Arguments of ``trace``; six more edges and panels must fit.
 
     Returns
@@ -171,7 +135,7 @@ def trace_resolved(
     int
         Number of points.
     """
-    count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path)
+    count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     for _ in range(2):
         tau = 0.0
         for i in range(strongest.size):
@@ -185,7 +149,7 @@ def trace_resolved(
         )
         for cut in cuts:
             edge_count = insert_edge(edges, edge_count, cut)
-        count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, table, path)
+        count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     return count
 
 
@@ -317,12 +281,16 @@ class ColumnTable:
     ----------
     bottom_radius, top_radius : float
         Radii of the ground and of the top of the shell. [m]
+    radii : array, shape (radii,)
+        Radii of the rows, from the ground to the top. [m]
     values : array, shape (radii, directions, constituents)
-        Columns on the mapping of ``airlight.mappings.transmittance``, ends included. [m]
+        Columns; directions on the mapping of ``airlight.mappings.transmittance``, ends included.
+        [m]
     """
 
     bottom_radius: float
     top_radius: float
+    radii: FloatArray
     values: FloatArray
 
     @classmethod
@@ -332,32 +300,55 @@ class ColumnTable:
         top_radius: float,
         density: DensitySegments,
         shape: tuple[int, int] = TABLE_SHAPE,
+        radii: FloatArray | None = None,
     ) -> ColumnTable:
-        """Integrate every entry of the table (relative error below 1e-5)."""
-        x, y = np.meshgrid(np.linspace(0, 1, shape[0]), np.linspace(0, 1, shape[1]), indexing="ij")
-        r, mu, length = np.empty(shape), np.empty(shape), np.empty(shape)
-        table_rays(x, y, bottom_radius, top_radius, r, mu, length)
-        values = np.empty((*shape, density.edges.shape[0]))
+        """Integrate every entry of the table (relative error below 1e-5).
+
+        Parameters
+        ----------
+        bottom_radius, top_radius : float
+            Radii of the ground and of the top of the shell. [m]
+        density : DensitySegments
+            The profiles.
+        shape : tuple of int
+            Numbers of rows and of directions.
+        radii : array, optional
+            Radii of the rows; without, those of Bruneton's mapping. [m]
+        """
+        if radii is None:
+            radii = even_radii(bottom_radius, top_radius, shape[0])
+        values = np.empty((radii.size, shape[1], density.edges.shape[0]))
+        r, mu, length = (np.empty(values.shape[:2]) for _ in range(3))
+        table_rays(radii, bottom_radius, top_radius, r, mu, length)
 
         def row(index: int) -> None:
             values[index] = columns(
                 r[index], mu[index], length[index], bottom_radius, density, nodes=16, panels=3
             )
 
-        run_blocks(row, shape[0])
-        return cls(bottom_radius, top_radius, values)
+        run_blocks(row, radii.size)
+        return cls(bottom_radius, top_radius, radii, values)
+
+
+def even_radii(bottom_radius: float, top_radius: float, count: int) -> FloatArray:
+    """Radii even in the distance to the horizon, from the ground to the top, shape (count,). [m]"""
+    x = np.linspace(0.0, 1.0, count)
+    r = vectorized(radius_from_coordinate)(x, bottom_radius, top_radius)
+    return np.asarray(np.minimum(r, top_radius))
 
 
 @compiled_loop
-def table_rays(x, y, bottom_radius, top_radius, r, mu, length):
+def table_rays(radii, bottom_radius, top_radius, r, mu, length):
     """Radius [m], cosine [1] and distance to the top [m] of each entry, shape (rows, columns)."""
-    for i in range(x.shape[0]):
-        for j in range(x.shape[1]):
-            r[i, j] = min(radius_from_coordinate(x[i, j], bottom_radius, top_radius), top_radius)
-            mu[i, j] = cosine_from_coordinate(y[i, j], r[i, j], bottom_radius, top_radius)
+    tangent = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
+    for i in range(r.shape[0]):
+        q = radii[i]
+        horizon = sqrt(max((q - bottom_radius) * (q + bottom_radius), 0.0))
+        for j in range(r.shape[1]):
+            y = j / (r.shape[1] - 1.0)
+            r[i, j] = q
+            mu[i, j] = cosine_from_coordinate(y, q, bottom_radius, top_radius)
             # From the mapping itself, so that the horizon ray does not count as one into the
             # ground.
-            shortest = top_radius - r[i, j]
-            tangent = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))
-            longest = x[i, j] * tangent + tangent
-            length[i, j] = shortest + y[i, j] * (longest - shortest)
+            shortest = top_radius - q
+            length[i, j] = shortest + y * (horizon + tangent - shortest)

@@ -14,9 +14,9 @@ from airlight.solvers.moments.directions import directions
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.settings import QUALITIES, Settings
 
-GRID = Grid(6371e3, 6471e3, 6371e3 + np.array([0.0, 1.0, 2e4, 1e5]), *[np.zeros(0)] * 3)
+GRID = Grid(6371e3, 6471e3, 6371e3 + np.array([0.0, 1.0, 2e4, 1e5]), *[np.zeros(0)] * 4)
 #: A small planet with a vast shell, whose horizon is far below the horizontal.
-VAST = Grid(1e6, 3e6, np.array([1e6, 2e6, 3e6]), *[np.zeros(0)] * 3)
+VAST = Grid(1e6, 3e6, np.array([1e6, 2e6, 3e6]), *[np.zeros(0)] * 4)
 COUNTS = [(12,), (6, 5), (3, 3)]
 
 

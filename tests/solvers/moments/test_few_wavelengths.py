@@ -27,7 +27,7 @@ def test_pairs_give_the_orders_that_eight_wavelengths_give(name: str) -> None:
     block = Setup(paths=LightPaths.of(medium), settings=settings_for("preview")).block(slice(None))
     assert block.few
     setup = block.setup
-    once = (setup.star_ratios, setup.paths.lift)
+    once = (setup.column_rows, setup.star_ratios, setup.paths.lift)
     first, sky = gather(block, first_order_radius_of_few, *once)
     wanted, wanted_sky = gather(block, first_order_radius, *once)
     mean = wanted[:, :, :1].clip(1e-12)

@@ -152,7 +152,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
     # The radii of a clear shell of 60 km, so that none of them is adapted to the haze.
     medium = Medium.from_planet(planet, planet.own_wavelengths)
     altitude = 60e3 * np.linspace(0.0, 1.0, 4097) ** 2
-    grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)))
+    grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)), np.arange(4097.0))
     rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), (6,), 14)
     air = Optics(medium, 8).air(slice(0, 1))
     near, share = rays_in_sight(rays, air)

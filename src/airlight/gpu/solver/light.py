@@ -11,10 +11,10 @@ import numpy as np
 from airlight.gpu.solver.ray_sums import fill_phases, fill_polarising, gathered, scattered_once
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
+from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import star_factor
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light
-from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
 from airlight.solvers.moments.ray_optics import leaving_at_end, sky_at, star_at_end, star_from_ray
 from airlight.solvers.moments.sent_light import contracted, coupled_moments, odd_moment
@@ -111,7 +111,7 @@ def row(index, sizes, tables, first_point, factors, packed):
     part = index % block
     j = index // block % sizes.suns
     point = first_point + index // (block * sizes.suns)
-    x = radius_index(tables.radius[point], sizes.bottom, sizes.top, tables.row)
+    x = node_value(tables.radius[point], sizes.bottom, sizes.top, tables.first_nodes, tables.row)
     level = min(int(x), sizes.levels - 2)
     f = np.float32(x - level)
     low = (level * sizes.suns + j) * (1 + sizes.terms) * LANES

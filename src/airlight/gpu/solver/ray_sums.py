@@ -64,13 +64,15 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
 
 
 @inlined
-def depth_in_row(ratios, q, place, bottom, top, extinction, constituents):
-    """``depth_towards`` from a radius q; the directions are even in the distance to the top. [1]"""
-    x = altitude_coordinate(q, bottom, top)
-    row = min(int(x * (ratios.shape[0] - 1)), ratios.shape[0] - 2)
-    f = x * (ratios.shape[0] - 1) - row
+def depth_in_row(ratios, x, q, place, bottom, top, extinction, constituents):
+    """``depth_towards`` from a radius q, whose fractional row is x. [1]
+
+    The directions are even in the distance to the top.
+    """
+    row = min(int(x), ratios.shape[0] - 2)
+    f = x - row
     shortest = top - q
-    longest = (1.0 + x) * sqrt((top - bottom) * (top + bottom))
+    longest = (1.0 + altitude_coordinate(q, bottom, top)) * sqrt((top - bottom) * (top + bottom))
     distance = shortest + place * ((longest - shortest) / (ratios.shape[1] - 1))
     return depth_towards(ratios, row, f, place, distance, extinction, constituents)
 

@@ -19,6 +19,7 @@ import numpy as np
 from airlight.gpu.solver.ray_sums import depth_in_row
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat
+from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.harmonics import (
     ELEMENTS,
@@ -185,11 +186,13 @@ def depth(index, sizes, tables, first_point):
     Texels (point, direction); the points of one span of radii, preceded by the ground.
     """
     local, place = index // sizes.directions, index % sizes.directions
-    q = sizes.bottom
+    q, x = sizes.bottom, 0.0
     if local > 0:
         q = tables.radius[first_point + local - 1]
+        x = node_value(q, sizes.bottom, sizes.top, tables.first_nodes, tables.column_rows)
     return depth_in_row(
         tables.ratios,
+        x,
         q,
         place,
         sizes.bottom,

@@ -55,12 +55,14 @@ class Tables(NamedTuple):
     ----------
     mu, weight, flux, start, total, end, radius, mu_along, turn, amount, column :
         Fields of ``Rays``; total and column flat.
-    sun_cosines, row, place :
+    sun_cosines, first_nodes, row, place :
         Fields of ``Grid``.
     cosines, multiples, sines :
         Fields of ``Azimuths``.
     harmonic, ahead, back :
         Fields of ``Harmonics``.
+    column_rows :
+        Rows of ``ratios`` at the altitude nodes, from ``column_rows``.
     ratios :
         Table from ``mean_density_ratios``.
     lift :
@@ -85,6 +87,7 @@ class Tables(NamedTuple):
     amount: Annotated[Any, scalars(2)]
     column: Annotated[Any, scalars()]
     sun_cosines: Annotated[Any, scalars()]
+    first_nodes: Annotated[Any, scalars()]
     row: Annotated[Any, scalars()]
     place: Annotated[Any, scalars()]
     cosines: Annotated[Any, scalars()]
@@ -93,6 +96,7 @@ class Tables(NamedTuple):
     harmonic: Annotated[Any, scalars()]
     ahead: Annotated[Any, scalars()]
     back: Annotated[Any, scalars()]
+    column_rows: Annotated[Any, scalars()]
     ratios: Annotated[Any, scalars(4)]
     lift: Annotated[Any, scalars(3)]
     level: Annotated[Any, scalars()]

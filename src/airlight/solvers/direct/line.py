@@ -17,7 +17,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_cell, view_cell
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import graded, uniform
-from airlight.tables.column_ratios import columns_to_top, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
     ColumnTable,
     accumulate,
@@ -46,10 +46,12 @@ class LineOptics(NamedTuple):
         Indices of these among all constituents.
     strongest : array, shape (nc,)
         Largest extinction at any wavelength. [m⁻¹]
-    density : array, shape (nodes, nc)
-        Densities from ``density_table``. [1]
+    nodes : tuple of arrays
+        First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
     corners : array, shape (n,)
         Altitudes at which a profile has a corner, ground and top included. [m]
+    rows : array, shape (n,)
+        Rows of ``ratios`` at the altitude nodes. [1]
     ratios : array, shape (radii, directions, nc, 2)
         Table from ``mean_density_ratios``: columns to the star for the orders that are gathered.
         [1]
@@ -68,8 +70,9 @@ class LineOptics(NamedTuple):
     extinction: FloatArray
     scatterers: IntArray
     strongest: FloatArray
-    density: FloatArray
+    nodes: tuple[FloatArray, FloatArray]
     corners: FloatArray
+    rows: FloatArray
     ratios: FloatArray
     rule: tuple[FloatArray, FloatArray, FloatArray]
     ground: Reflection
@@ -89,8 +92,9 @@ def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
         medium.extinction,
         scatterers,
         medium.extinction.max(axis=1),
-        density_table(medium.density, medium.thickness),
+        (medium.density.first_nodes, density_table(medium.density)),
         medium.density.corners,
+        column_rows(table, medium.density),
         mean_density_ratios(table),
         rule.as_tuple(),
         medium.ground,
@@ -168,14 +172,14 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
         count = place_edges(r, mu, length, 1, first_cut, second_cut, edges)
         count = cut_at_corners(r, mu, air.bottom, air.corners, edges, count)
         return trace_resolved(
-            r, mu, edges, count, air.rule, air.bottom, thickness, air.density, air.strongest, path
+            r, mu, edges, count, air.rule, air.bottom, thickness, air.nodes, air.strongest, path
         )
     nodes, weights, _ = air.rule
     for k in range(nodes.size):
         path[0][k] = length * nodes[k]
         path[1][k] = radius_along(r, mu, path[0][k])
         path[2][k] = length * weights[k]
-    accumulate(nodes.size, air.rule, air.bottom, thickness, air.density, path)
+    accumulate(nodes.size, air.rule, air.bottom, thickness, air.nodes, path)
     return nodes.size
 
 
@@ -313,7 +317,7 @@ def star_columns(r, mu_s, nested, air, edges, path, here):
     """Columns from a point to the star, or past the horizon if that hides its centre. [m]"""
     mu = max(mu_s, horizon_cosine(r, air.bottom))
     if not nested:
-        columns_to_top(r, mu, air.bottom, air.top, air.ratios, here)
+        columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, here)
         return
     length = -r * mu + ((air.top - r) * (air.top + r) + r * r * mu * mu) ** 0.5
     follow(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)

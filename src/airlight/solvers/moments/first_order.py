@@ -23,7 +23,8 @@ from airlight.kernel.lanes import (
     splat,
     store,
 )
-from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
+from airlight.mappings.transmittance import direction_coordinate
+from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import star_factor
 from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED, legendre_functions
 from airlight.solvers.moments.ray_optics import (
@@ -70,13 +71,15 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift
 
 
 @inlined
-def fill_depths(ratios, q, bottom, top, extinction, workspace, first, out, paired):
+def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, paired):
     """Optical depths from a radius to the top of the shell, in the tabled directions. [1]
 
     Parameters
     ----------
     ratios : array, shape (radii, nc, 2, directions)
         ``Setup.star_ratios``.
+    x : float
+        Fractional row of the point's radius. [1]
     q, bottom, top : float
         Radii of the point, of the ground and of the top. [m]
     extinction : array, shape (nc·8,)
@@ -90,7 +93,6 @@ def fill_depths(ratios, q, bottom, top, extinction, workspace, first, out, paire
         Whether both halves of ``extinction`` are alike; a constant.
     """
     constituents, directions = ratios.shape[1], ratios.shape[3]
-    x = altitude_coordinate(q, bottom, top) * (ratios.shape[0] - 1)
     row = min(int(x), ratios.shape[0] - 2)
     f = np.float32(x - row)
     g = np.float32(1.0) - f
@@ -179,11 +181,11 @@ def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
 
 @inlined
 def _first_order(
-    i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out, paired
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, paired
 ):  # fmt: skip
     """``first_order_radius``, or ``first_order_radius_of_few`` if ``paired``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
-    bottom, top, _, sun_cosines, _, _ = grid
+    bottom, top, _, sun_cosines, first_nodes, _, _ = grid
     (
         all_mu,
         all_weights,
@@ -223,7 +225,7 @@ def _first_order(
     workspace = np.empty((constituents + 1) * LANES, np.float32)
     sun_depths = np.empty(most * directions * width, np.float32)
     ground_depths = np.empty(directions * LANES, np.float32)
-    fill_depths(ratios, bottom, bottom, top, extinction, workspace, 0, ground_depths, False)
+    fill_depths(ratios, 0.0, bottom, bottom, top, extinction, workspace, 0, ground_depths, False)
     strength = np.empty(most * max(count, 1) * LANES, np.float32)
     across = np.empty(most * LANES, np.float32)
     phase = np.empty(max(count, 1) * LANES, np.float32)
@@ -255,9 +257,10 @@ def _first_order(
         points = starts[i, a + 1] - first
         for k in range(points):
             q = ray_radii[first + k]
+            x = node_value(q, bottom, top, first_nodes, rows)
             fill_depths(
-                ratios, q, bottom, top, extinction, workspace, k * directions * width, sun_depths,
-                paired,
+                ratios, x, q, bottom, top, extinction, workspace, k * directions * width,
+                sun_depths, paired,
             )  # fmt: skip
             through = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
@@ -402,31 +405,35 @@ def reflected_star(
 
 
 @compiled_loop
-def first_order_radius(i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out):
+def first_order_radius(
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out
+):
     """Moments of the light scattered or reflected once, at all sun elevations of one radius.
 
     Parameters
     ----------
     i, grid, rays, share, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
+    rows : array, shape (n,)
+        Rows of ``ratios`` at the altitude nodes, from ``column_rows``. [1]
     ratios : array, shape (radii, nc, 2, directions)
         ``Setup.star_ratios``.
     lift : array, shape (rows, columns, 2)
         Table from ``star_lift``. [1]
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out, False
+        i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, False
     )  # fmt: skip
 
 
 @compiled_loop
 def first_order_radius_of_few(
-    i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out
 ):  # fmt: skip
     """``first_order_radius`` for at most four wavelengths, two azimuths in a register.
 
     Both halves of ``share`` and of ``air`` have the same wavelengths.
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, ratios, lift, out, sky_out, True
+        i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, True
     )  # fmt: skip

@@ -10,13 +10,13 @@ of the elevation. Measurements: docs/decisions/0001-moments-in-the-twilight.md.
 
 from __future__ import annotations
 
-from math import acos, asinh, degrees, sqrt
+from math import acos, asinh, degrees
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import inlined, vectorized
+from airlight.kernel import vectorized
 from airlight.mappings.transmittance import altitude_coordinate
 from airlight.solvers.moments.levels import Depths, place_levels
 
@@ -48,9 +48,10 @@ class Grid(NamedTuple):
         Radii from the ground to the top. [m]
     sun_cosines : array, shape (s,)
         Sun cosines from -1 to 1. [1]
-    row : array, shape (4097,)
-        Fractional index into ``radii`` at even steps of the square root of altitude over the
-        shell's thickness. [1]
+    first_nodes : array, shape (CELLS + 1,)
+        Index of the first altitude node of each cell, see ``altitude_nodes``. [1]
+    row : array, shape (n,)
+        Fractional index into ``radii`` at the altitude nodes. [1]
     place : array, shape (8193,)
         Fractional index into ``sun_cosines`` at even steps of mu_s from -1 to 1. [1]
     """
@@ -59,12 +60,18 @@ class Grid(NamedTuple):
     top_radius: float
     radii: FloatArray
     sun_cosines: FloatArray
+    first_nodes: FloatArray
     row: FloatArray
     place: FloatArray
 
 
 def make_grid(
-    bottom_radius: float, top_radius: float, radii: int, suns: int, depths: Depths
+    bottom_radius: float,
+    top_radius: float,
+    radii: int,
+    suns: int,
+    depths: Depths,
+    first_nodes: FloatArray,
 ) -> tuple[Grid, int]:
     """Make the grid of a shell.
 
@@ -75,7 +82,9 @@ def make_grid(
     radii, suns : int
         Numbers of nodes; thick air gets more radii.
     depths : Depths
-        Depths at even steps of the square root of altitude, from the ground to the top.
+        Depths at the altitude nodes.
+    first_nodes : array, shape (CELLS + 1,)
+        Index of the first altitude node of each cell. [1]
 
     Returns
     -------
@@ -100,6 +109,7 @@ def make_grid(
         float(top_radius),
         r,
         sun_cosines,
+        first_nodes,
         levels.row,
         place,
     )
@@ -140,12 +150,3 @@ def _smooth(x: FloatArray) -> FloatArray:
     """0 below 0, 1 above 1, and a smooth step between."""
     x = np.clip(x, 0.0, 1.0)
     return np.asarray(x * x * (3.0 - 2.0 * x))
-
-
-@inlined
-def radius_index(q, bottom, top, row):
-    """Fractional index of a radius in the grid."""
-    fraction = min(max((q - bottom) / (top - bottom), 0.0), 1.0)
-    x = sqrt(fraction) * (row.size - 1)
-    k = min(int(x), row.size - 2)
-    return row[k] + (row[k + 1] - row[k]) * (x - k)

@@ -7,8 +7,8 @@ import numpy as np
 from airlight.geometry.bending import level_light, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
+from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor, star_factor
-from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import level_sky, level_star, star_at
 from airlight.tables.column_ratios import columns_to_top
@@ -31,8 +31,19 @@ def ground_light(mu_s, orders, light, work):
     )
     direct = orders != 0 and from_low + from_high > 0.0
     if direct:
-        columns_to_top(bottom, low, bottom, top, light.columns, work.here)
-        columns_to_top(bottom, high, bottom, top, light.columns, work.there)
+        columns_to_top(
+            bottom, low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+        )
+        columns_to_top(
+            bottom,
+            high,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.there,
+        )
     x = sun_index(mu_s, light.place)
     place = min(int(x), light.suns - 2)
     for at in range(0, light.lanes, LANES):
@@ -76,8 +87,12 @@ def direct_irradiance(r, mu_s, light, work, out):
         from_low, from_high, low, high = level_light(
             r[k], mu_s[k], bottom, top, light.star_radius, light.lift
         )
-        columns_to_top(r[k], low, bottom, top, light.columns, work.here)
-        columns_to_top(r[k], high, bottom, top, light.columns, work.there)
+        columns_to_top(
+            r[k], low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+        )
+        columns_to_top(
+            r[k], high, bottom, top, light.first_nodes, light.column_rows, light.columns, work.there
+        )
         for at in range(0, lanes, LANES):
             star = level_star(
                 work.here, work.there, from_low, from_high, light.extinction, light.constituents,
@@ -92,8 +107,12 @@ def facing_irradiance(r, mu_s, light, work, out):
     bottom, top, lanes = light.bottom, light.top, light.lanes
     for k in range(r.size):
         seen, low, high = star_points(r[k], mu_s[k], bottom, top, light.star_radius, light.lift)
-        columns_to_top(r[k], low, bottom, top, light.columns, work.here)
-        columns_to_top(r[k], high, bottom, top, light.columns, work.there)
+        columns_to_top(
+            r[k], low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+        )
+        columns_to_top(
+            r[k], high, bottom, top, light.first_nodes, light.column_rows, light.columns, work.there
+        )
         for at in range(0, lanes, LANES):
             star = star_at(
                 seen, work.here, work.there, high > low, light.extinction, light.constituents,
@@ -110,19 +129,20 @@ def sky_irradiance(r, mu_s, radii, light, out):
     """
     suns, lanes = light.suns, light.lanes
     for k in range(r.size):
-        row = min(int(radius_index(r[k], light.bottom, light.top, light.row)), light.radii - 2)
+        place = node_value(r[k], light.bottom, light.top, light.first_nodes, light.row)
+        row = min(int(place), light.radii - 2)
         # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
         f = (r[k] - radii[row]) / (radii[row + 1] - radii[row])
         x = sun_index(mu_s[k], light.place)
-        place = min(int(x), suns - 2)
-        e = x - place
+        sun = min(int(x), suns - 2)
+        e = x - sun
         for at in range(0, lanes, LANES):
             scale = splat(0.0)
             value = splat(0.0)
             for corner in range(4):
                 up, right = corner // 2, corner % 2
                 weight = np.float32((f if up else 1.0 - f) * (e if right else 1.0 - e))
-                node = ((row + up) * suns + place + right) * 2 * lanes + at
+                node = ((row + up) * suns + sun + right) * 2 * lanes + at
                 scale = scale + weight * load(light.sky, node)
                 value = value + weight * load(light.sky, node + lanes)
             store(out[k], at, value / scale)

@@ -245,7 +245,9 @@ def _iterate(
     if block.few:
         once, sweep = first_order_radius_of_few, sweep_radius_of_few
     watch.report()
-    first_field, first_sky = gather(block, once, setup.star_ratios, setup.paths.lift, cancel=cancel)
+    first_field, first_sky = gather(
+        block, once, setup.column_rows, setup.star_ratios, setup.paths.lift, cancel=cancel
+    )
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
     wandering = Wandering(block, cancel)

@@ -16,6 +16,7 @@ one radius to the next; there ratios keep it positive.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import exp
 from typing import Any, Final, NamedTuple
 
@@ -24,6 +25,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel, vectorized
 from airlight.kernel.threads import run_blocks
+from airlight.optics.layer_edges import ThinLayer
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -43,6 +45,8 @@ _STEPS: Final = 23
 _SPARED: Final = 0.25
 #: Largest number of steps, over that of a clear grid.
 _MOST: Final = 4.0
+#: Number of steps of that grid in a thin layer, beside those that follow its optical depth.
+_LAYER_STEPS: Final = 8.0
 #: Number of cuts of a ray through thick air.
 _CUTS: Final = 12
 #: Points of a panel where a ray has many panels.
@@ -67,10 +71,13 @@ class Depths(NamedTuple):
         Altitudes. [m]
     scattering : array, shape (n,)
         Depth at the wavelength that scatters most, without forward peaks, from 0. [1]
+    layers : tuple of ThinLayer
+        Layers that are thin compared with the shell.
     """
 
     altitude: FloatArray
     scattering: FloatArray
+    layers: tuple[ThinLayer, ...] = ()
 
     @property
     def reach(self) -> float:
@@ -119,11 +126,42 @@ def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
         # In the clearest air, of a depth of 1e-9, ``thick`` and with it ``follows`` are 0.
         coordinate = coordinate + follows * (most / follows[-1] if follows[-1] > most else 1.0)
     parts = _PARTS if thick > _REFINED else 1
-    steps = parts * max(count - 1, round(coordinate[-1]))
-    row = coordinate * (steps / coordinate[-1])
+    if depths.layers:
+        row = parts * _layered(coordinate, depths, count)
+    else:
+        row = coordinate * (parts * max(count - 1, round(coordinate[-1])) / coordinate[-1])
+    steps = round(row[-1])
     altitudes = np.interp(np.arange(steps + 1, dtype=float), row, depths.altitude)
     altitudes[0], altitudes[-1] = depths.altitude[0], depths.altitude[-1]
     return Levels(altitudes, row, parts)
+
+
+def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
+    """Fractional number of the gathering level, where levels lie at the ends of thin layers.
+
+    Parameters
+    ----------
+    coordinate : array, shape (m,)
+        That number without thin layers.
+    depths : Depths
+        Optical depths at the same altitudes.
+    count : int
+        Number of levels of a clear grid.
+    """
+    altitude, depth = depths.altitude, depths.scattering
+    ends = sorted({end for layer in depths.layers for end in layer})
+    bounds = [0, *(int(np.abs(altitude - end).argmin()) for end in ends), altitude.size - 1]
+    row = np.zeros(altitude.size)
+    for low, high in pairwise(sorted(set(bounds))):
+        here = slice(low, high + 1)
+        along = coordinate[here] - coordinate[low]
+        middle = 0.5 * (altitude[low] + altitude[high])
+        if any(layer.bottom < middle < layer.top for layer in depths.layers):
+            within = depth[here] - depth[low]
+            along = along + (count - 1) / _STEPS * _steps(within)
+            along = along + _LAYER_STEPS * (count - 1) / _STEPS * within / max(within[-1], 1e-300)
+        row[here] = row[low] + along * (max(round(along[-1]), 1) / max(along[-1], 1e-300))
+    return row
 
 
 def panel_cuts(altitudes: FloatArray, parts: int) -> FloatArray:

@@ -87,8 +87,7 @@ def diffusion_lengths(medium: Medium, asymmetry: FloatArray) -> FloatArray:
     array, shape (nl,)
         0 where nothing absorbs.
     """
-    density = density_table(medium.density, medium.thickness)
-    altitude = medium.thickness * np.linspace(0.0, 1.0, density.shape[0]) ** 2
+    density, altitude = density_table(medium.density), medium.density.node_altitudes
     absorbed = density @ medium.absorption
     turned = density @ (medium.scattering * (1.0 - asymmetry))
     local = np.sqrt(3.0 * absorbed * (absorbed + turned))

@@ -20,7 +20,7 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
-from airlight.solvers.moments.grid import radius_index
+from airlight.optics.altitude_nodes import node_value
 from airlight.solvers.moments.harmonics import (
     ELEMENTS,
     EVEN,
@@ -317,7 +317,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
         for c in range(constituents):
             here = c * lanes + at
             store(stars.scattering, here, load(light.scattering, here) * work.rho[c])
-    x = radius_index(q, light.bottom, light.top, light.row)
+    x = node_value(q, light.bottom, light.top, light.first_nodes, light.row)
     row = min(int(x), light.radii - 2)
     f = np.float32(x - row)
     ready = False

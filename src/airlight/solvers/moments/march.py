@@ -18,7 +18,7 @@ import numpy as np
 from airlight.geometry.bending import bend_angle, star_points, turned
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
-from airlight.solvers.moments.grid import radius_index
+from airlight.optics.altitude_nodes import node_value
 from airlight.solvers.moments.harmonics import POLARISED, directed_functions
 from airlight.solvers.moments.march_panels import in_sight, panel_columns, place_panel, place_panels
 from airlight.solvers.moments.ray_optics import sun_index
@@ -225,9 +225,20 @@ def star_columns(q, mu_s, light, work):
     bottom, top = light.bottom, light.top
     seen, low, high = star_points(q, mu_s, bottom, top, light.star_radius, light.lift)
     if seen > 0.0:
-        columns_to_top(q, low, bottom, top, light.columns, work.here)
+        columns_to_top(
+            q, low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+        )
         if high > low:
-            columns_to_top(q, high, bottom, top, light.columns, work.there)
+            columns_to_top(
+                q,
+                high,
+                bottom,
+                top,
+                light.first_nodes,
+                light.column_rows,
+                light.columns,
+                work.there,
+            )
     return seen, high > low
 
 
@@ -344,7 +355,7 @@ def field_place(q, mu, mu_s, nu, light, work):
         (light.degree, light.start, light.ahead, light.back),
         work.functions,
     )
-    x = radius_index(q, light.bottom, light.top, light.row)
+    x = node_value(q, light.bottom, light.top, light.first_nodes, light.row)
     row = min(int(x), light.radii - 2)
     y = sun_index(mu_s, light.place)
     sun = min(int(y), light.suns - 2)

@@ -18,9 +18,10 @@ from airlight.geometry.path import (
 from airlight.geometry.shell import meets_ground, radius_along
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, largest
+from airlight.optics.altitude_nodes import altitude_node
 from airlight.solvers.moments.source import through_columns
 from airlight.tables.column_ratios import columns_to_top
-from airlight.tables.columns import THICK, cut_at_corners, density_index
+from airlight.tables.columns import THICK, cut_at_corners
 
 #: A stretch is steep if its length over the shell's thickness is less; and in full daylight if
 #: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
@@ -59,8 +60,8 @@ def place_panel(r, mu, panel, count, rule, light, work):
             -r * mu, descending, low, beside, first, last, light.rules[rule + 1 + k]
         )
         work.weight[k] = slope * light.rules[rule + 1 + n + k]
-        node, share = density_index(
-            work.radius[k], light.bottom, light.top - light.bottom, light.density.shape[0]
+        node, share = altitude_node(
+            work.radius[k], light.bottom, light.top - light.bottom, light.first_nodes
         )
         for c in range(light.constituents):
             here = light.density[node, c]
@@ -168,8 +169,12 @@ def columns_between(r, mu, length, light, work):
     low, low_mu, high, high_mu = r, mu, end, mu_end
     if meets_ground(r, mu, bottom):
         low, low_mu, high, high_mu = end, -mu_end, r, -mu
-    columns_to_top(low, low_mu, bottom, top, light.columns, work.totals)
-    columns_to_top(high, high_mu, bottom, top, light.columns, work.here)
+    columns_to_top(
+        low, low_mu, bottom, top, light.first_nodes, light.column_rows, light.columns, work.totals
+    )
+    columns_to_top(
+        high, high_mu, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+    )
     depth = 0.0
     for c in range(light.constituents):
         work.totals[c] = max(work.totals[c] - work.here[c], 0.0)

@@ -49,9 +49,13 @@ class MarchTables(NamedTuple):
         Constituents whose single scattering is also found without its phase function; -1 for none.
     widened : bool
         Whether forward peaks count as unscattered and are widened, see ``widened_peaks``.
+    first_nodes : array, shape (CELLS + 1,)
+        Index of the first altitude node of each cell, see ``altitude_nodes``. [1]
+    column_rows : array, shape (n,)
+        Rows of ``columns`` at the altitude nodes. [1]
     columns : array, shape (radii, directions, nc, 2)
         Ratios of a ``ColumnTable``, from ``mean_density_ratios``. [1]
-    density : array, shape (nodes, nc)
+    density : array, shape (n, nc)
         Densities from ``density_table``. [1]
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
@@ -111,6 +115,8 @@ class MarchTables(NamedTuple):
     first_peak: Annotated[int, CHOICE]
     second_peak: Annotated[int, CHOICE]
     widened: bool
+    first_nodes: Annotated[FloatArray, scalars()]
+    column_rows: Annotated[FloatArray, scalars()]
     columns: Annotated[FloatArray, scalars(4)]
     density: Annotated[FloatArray, scalars(2)]
     strongest: Annotated[FloatArray, scalars()]

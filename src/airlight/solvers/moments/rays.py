@@ -77,11 +77,12 @@ def _turn(r, mu, distance, radius, angle, out):
 
 
 @compiled_loop
-def trace_into(grid, mu, panels, rule, table, strongest, bend, ends, edges, path, rays):
+def trace_into(grid, mu, panels, rule, nodes, strongest, bend, ends, edges, path, rays):
     """Trace all rays of the quadratures into ``rays``, see ``trace_rays``; their points' count."""
     count = 0
     here = np.empty(4)
-    last = table.shape[1] - 1
+    constituents = nodes[1].shape[1]
+    last = constituents - 1
     for i in range(mu.shape[0]):
         r = grid.radii[i]
         for a in range(mu.shape[1]):
@@ -102,11 +103,11 @@ def trace_into(grid, mu, panels, rule, table, strongest, bend, ends, edges, path
                 rule,
                 grid.bottom_radius,
                 grid.top_radius - grid.bottom_radius,
-                table,
+                nodes,
                 strongest,
                 path,
             )
-            for c in range(table.shape[1]):
+            for c in range(constituents):
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
             if below:
                 bent = bend_angle(r, mu[i, a], bend, rays.total[i, a, last])
@@ -117,7 +118,7 @@ def trace_into(grid, mu, panels, rule, table, strongest, bend, ends, edges, path
                 rays.radius[count] = q
                 bent = bend_angle(r, mu[i, a], bend, path[4][last, k])
                 rays.mu_along[count] = _turn(r, mu[i, a], path[0][k], q, bent, rays.turn[count])
-                for c in range(table.shape[1]):
+                for c in range(constituents):
                     rays.amount[count, c] = path[3][c, k] * path[2][k]
                     rays.column[count, c] = path[4][c, k]
                 count += 1
@@ -179,7 +180,7 @@ def trace_rays(
         mu,
         panels,
         gauss_legendre(nodes).as_tuple(),
-        density_table(density, grid.top_radius - grid.bottom_radius),
+        (density.first_nodes, density_table(density)),
         strongest,
         bend,
         ends,

@@ -24,8 +24,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel, vectorized
-from airlight.mappings.transmittance import radius_from_coordinate
-from airlight.optics.layer_edges import FAINT, layer_edges
+from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
+from airlight.optics.layer_edges import FAINT, layer_edges, thin_layers
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import ELEMENTS
@@ -33,16 +33,21 @@ from airlight.solvers.moments.levels import Depths, panel_cuts
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.ray_optics import Air
 from airlight.solvers.moments.settings import Settings
-from airlight.tables.columns import density_table
+from airlight.tables.columns import density_table, even_radii
 
 FloatArray = NDArray[np.float64]
 
 #: Vertical scattering optical depth about which forward peaks begin to be cut off. [1]
 THIN: Final = 0.1
-#: Largest optical depth between rows of the table of columns in layers aloft, and largest number
-#: of rows over that of clear air.
+#: Largest optical depth between rows of the table of columns in layers aloft, largest change of a
+#: profile between them over its maximum, and largest number of rows over that of clear air.
 _ROW_DEPTH: Final = 0.15
-_MORE_ROWS: Final = 8
+_ROW_CHANGE: Final = 0.15
+#: Largest change from row to row of the logarithm of the column above within a thin layer, down to
+#: a small part of the layer's column, and of that of the distance to the top below it.
+_ROW_FALL: Final = 0.15
+_LEAST_ABOVE: Final = 0.01
+_MOST_ROWS: Final = 8
 #: Smallest scattering optical depth of a wide layer aloft at whose edges the panels of sweeps end:
 #: a fainter one changes skies by less than 0.4 % there, and ends would cost 10 % of the solve.
 _FAINT_AND_WIDE: Final = 0.01
@@ -242,6 +247,11 @@ class Optics:
         return self._reduced[0]
 
     @property
+    def scattering(self) -> FloatArray:
+        """Scattering coefficients without forward peaks, shape (nc, nl). [m⁻¹]"""
+        return self._reduced[1][:, 0]
+
+    @property
     def peak_weight(self) -> FloatArray:
         """Weight of the removal of forward peaks, from 0 (thin) to 1 (thick), shape (nl,). [1]"""
         return np.asarray(self._reduced[3][0])
@@ -274,12 +284,12 @@ class Optics:
     def depths(self) -> Depths:
         """Depths that the radii follow."""
         medium = self.medium
-        table = density_table(medium.density, medium.thickness)
-        altitude = medium.thickness * np.linspace(0.0, 1.0, table.shape[0]) ** 2
+        table, altitude = density_table(medium.density), medium.density.node_altitudes
         step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
         column = np.concatenate([np.zeros((1, table.shape[1])), np.cumsum(step, axis=0)])
         smooth = self._reduced[1][:, 0]
-        return Depths(altitude, column @ smooth.max(axis=1))
+        layers = thin_layers(medium.density, medium.extinction.max(axis=1))
+        return Depths(altitude, column @ smooth.max(axis=1), tuple(layers))
 
     def air(self, block: slice) -> Air:
         """Pack the optics of some wavelengths in whole groups of eight lanes.
@@ -316,22 +326,25 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     """
     least, faint = (_FAINT_AND_WIDE, FAINT) if sweeps else (0.0, _SEEN)
     strength = medium.scattering.max(axis=1)
+    layers = thin_layers(medium.density, medium.extinction.max(axis=1))
+    thin = np.array([end for layer in layers for end in layer if 0.0 < end < medium.thickness])
     if parts == 1:
-        return layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
+        edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
+        return np.union1d(edges, thin)
     cuts = panel_cuts(grid.radii - grid.bottom_radius, parts)
     if not sweeps:
-        return cuts
+        return np.union1d(cuts, thin)
     # Across a cloud's edge a panel errs by 9 % in the light scattered once.
     edges = layer_edges(medium.density, strength, faint_and_wide=least)
     near = _NEAR_EDGE * medium.thickness
-    kept = [cut for cut in cuts if not (np.abs(edges - cut) < near).any()]
-    return np.sort(np.concatenate([kept, edges]))
+    kept = [cut for cut in cuts if not (np.abs(edges - cut) < near).any() or thin.size]
+    return np.unique(np.concatenate([kept, edges, thin]))
 
 
-def column_rows(medium: Medium, settings: Settings) -> int:
-    """Number of radii of the table of columns towards the star: more where a layer aloft is thick.
+def column_radii(medium: Medium, settings: Settings) -> FloatArray:
+    """Radii of the table of columns towards the star: closer where a layer is thin or deep. [m]
 
-    Between rows the table is exact for air that thins exponentially; for a cloud with an upper end
+    Between rows the table is exact for air that thins exponentially. For a cloud with an upper end
     it errs by the square of the optical depth from row to row: 5 % of a cloud's light for 1.
 
     Parameters
@@ -340,14 +353,32 @@ def column_rows(medium: Medium, settings: Settings) -> int:
     settings : Settings
         Settings with the number of rows of clear air.
     """
-    rows = settings.column_radii
+    bottom, rows = medium.bottom_radius, settings.column_radii
+    density, altitude = density_table(medium.density), medium.density.node_altitudes
+    clear = vectorized(altitude_coordinate)(bottom + altitude, bottom, medium.top_radius)
+    steps = (rows - 1) * np.diff(clear)
+    largest = np.maximum(density.max(axis=0), 1e-300)
+    needed = (np.abs(np.diff(density, axis=0)) / (_ROW_CHANGE * largest)).max(axis=1)
+    strongest = medium.extinction.max(axis=1)
+    step = 0.5 * (density[1:] + density[:-1]) * np.diff(altitude)[:, None]
+    for layer in thin_layers(medium.density, strongest):
+        inside = (altitude[:-1] >= layer.bottom) & (altitude[1:] <= layer.top)
+        above = np.cumsum((step * inside[:, None])[::-1], axis=0)[::-1]
+        above = np.log(above + _LEAST_ABOVE * above[0] + 1e-300)
+        fall = np.abs(np.diff(above, axis=0, append=above[-1:])).max(axis=1)
+        needed = np.maximum(needed, fall / _ROW_FALL)
+        # Below a layer its column is the same, and the distance to the top is not.
+        farther = np.log(medium.thickness - np.minimum(altitude, layer.bottom))
+        needed = np.maximum(needed, np.abs(np.diff(farther)) / _ROW_FALL)
     brightest = medium.scattering.max(axis=1)
-    if not layer_edges(medium.density, brightest, faint_and_wide=_FAINT_AND_WIDE).size:
-        return rows
-    bottom = medium.bottom_radius
-    coordinate = np.linspace(0.0, 1.0, rows)
-    radii = vectorized(radius_from_coordinate)(coordinate, bottom, medium.top_radius)
-    density = medium.density.at(radii - bottom)
-    steps = 0.5 * (density[:, 1:] + density[:, :-1]) * np.diff(radii)
-    most = float((medium.extinction.max(axis=1) @ steps).max())
-    return rows * int(np.clip(np.ceil(most / _ROW_DEPTH), 1, _MORE_ROWS))
+    if layer_edges(medium.density, brightest, faint_and_wide=_FAINT_AND_WIDE).size:
+        needed = np.maximum(needed, step @ strongest / _ROW_DEPTH)
+    more = np.maximum(needed - steps, 0.0)
+    more *= min(1.0, (_MOST_ROWS - 1) * rows / max(float(more.sum()), 1e-300))
+    row = np.concatenate([[0.0], np.cumsum(steps + more)])
+    count = round(row[-1]) + 1
+    if count == rows:
+        return even_radii(bottom, medium.top_radius, rows)
+    x = np.interp(np.linspace(0.0, row[-1], count), row, clear)
+    radii = vectorized(radius_from_coordinate)(x, bottom, medium.top_radius)
+    return np.asarray(np.clip(radii, bottom, medium.top_radius))

@@ -27,11 +27,11 @@ from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
 from airlight.solvers.moments.ray_optics import Air, Azimuths
 from airlight.solvers.moments.rays import Rays, trace_rays
-from airlight.solvers.moments.reduced_optics import Optics, column_rows, panel_ends
+from airlight.solvers.moments.reduced_optics import Optics, column_radii, panel_ends
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.thinned_rays import thinned
 from airlight.solvers.moments.visible_rays import rays_in_sight
-from airlight.tables.column_ratios import mean_density_ratios
+from airlight.tables.column_ratios import column_rows, mean_density_ratios
 from airlight.tables.columns import ColumnTable
 
 FloatArray = NDArray[np.float64]
@@ -49,6 +49,10 @@ LEAK: Final = 6.0 / pi**2
 #: Part of the light of high order that a scattering may keep where azimuths confuse it with a lower
 #: one: the eigenvalue of such a pair is twice that part.
 _ALIASED: Final = 0.4
+#: Distance of a thin layer from the top, over the thickness of the shell, below which the table of
+#: columns has more directions, and their factor.
+_CLOSE_TO_TOP: Final = 0.05
+_MORE_DIRECTIONS: Final = 8
 #: Number of tables of columns that are kept: edits of coefficients do not change them.
 _KEPT: Final = 4
 
@@ -104,6 +108,7 @@ class Setup:
             settings.radii,
             settings.suns,
             depths._replace(scattering=self.room * depths.scattering),
+            medium.density.first_nodes,
         )
 
     @property
@@ -150,7 +155,8 @@ class Setup:
         """Points in a panel of a sweep's ray."""
         if self.parts > 1:
             return min(self.settings.nodes, FEW_NODES)
-        if self.ends.size:  # several panels a leg need fewer points each
+        if self.ends.size and not self.optics.depths.layers:
+            # Several panels a leg need fewer points each.
             return max(FEW_NODES, 3 * self.settings.nodes // 5)
         return self.settings.nodes
 
@@ -187,15 +193,43 @@ class Setup:
         return harmonics(self.degree)
 
     @cached_property
+    def column_radii(self) -> FloatArray:
+        """Radii of the rows of the table of columns towards the star. [m]"""
+        return column_radii(self.medium, self.settings)
+
+    @property
+    def column_directions(self) -> int:
+        """Number of directions of that table: more where a thin layer lies close to the top.
+
+        There the directions, even in the distance to the top, are farther apart than the layer is.
+        """
+        highest = max((layer.bottom for layer in self.optics.depths.layers), default=0.0)
+        close = highest > (1.0 - _CLOSE_TO_TOP) * self.medium.thickness
+        return self.settings.column_directions * (_MORE_DIRECTIONS if close else 1)
+
+    @property
+    def table_shape(self) -> tuple[int, int, int]:
+        """Shape of that table."""
+        constituents = self.medium.density.edges.shape[0]
+        return self.column_radii.size, self.column_directions, constituents
+
+    @cached_property
     def _columns(self) -> tuple[ColumnTable, FloatArray]:
         medium = self.medium
-        shape = (column_rows(medium, self.settings), self.settings.column_directions)
-        return _columns(medium.bottom_radius, medium.top_radius, medium.density, shape)
+        return _columns(
+            medium.bottom_radius, medium.top_radius, medium.density, self.column_radii,
+            self.column_directions,
+        )  # fmt: skip
 
     @property
     def table(self) -> ColumnTable:
         """Columns towards the star."""
         return self._columns[0]
+
+    @cached_property
+    def column_rows(self) -> FloatArray:
+        """Rows of that table at the altitude nodes, shape (n,). [1]"""
+        return column_rows(self.table, self.medium.density)
 
     @property
     def ratios(self) -> FloatArray:
@@ -312,15 +346,16 @@ def even_azimuths(degree: int, count: int) -> Azimuths:
 
 
 def _columns(
-    bottom: float, top: float, density: DensitySegments, shape: tuple[int, int]
+    bottom: float, top: float, density: DensitySegments, radii: FloatArray, directions: int
 ) -> tuple[ColumnTable, FloatArray]:
     """Table of columns and its ratios, from the last few that were made."""
-    key = (bottom, top, shape, density.edges.tobytes(), density.coefficients.tobytes())
+    profiles = density.edges.tobytes(), density.coefficients.tobytes()
+    key = (bottom, top, directions, radii.tobytes(), *profiles)
     with _lock:
         if key in _tables:
             _tables.move_to_end(key)
             return _tables[key]
-    table = ColumnTable.build(bottom, top, density, shape)
+    table = ColumnTable.build(bottom, top, density, (radii.size, directions), radii)
     made = table, mean_density_ratios(table)
     with _lock:
         _tables[key] = made

@@ -39,7 +39,7 @@ from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.widened_peaks import peak_widening, sharpness
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
-from airlight.tables.column_ratios import mean_density_ratios
+from airlight.tables.column_ratios import column_rows, mean_density_ratios
 from airlight.tables.columns import ColumnTable, density_table
 
 FloatArray = NDArray[np.float64]
@@ -111,7 +111,8 @@ class MomentsSolution(Solution):
         moments, medium, settings = self.moments, self.paths.medium, self.settings
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
         field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
-        table = ColumnTable(medium.bottom_radius, medium.top_radius, moments.columns)
+        shell = medium.bottom_radius, medium.top_radius
+        table = ColumnTable(*shell, self.setup.column_radii, moments.columns)
         optics = self.setup.optics
         air, widening = optics.air(slice(None)), peak_widening(optics)
         ends = self.setup.march_ends
@@ -133,8 +134,10 @@ class MomentsSolution(Solution):
             first_peak=-1,
             second_peak=-1,
             widened=widening is not None,
+            first_nodes=medium.density.first_nodes,
+            column_rows=column_rows(table, medium.density),
             columns=mean_density_ratios(table),
-            density=density_table(medium.density, medium.thickness),
+            density=density_table(medium.density),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
             lift=self.paths.lift,
@@ -468,7 +471,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
             and arrays["field"].dtype == np.float32
             and arrays["sky"].shape == (radii, suns, count)
             and arrays["residual"].shape == (count,)
-            and arrays["columns"].shape[2] == len(medium.names)
+            and arrays["columns"].shape == setup.table_shape
             and bool(np.isfinite(arrays["field"]).all())
         )
         if not sound:

@@ -19,8 +19,8 @@ import numpy as np
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, folded, load, splat, store
+from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor
-from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import POLARISED, legendre_functions
 from airlight.solvers.moments.point_light import (
     by_level,
@@ -56,7 +56,7 @@ def _sweep(
 ):  # fmt: skip
     """``sweep_radius``, or ``sweep_radius_of_few`` if ``paired``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
-    bottom, top, radii, sun_cosines, rows_at, places = grid
+    bottom, top, radii, sun_cosines, first_nodes, rows_at, places = grid
     (
         all_mu,
         all_weights,
@@ -132,7 +132,7 @@ def _sweep(
                 reach[:] = 0.0
                 for point in range(starts[i, ray], starts[i, ray + 1]):
                     k = point - head
-                    x = radius_index(ray_radii[point], bottom, top, rows_at)
+                    x = node_value(ray_radii[point], bottom, top, first_nodes, rows_at)
                     row = min(int(x), radii.size - 2)
                     levels[k], fractions[k] = row, np.float32(x - row)
                     degrees_at[k] = max(degrees[row], degrees[row + 1])

@@ -11,8 +11,8 @@ import numpy as np
 
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
+from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor
-from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.harmonics import legendre_functions
 from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, through_ray
 
@@ -34,7 +34,7 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
     bounced : array, shape (a·8,)
         Receives the weight of the ground's irradiance. [1]
     """
-    bottom, top, radii, _, rows_at, _ = grid
+    bottom, top, radii, _, first_nodes, rows_at, _ = grid
     extinction, moments, surface, _, _ = air
     highest = expansion.degree
     starts, ray_radii = rays.start, rays.radius
@@ -59,7 +59,7 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
                         moments, LANES * (c * (highest + 1) + l)
                     ) * np.float32(amounts[k, c])
                 store(strengths, LANES * l, strength * through)
-            x = radius_index(ray_radii[k], bottom, top, rows_at)
+            x = node_value(ray_radii[k], bottom, top, first_nodes, rows_at)
             row = min(int(x), radii.size - 2)
             f = x - row
             low = (a * radii.size + row) * pairs * LANES

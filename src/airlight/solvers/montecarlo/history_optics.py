@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop
+from airlight.optics.altitude_nodes import CELLS
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
@@ -27,8 +28,9 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Number of nodes of the extinction table.
-TABLE_NODES: Final = 16385
+#: Number of steps of the extinction table: of a smooth profile, and the most.
+TABLE_STEPS: Final = 16384
+MOST_STEPS: Final = 1 << 22
 #: Points per panel, panels per leg and whether panels also end at corners, from fast to fine; the
 #: first rule of sufficient accuracy is used.
 RULES: Final = (
@@ -99,7 +101,9 @@ def history_optics(paths: LightPaths, wavelength: int, *, polarised: bool) -> Hi
     """
     medium = paths.medium
     density = medium.density
-    x = np.linspace(0.0, 1.0, TABLE_NODES)
+    finest = float(np.diff(density.first_nodes).max())
+    steps = min(int(max(CELLS * finest, TABLE_STEPS)), MOST_STEPS)
+    x = np.linspace(0.0, 1.0, steps + 1)
     coefficients = medium.extinction[:, wavelength]
     table = np.ascontiguousarray(coefficients @ density.at(medium.thickness * x * x))
     jumps = medium.bottom_radius + jump_altitudes(density)
@@ -138,7 +142,7 @@ def history_optics(paths: LightPaths, wavelength: int, *, polarised: bool) -> Hi
         ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
         star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
-        bending=bending_of(paths, TABLE_NODES),
+        bending=bending_of(paths, steps + 1),
         polarised=polarised,
     )
 

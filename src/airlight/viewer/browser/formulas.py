@@ -15,6 +15,7 @@ from airlight.geometry.bending import raised_star
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
+from airlight.optics.altitude_nodes import node_value
 from airlight.optics.moon_phase import moon_share
 from airlight.pixels.disc_shading import SHADING, phase_shading
 from airlight.pixels.light_shown import light_shown
@@ -34,7 +35,6 @@ from airlight.solvers.moments.convergence import (
     trusted_part,
 )
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.grid import radius_index
 from airlight.solvers.moments.packing import floor_below, level_weight, thick_share
 from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.vertical_coupling import sideways_equations
@@ -82,7 +82,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     is_near: (),
     floor_below: (),
     trusted_part: (),
-    radius_index: (F32, F32, F32, Table("row")),
+    node_value: (F32, F32, F32, Table("first_nodes"), Table("row")),
     sideways_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
     factorise: (LocalArray(1, VEC4), I32),
     substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),

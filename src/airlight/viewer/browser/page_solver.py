@@ -38,7 +38,8 @@ from airlight.viewer.browser.web_shaders import solver_shaders
 MOST: Final = 10.0
 #: Names in the picture of the solver plan's tables that it shares.
 SHARED: Final = {
-    "row": "row", "place": "place", "start": "harmonic", "ahead": "ahead", "back": "back",
+    "first_nodes": "first_nodes", "row": "row", "place": "place", "start": "harmonic",
+    "ahead": "ahead", "back": "back",
 }  # fmt: skip
 _TOLERANCE: Final = 2e-3
 #: Factor of thick air for which a page's nodes and rays are laid out, and beyond which it solves

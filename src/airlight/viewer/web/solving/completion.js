@@ -7,7 +7,7 @@
  * Light is an array as in the solver's textures: moments (radius, sun, term), then irradiances
  * (radius, sun), four wavelengths each. Matrices have one wavelength.
  */
-import { factorise, floor_below, radius_index, sideways_equations, substitute } from "../generated/formulas.js";
+import { factorise, floor_below, node_value, sideways_equations, substitute } from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
 
 export class Completion {
@@ -245,9 +245,9 @@ function pointsOf({ levels: count, bottom, top }, table) {
   const radius = table("radius").values;
   const levels = new Int32Array(radius.length);
   const fractions = new Float64Array(radius.length);
-  const rows = table("row");
+  const [nodes, rows] = [table("first_nodes"), table("row")];
   radius.forEach((q, k) => {
-    const x = radius_index(q, bottom, top, rows);
+    const x = node_value(q, bottom, top, nodes, rows);
     levels[k] = Math.min(Math.trunc(x), count - 2);
     fractions[k] = x - levels[k];
   });

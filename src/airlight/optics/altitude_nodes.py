@@ -1,0 +1,140 @@
+r"""Altitude nodes of tabulated profiles: even in the square root of altitude, finer in thin layers.
+
+The shell is divided into ``CELLS`` cells that are even in :math:`\sqrt{h/H}`, h the altitude and H
+the thickness of the shell. A cell in which a profile changes by more than a small part of its
+maximum is divided evenly, in the same coordinate, into as many steps as it needs. The array
+``first`` holds the index of the first node of each cell, so that the step in which an altitude lies
+is found without a search. Profiles that vary slowly have one step a cell.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from airlight.kernel import inlined
+
+FloatArray = npt.NDArray[np.float64]
+
+#: Number of cells. Linear interpolation between their ends errs by less than 1e-5 for a scale
+#: height of a hundredth of the shell's thickness.
+CELLS: Final = 4096
+#: Largest change of a profile from node to node, over its maximum. [1]
+_CHANGE: Final = 0.03
+#: Smallest number of nodes over the narrower side of a jump.
+_JUMP_NODES: Final = 256
+#: Largest number of steps of a cell.
+_MOST_STEPS: Final = 4096
+
+
+def altitude_nodes(edges: FloatArray, coefficients: FloatArray) -> FloatArray:
+    """Index of the first node of each cell, and that of the last node.
+
+    Parameters
+    ----------
+    edges : array, shape (nc, ns + 1)
+        Altitudes where segments meet, as in ``DensitySegments``. [m]
+    coefficients : array, shape (nc, ns, 4)
+        Coefficients of ``segment_density``.
+
+    Returns
+    -------
+    array, shape (CELLS + 1,)
+        Whole numbers, ascending from 0. [1]
+    """
+    thickness = float(edges[0, -1])
+    cells = thickness * np.linspace(0.0, 1.0, CELLS + 1) ** 2
+    steps = np.ones(CELLS)
+    for own, rows in zip(edges, coefficients, strict=True):
+        _refine(own, rows, cells, steps)
+    counts = np.minimum(np.ceil(steps), _MOST_STEPS)
+    return np.concatenate([[0.0], np.cumsum(counts)])
+
+
+def _refine(edges: FloatArray, rows: FloatArray, cells: FloatArray, steps: FloatArray) -> None:
+    """Raise the numbers of steps of the cells to what one profile needs."""
+    wide = np.diff(edges) > 0.0
+    bounds, rows = np.append(edges[:-1][wide], edges[-1]), rows[wide]
+    a, b, c, d = rows.T
+    width = np.diff(bounds)
+    low = np.maximum(a + d, 0.0)
+    high = np.maximum(a * np.exp(b * width) + c * width + d, 0.0)
+    most = max(float(low.max()), float(high.max()), 1e-300)
+    height = np.diff(cells)
+    # Pieces between neighbouring cells or segments: in each the slope is monotone.
+    ends = np.unique(np.concatenate([cells, bounds]))
+    middle = 0.5 * (ends[1:] + ends[:-1])
+    segment = np.clip(np.searchsorted(bounds, middle) - 1, 0, width.size - 1)
+    cell = np.clip(np.searchsorted(cells, middle) - 1, 0, CELLS - 1)
+    slope = np.zeros(middle.size)
+    for x in (ends[:-1] - bounds[segment], ends[1:] - bounds[segment]):
+        grown = a[segment] * np.exp(b[segment] * x)
+        some = grown + c[segment] * x + d[segment] > 0.0
+        slope = np.maximum(slope, np.where(some, np.abs(grown * b[segment] + c[segment]), 0.0))
+    np.maximum.at(steps, cell, slope * height[cell] / (_CHANGE * most))
+    for k in np.flatnonzero(np.abs(low[1:] - high[:-1]) > _CHANGE * most):
+        narrower = min(width[i] for i in (k, k + 1) if max(low[i], high[i]) > _CHANGE * most)
+        at = int(np.clip(np.searchsorted(cells, bounds[k + 1]) - 1, 0, CELLS - 1))
+        steps[at] = max(steps[at], _JUMP_NODES * height[at] / narrower)
+
+
+def node_altitudes(first: FloatArray, thickness: float) -> FloatArray:
+    """Altitudes of the nodes, ascending from 0 to the thickness, shape (n,). [m]
+
+    Parameters
+    ----------
+    first : array, shape (CELLS + 1,)
+        Array from ``altitude_nodes``. [1]
+    thickness : float
+        Thickness of the shell. [m]
+    """
+    index = np.arange(first[-1] + 1.0)
+    x = np.interp(index, first, np.linspace(0.0, 1.0, first.size))
+    return np.asarray(thickness * x * x)
+
+
+@inlined
+def altitude_node(radius, bottom_radius, thickness, first):
+    """Node below a radius, and the radius' fraction of the step to the next.
+
+    Parameters
+    ----------
+    radius, bottom_radius, thickness : float
+        Radii of the point and of the ground, and thickness of the shell. [m]
+    first : array, shape (CELLS + 1,)
+        Array from ``altitude_nodes``. [1]
+
+    Returns
+    -------
+    node : int
+    fraction : float
+        In the square root of altitude. [1]
+    """
+    altitude = min(max((radius - bottom_radius) / thickness, 0.0), 1.0)
+    x = sqrt(altitude) * (first.size - 1)
+    cell = min(int(x), first.size - 2)
+    begin = first[cell]
+    steps = first[cell + 1] - begin
+    along = (x - cell) * steps
+    step = min(int(along), int(steps) - 1)
+    return int(begin) + step, along - step
+
+
+@inlined
+def node_value(radius, bottom_radius, top_radius, first, values):
+    """Value at a radius, linear between altitude nodes.
+
+    Parameters
+    ----------
+    radius, bottom_radius, top_radius : float
+        Radii of the point, of the ground and of the top. [m]
+    first : array, shape (CELLS + 1,)
+        Array from ``altitude_nodes``. [1]
+    values : array, shape (n,)
+        Values at the nodes.
+    """
+    node, fraction = altitude_node(radius, bottom_radius, top_radius - bottom_radius, first)
+    return values[node] + (values[node + 1] - values[node]) * fraction

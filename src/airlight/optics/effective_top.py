@@ -1,0 +1,40 @@
+"""Top of the air in a shell that is much higher than its constituents."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from airlight.optics.density_profile import DensitySegments
+
+#: Part of each constituent's column that may lie above the effective top.
+_ABOVE: Final = 1e-7
+#: Effective top, over the thickness of the shell, above which the shell stays as it is.
+_HIGH: Final = 0.7
+
+
+def effective_top(density: DensitySegments) -> float:
+    """Altitude above which no constituent has more than 1e-7 of its column. [m]
+
+    The grids of a solver follow the shell: in one of 63 000 km the lowest 100 km, and the
+    terminator, would have few nodes. The thickness itself where that is less than 1.4 times as
+    high.
+
+    Examples
+    --------
+    >>> from airlight.optics.density_profile import exponential
+    >>> high = DensitySegments.from_rows([exponential(8e3, 63e6)])
+    >>> round(effective_top(high), -3)  # 8 km ln 1e7
+    129000.0
+    >>> effective_top(DensitySegments.from_rows([exponential(8e3, 1e5)]))
+    100000.0
+    """
+    thickness, altitude = density.thickness, density.node_altitudes
+    profiles = density.at(altitude)
+    steps = 0.5 * (profiles[:, 1:] + profiles[:, :-1]) * np.diff(altitude)
+    above = np.cumsum(steps[:, ::-1], axis=1)[:, ::-1]
+    counts = (above > _ABOVE * above[:, :1]).any(axis=0)
+    highest = int(np.flatnonzero(counts).max(initial=-1))
+    top = float(altitude[highest + 1]) if highest >= 0 else thickness
+    return top if top < _HIGH * thickness else thickness

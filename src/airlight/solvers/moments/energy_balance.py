@@ -1,0 +1,114 @@
+r"""Energy balance of a solution: what the whole planet scatters, returns and absorbs.
+
+Of the star's light that the air scatters, :math:`P_s`, as much as is not absorbed leaves through
+the top or enters the ground. With the net upward flux F of diffuse light, its mean radiance J and
+the absorption coefficient :math:`k_a`,
+
+.. math:: 4\pi R_t^2 \langle F(R_t)\rangle - 4\pi R_g^2 \langle F(R_g)\rangle
+          = P_s - \int k_a 4\pi J \, dV
+
+where :math:`\langle\,\rangle` is the mean over the planet. Both sides come from the moments of
+degree 0 and 1 and from the table of columns. A solution whose grids do not resolve the air breaks
+the balance: it makes or loses light from sweep to sweep. Forward peaks count as unscattered on both
+sides; of refracted light the balance holds as far as that of straight rays by optical radius.
+"""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.kernel import vectorized
+from airlight.mappings.transmittance import direction_coordinate
+from airlight.solvers.moments.setup import Setup
+from airlight.tables.columns import density_table
+
+FloatArray = NDArray[np.float64]
+
+#: Step in rows of the table of columns where no layer made them closer: the balance of ordinary
+#: air errs by less than 1e-3.
+_EVERY: Final = 2
+
+
+def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
+    """Light that a solution makes (or, negative, loses), over the starlight that it takes up.
+
+    Parameters
+    ----------
+    setup : Setup
+        Set-up of the solve.
+    field : array, shape (r, s, k, nl)
+        Moments of the diffuse light, per irradiance of the star. [1]
+
+    Returns
+    -------
+    array, shape (nl,)
+        [1]
+    """
+    grid, optics = setup.grid, setup.optics
+    bottom, top = grid.bottom_radius, grid.top_radius
+    mu = grid.sun_cosines
+    suns = 0.5 * (np.diff(mu, prepend=-1.0) + np.diff(mu, append=1.0))
+    rows, beam = _direct_beam(setup)
+    lit = np.tensordot(beam, suns, (1, 0))
+    amount = _shell_amounts(setup, rows, lit.shape[0])
+    scattered = np.einsum("rc,cw,rw->w", amount, optics.scattering, lit)
+    taken = np.einsum("rc,cw,rw->w", amount, optics.extinction, lit)
+    ground = 2.0 * pi * bottom**2 * ((suns * np.maximum(mu, 0.0)) @ beam[0])
+    diffuse = np.tensordot(np.asarray(field[:, :, 0], float), suns, (1, 0)) * sqrt(4.0 * pi)
+    amount = _shell_amounts(setup, grid.row / setup.parts, diffuse.shape[0])
+    absorbed = np.einsum("rc,cw,rw->w", amount, optics.extinction - optics.scattering, diffuse)
+    # Moments are of the directions from which light comes: upward light has negative cosines.
+    flux = np.tensordot(np.asarray(field[[0, -1], :, 1], float), suns, (1, 0))
+    flux *= -sqrt(4.0 * pi / 3.0)
+    leaving = 2.0 * pi * (top**2 * flux[1] - bottom**2 * flux[0])
+    return np.asarray((leaving + absorbed - scattered) / (taken + ground))
+
+
+def _shell_amounts(setup: Setup, rows: FloatArray, count: int) -> FloatArray:
+    """∫ 2π r² density dr over the hat function of each row, shape (count, nc). [m³]
+
+    ``rows`` has the fractional row of each altitude node.
+    """
+    density, bottom = setup.medium.density, setup.grid.bottom_radius
+    altitude = density.node_altitudes
+    middle = 0.5 * (altitude[1:] + altitude[:-1])
+    at_nodes = density_table(density)
+    shell = 0.5 * (at_nodes[1:] + at_nodes[:-1])
+    shell *= (2.0 * pi * (bottom + middle) ** 2 * np.diff(altitude))[:, None]
+    row = np.clip(0.5 * (rows[1:] + rows[:-1]), 0.0, count - 1.0)
+    low = np.minimum(row.astype(int), count - 2)
+    upper = (row - low)[:, None] * shell
+    amounts = [
+        np.bincount(low, below, count) + np.bincount(low + 1, above, count)
+        for below, above in zip((shell - upper).T, upper.T, strict=True)
+    ]
+    return np.stack(amounts, axis=1)
+
+
+def _direct_beam(setup: Setup) -> tuple[FloatArray, FloatArray]:
+    """Transmittance from the star, shape (rows, s, nl), and fractional rows of the nodes. [1]
+
+    The rows are those of the table of columns, every other one where no layer made them closer.
+    """
+    grid, table, optics = setup.grid, setup.table, setup.optics
+    step = _EVERY if table.radii.size == setup.settings.column_radii else 1
+    radii = np.append(table.radii[:-1:step], table.radii[-1])
+    values = np.concatenate([table.values[:-1:step], table.values[-1:]])
+    last = table.radii.size - 1.0
+    rows = np.interp(setup.column_rows, [*np.arange(0.0, last, step), last], np.arange(radii.size))
+    r, mu = radii[:, None], grid.sun_cosines
+    bottom, top = grid.bottom_radius, grid.top_radius
+    horizon = -np.sqrt(np.maximum((r - bottom) * (r + bottom), 0.0)) / r
+    x = vectorized(direction_coordinate)(r, np.maximum(mu, horizon), bottom, top)
+    x = x * (values.shape[1] - 1)
+    at = np.minimum(x.astype(int), values.shape[1] - 2)
+    share = (x - at)[..., None]
+    index = np.arange(r.size)[:, None]
+    columns = values[index, at] * (1.0 - share) + values[index, at + 1] * share
+    through = np.exp(-columns @ optics.extinction)
+    through[mu < horizon] = 0.0
+    return rows, through
