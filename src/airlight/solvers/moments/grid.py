@@ -93,9 +93,10 @@ def make_grid(
     nodes = np.interp(np.arange(suns, dtype=float), index, elevation)
     nodes[0], nodes[-1] = -90.0, 90.0
     wanted = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
-    sunset = nodes[nodes >= 0.0][0]
+    # Light does not fade evenly before the densest nodes.
+    dusk = nodes[nodes >= -_SHIFT * dip][0]
     place = np.where(
-        wanted < sunset,
+        wanted < dusk,
         fading_places(wanted, nodes, _FADES / dip),
         np.interp(wanted, elevation, index),
     )
