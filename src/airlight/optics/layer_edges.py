@@ -55,7 +55,7 @@ def thin_layers(density: DensitySegments, extinction: FloatArray) -> list[ThinLa
     >>> [(round(one.bottom), round(one.top)) for one in thin_layers(air, np.array([1e-5, 1e-3]))]
     [(9901, 10099)]
     """
-    altitude, columns = _samples(density), density.columns()
+    altitude, columns = density.node_altitudes, density.columns()
     found: set[ThinLayer] = set()
     for profile, column, strength in zip(density.at(altitude), columns, extinction, strict=True):
         if strength * column >= FAINT:

@@ -5,7 +5,8 @@ is thick (``levels``). Sun elevations e crowd around the terminator, by 1/sqrt(w
 in a degree, where w and s are 0.6 and 0.3 of the dip of the horizon seen from the top of the shell
 (6° and 3° for Earth), so that every planet gets its own grid. Far in the shadow, where no light is
 left, they are sparser; by day they are not as sparse as that, for there light is a curved function
-of the elevation. Measurements: docs/decisions/0001-moments-in-the-twilight.md.
+of the elevation. Measurements: docs/decisions/0001-moments-in-the-twilight.md,
+docs/decisions/0073-deep-twilight.md.
 """
 
 from __future__ import annotations
@@ -27,8 +28,12 @@ _WIDTH: Final = 0.6
 _SHIFT: Final = 0.3
 #: Part of the nodes that is left in the shadow, and depths below the horizon, over its dip, between
 #: which they thin out.
-_SHADOW: Final = 0.3
-_LEAVES: Final = (1.5, 2.5)
+_SHADOW: Final = 0.2
+_LEAVES: Final = (2.0, 3.0)
+#: E-folds by which light fades below the horizon while the sun sinks by its dip: 9 to 12 on Earth
+#: from 96° to 110°, 6 to 10 on Titan. Half of them in one step, at most.
+_FADES: Final = 10.0
+_STEEPEST: Final = 3.0
 #: By day the nodes are never sparser than the terminator's are at this elevation. [deg]
 _DAY: Final = 45.0
 #: Elevations at which the density is summed.
@@ -94,10 +99,16 @@ def make_grid(
     """
     dip = degrees(acos(bottom_radius / top_radius))
     elevation, index = sun_indices(dip, suns)
-    sun_cosines = np.sin(np.radians(np.interp(np.arange(suns, dtype=float), index, elevation)))
-    sun_cosines[0], sun_cosines[-1] = -1.0, 1.0
+    nodes = np.interp(np.arange(suns, dtype=float), index, elevation)
+    nodes[0], nodes[-1] = -90.0, 90.0
     wanted = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
-    place = np.interp(wanted, elevation, index)
+    # Light does not fade evenly before the densest nodes.
+    dusk = nodes[nodes >= -_SHIFT * dip][0]
+    place = np.where(
+        wanted < dusk,
+        fading_places(wanted, nodes, _FADES / dip),
+        np.interp(wanted, elevation, index),
+    )
     even = vectorized(altitude_coordinate)(
         bottom_radius + depths.altitude, bottom_radius, top_radius
     )
@@ -108,7 +119,7 @@ def make_grid(
         float(bottom_radius),
         float(top_radius),
         r,
-        sun_cosines,
+        np.sin(np.radians(nodes)),
         first_nodes,
         levels.row,
         place,
@@ -144,6 +155,38 @@ def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
     steps = 0.5 * (density[1:] + density[:-1])
     index = np.concatenate([[0.0], np.cumsum(steps)])
     return elevation, index * ((suns - 1) / index[-1])
+
+
+def fading_places(elevation: FloatArray, nodes: FloatArray, rate: float) -> FloatArray:
+    r"""Places at which interpolation as ratios is exact for light that fades at a given rate.
+
+    With h half the logarithm of the light at the upper node over that at the lower, and x the share
+    of the step in elevation, the share of the step in the grid is
+
+    .. math:: \frac{\sinh xh}{\sinh xh + \sinh (1 - x)h}
+
+    where lerp(M·s)/lerp(s), with s = 1/sqrt(M), is the exponential between the two nodes.
+
+    Parameters
+    ----------
+    elevation : array, shape (n,)
+        Sun elevations from the first node to the last. [deg]
+    nodes : array, shape (s,)
+        Sun elevations of the nodes, ascending. [deg]
+    rate : float
+        E-folds of the light in a degree of the sun's elevation. [1/deg]
+
+    Returns
+    -------
+    array, shape (n,)
+        Fractional indices into ``nodes``. [1]
+    """
+    node = np.clip(np.searchsorted(nodes, elevation, side="right") - 1, 0, nodes.size - 2)
+    step = np.diff(nodes)
+    x = (elevation - nodes[node]) / step[node]
+    half = np.minimum(0.5 * rate * step, _STEEPEST)[node]
+    done, left = np.sinh(x * half), np.sinh((1.0 - x) * half)
+    return np.asarray(node + done / (done + left))
 
 
 def _smooth(x: FloatArray) -> FloatArray:

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel, vectorized
 from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
-from airlight.optics.layer_edges import FAINT, layer_edges, thin_layers
+from airlight.optics.layer_edges import FAINT, ThinLayer, layer_edges, thin_layers
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import ELEMENTS
@@ -210,6 +210,8 @@ class Optics:
         strong = np.abs(moments).max(axis=(0, 1)) > NEGLIGIBLE
         needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
         thick = bool((cls(medium, settings.degree, polarised).peak_weight > 0.9).any())
+        # In a thin layer light is scattered twice along it, where little else is scattered.
+        thick = thick or bool(thin_layers(medium.density, medium.extinction.max(axis=1)))
         degree = max(2, min(needed, highest if thick else settings.degree))
         return cls(medium, degree, polarised)
 
@@ -330,7 +332,7 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     thin = np.array([end for layer in layers for end in layer if 0.0 < end < medium.thickness])
     if parts == 1:
         edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
-        return np.union1d(edges, thin)
+        return np.union1d(_beside(edges, layers, medium.thickness), thin)
     cuts = panel_cuts(grid.radii - grid.bottom_radius, parts)
     if not sweeps:
         return np.union1d(cuts, thin)
@@ -338,7 +340,15 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     edges = layer_edges(medium.density, strength, faint_and_wide=least)
     near = _NEAR_EDGE * medium.thickness
     kept = [cut for cut in cuts if not (np.abs(edges - cut) < near).any() or thin.size]
-    return np.unique(np.concatenate([kept, edges, thin]))
+    return np.unique(np.concatenate([kept, _beside(edges, layers, medium.thickness), thin]))
+
+
+def _beside(edges: FloatArray, layers: list[ThinLayer], thickness: float) -> FloatArray:
+    """Those edges of layers that are not in or next to thin layers, which have their own. [m]"""
+    near = _NEAR_EDGE * thickness
+    for layer in layers:
+        edges = edges[(edges < layer.bottom - near) | (edges > layer.top + near)]
+    return edges
 
 
 def column_radii(medium: Medium, settings: Settings) -> FloatArray:
