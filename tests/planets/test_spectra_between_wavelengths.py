@@ -10,6 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Medium, load_planet
+from airlight.distribution.fingerprint import digest
 from airlight.errors import ParameterError
 from airlight.planets import replace
 
@@ -116,5 +117,6 @@ def test_derived_coefficients_travel_and_refuse_other_values(tmp_path: Path) -> 
     planet = load_planet(file)
     again = pickle.loads(pickle.dumps(planet))
     assert again.constituents == planet.constituents
+    assert digest(again.constituents) == digest(planet.constituents)
     with pytest.raises(ParameterError, match="values is"):
         replace(planet.constituents[0].scattering, values=(1e-5, 1e-5))

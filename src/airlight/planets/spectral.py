@@ -8,7 +8,6 @@ asymmetries, weights, ratios, real parts) straight lines.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Annotated, Any, Final
 
 import numpy as np
@@ -92,43 +91,6 @@ class PerWavelength:
         nm = np.asarray(wavelengths, dtype=np.float64)
         factor = np.asarray(self.values) * np.asarray(self.wavelengths) ** 4
         return power_law(nm, self.wavelengths, factor) / nm**4
-
-
-@parameters
-class Derived(PerWavelength):
-    """Positive spectrum that follows from others, between their wavelengths too.
-
-    Parameters
-    ----------
-    wavelengths, values : tuple of float
-        See ``PerWavelength``; the values are those of the formula. [nm]
-    formula : callable
-        Function of the spectra, then the fractions.
-    spectra : tuple of float or PerWavelength
-        Positive spectra.
-    fractions : tuple of float or PerWavelength
-        Numbers that are linear between wavelengths, such as albedos.
-
-    Raises
-    ------
-    ParameterError
-        If the values are not those of the formula.
-    """
-
-    formula: Callable[..., FloatArray]
-    spectra: tuple[Any, ...]
-    fractions: tuple[Any, ...] = ()
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if not np.allclose(self.values, self.at_power_law(self.wavelengths), rtol=1e-9, atol=0.0):
-            raise ParameterError("values", self.values, "those of its formula, or a PerWavelength")
-
-    def at_power_law(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Value at wavelengths within ``limits`` [nm], shape (...), by the formula."""
-        spectra = [power_law_at(one, wavelengths) for one in self.spectra]
-        fractions = [spectral_at(one, wavelengths) for one in self.fractions]
-        return np.asarray(self.formula(*spectra, *fractions))
 
 
 def check_wavelength_list(wavelengths: tuple[float, ...], field: str = "wavelengths") -> None:

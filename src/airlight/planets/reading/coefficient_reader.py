@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Final
-
-import numpy as np
-import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.planets.constituent import LARGEST_COEFFICIENT, Constituent
+from airlight.planets.derived_spectrum import FORMULAS, DerivedSpectrum
 from airlight.planets.matter.absorbers import ABSORBERS
 from airlight.planets.matter.gases import SCATTERERS
 from airlight.planets.matter.matter import Absorber, Scatterer
@@ -19,9 +16,7 @@ from airlight.planets.reading.coefficient_keys import ALBEDO, DEPTH, EXTINCTION
 from airlight.planets.schema.key import Key, Wavelengths
 from airlight.planets.schema.record import fields_of
 from airlight.planets.schema.section import Section
-from airlight.planets.spectral import Derived, PerWavelength, Spectral
-
-FloatArray = npt.NDArray[np.float64]
+from airlight.planets.spectral import PerWavelength, Spectral
 
 _SCATTERING = fields_of(Constituent)["scattering"]
 _ABSORPTION = fields_of(Constituent)["absorption"]
@@ -81,7 +76,7 @@ def read_coefficients(
         albedo = _given(ALBEDO, section, wavelengths)
         assert isinstance(scattering, (float, PerWavelength))
         return scattering, _combined(
-            _absorption_beside, wavelengths, section, "absorption", (scattering,), (albedo,)
+            "s (1 - a)/a", wavelengths, section, "absorption", (scattering,), (albedo,)
         )
     return scattering, read_absorption(section, wavelengths)
 
@@ -134,8 +129,8 @@ def _from_extinction(
         albedo = _given(ALBEDO, section, wavelengths)
         parts = (extinction,), (albedo,)
         return (
-            _combined(_scattered, wavelengths, section, "scattering", *parts),
-            _combined(_absorbed, wavelengths, section, "absorption", *parts),
+            _combined("e a", wavelengths, section, "scattering", *parts),
+            _combined("e (1 - a)", wavelengths, section, "absorption", *parts),
         )
     scattering = _given(_SCATTERING, section, wavelengths)
     pairs = zip(_listed(extinction, wavelengths), _listed(scattering, wavelengths), strict=True)
@@ -145,7 +140,7 @@ def _from_extinction(
                 section.name_of("extinction"), e, f"at least the scattering, {s:g} /m"
             )
     return scattering, _combined(
-        _difference, wavelengths, section, "absorption", (extinction, scattering)
+        "e - s", wavelengths, section, "absorption", (extinction, scattering)
     )
 
 
@@ -163,26 +158,6 @@ def _given(key: Key, section: Section, wavelengths: Wavelengths) -> Spectral:
     """Value of a key that is present, within its range."""
     value: Spectral = key.checked(key.read_from(section, wavelengths), section.name_of(key.name))
     return value
-
-
-def _scattered(extinction: FloatArray, albedo: FloatArray) -> FloatArray:
-    return extinction * albedo
-
-
-def _absorbed(extinction: FloatArray, albedo: FloatArray) -> FloatArray:
-    return extinction * (1.0 - albedo)
-
-
-def _difference(extinction: FloatArray, scattering: FloatArray) -> FloatArray:
-    return np.maximum(extinction - scattering, 0.0)
-
-
-def _absorption_beside(scattering: npt.ArrayLike, albedo: npt.ArrayLike) -> FloatArray:
-    """Absorption beside this scattering at this albedo; infinite at albedo 0."""
-    part, whole = np.broadcast_arrays(np.asarray(scattering, float), np.asarray(albedo, float))
-    infinite = np.where(part > 0.0, np.inf, 0.0)
-    known = (part > 0.0) & (whole > 0.0)
-    return np.asarray(np.divide(part * (1.0 - whole), whole, out=infinite, where=known))
 
 
 def _over(depth: Spectral, column: float, section: Section) -> Spectral:
@@ -207,7 +182,7 @@ def _in_range(value: float, section: Section, key: str) -> float:
 
 
 def _combined(
-    formula: Callable[..., FloatArray],
+    formula: str,
     wavelengths: Wavelengths,
     section: Section,
     key: str,
@@ -217,10 +192,11 @@ def _combined(
     """Coefficient by a formula of spectra, then fractions, at every wavelength."""
     lists = [_listed(value, wavelengths) for value in (*spectra, *fractions)]
     results = tuple(
-        _in_range(float(formula(*items)), section, key) for items in zip(*lists, strict=True)
+        _in_range(float(FORMULAS[formula](*items)), section, key)
+        for items in zip(*lists, strict=True)
     )
     if any(isinstance(value, PerWavelength) for value in (*spectra, *fractions)):
         assert wavelengths is not None
-        return Derived(wavelengths=wavelengths, values=results, formula=formula,
+        return DerivedSpectrum(wavelengths=wavelengths, values=results, formula=formula,
                        spectra=spectra, fractions=fractions)  # fmt: skip
     return results[0]
