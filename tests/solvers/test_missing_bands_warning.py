@@ -20,6 +20,17 @@ from airlight.sweep import Grid, sweep
 
 DOCS = Path(__file__).parents[2] / "docs"
 PRESET = Path(str(airlight.__file__)).parent / "planets" / "presets" / "earth.toml"
+#: A planet that says nothing of its world.
+NAMED = """
+name = "Named"
+shell = { bottom_radius = "6371 km", top_radius = "6471 km" }
+ground = { albedo = 0.1 }
+star = { spectrum = "astm-g173", angular_radius = "0.2665 deg" }
+[[constituents]]
+name = "air"
+profile = { kind = "exponential", scale_height = "8434.5 m" }
+scattering = { rayleigh = "air", temperature = "288.15 K", pressure = "101325 Pa" }
+"""
 
 
 def lost(table: str, column: float, nm: float) -> int:
@@ -49,6 +60,14 @@ def test_gas_wavelength_and_size_of_a_band_are_named(
         warn_of_missing_bands(load_planet(name), [550.0, nm])
     assert len(caught) == 1
     assert caught[0].filename == __file__
+
+
+def test_air_by_its_name_has_oxygen(tmp_path: Path) -> None:
+    # The same column as the mixture's: 101 325 Pa over 288.15 K, 8434.5 m of it.
+    file = tmp_path / "named.toml"
+    file.write_text(NAMED, encoding="utf-8")
+    with pytest.warns(AirlightWarning, match=r"Named: bands of O2 .* 37 % .* at 761 nm"):
+        warn_of_missing_bands(load_planet(file), [761.0])
 
 
 def test_solve_warns_before_it_computes() -> None:

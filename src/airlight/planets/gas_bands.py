@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
+from airlight.planets.matter.gases import GasScattering, density_of_state
 from airlight.spectra.tables import read_spectrum
 
 if TYPE_CHECKING:
@@ -37,6 +38,11 @@ PAIR: Final = "O2-O2"
 #: them, and 14.2 mm of water; U.S. Standard Atmosphere, 1976. [m⁻²]
 WORLD_COLUMNS: Final[dict[str, dict[str, float]]] = {
     "earth": {"O2": 4.50e28, PAIR: 2.474e28, "H2O": 4.747e26},
+}
+#: Mole fractions of the gases of ``scattering = { rayleigh = … }``; of air as King factors have it.
+_NAMED: Final = {
+    "air": (("N2", 0.78084), ("O2", 0.20946), ("Ar", 0.00934)),
+    "co2": (("CO2", 1.0),),
 }
 #: Words in the name of an absorber with a cross-section of its own that say which gas it is.
 _WORDS: Final[dict[str, tuple[str, ...]]] = {
@@ -107,8 +113,8 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
     Parameters
     ----------
     planet : Planet
-        Planet; gases that are given by coefficients are not known, and left out here, but for those
-        of ``WORLD_COLUMNS``.
+        Planet; its gases are those of its mixtures, of air and carbon dioxide by name, and of
+        ``WORLD_COLUMNS``. Others by coefficients are not known, and left out here.
     wavelengths : array, shape (nl,)
         Wavelengths. [nm]
 
@@ -132,13 +138,12 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
 
 
 def gas_columns(planet: Planet) -> dict[str, float]:
-    """Vertical columns of gases, by formula: of the planet's mixtures, or of its world. [m⁻²]"""
+    """Vertical columns of gases, by formula: of the planet's own, or of its world's. [m⁻²]"""
     columns: dict[str, float] = {}
     for one in planet.constituents:
-        if not isinstance(one.matter, GasMixture):
-            continue
-        for formula, fraction in one.matter.composition:
-            density = one.amount * fraction * one.matter.number_density
+        composition, whole = _mixture(one)
+        for formula, fraction in composition:
+            density = one.amount * fraction * whole
             column = density * one.profile.column(planet.thickness)
             columns[formula] = columns.get(formula, 0.0) + column
             if formula == "O2":
@@ -147,6 +152,17 @@ def gas_columns(planet: Planet) -> dict[str, float]:
     if columns and "O2" not in columns:
         return columns
     return {**WORLD_COLUMNS.get(planet.body or "", {}), **columns}
+
+
+def _mixture(constituent: Constituent) -> tuple[tuple[tuple[str, float], ...], float]:
+    """Mole fractions and number density of a gas at relative density 1. [1], [m⁻³]"""
+    if isinstance(constituent.matter, GasMixture):
+        return constituent.matter.composition, constituent.matter.number_density
+    gas = constituent.scattering
+    if isinstance(gas, GasScattering):
+        density = density_of_state(gas.number_density, gas.temperature, gas.pressure)
+        return _NAMED.get(gas.gas, ()), density
+    return (), 0.0
 
 
 def _absorbs(planet: Planet, formula: str, table: str) -> bool:

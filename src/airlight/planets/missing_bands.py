@@ -54,9 +54,8 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
     Parameters
     ----------
     planet : Planet
-        Planet; the gases of its mixtures are known by their formulas, and those of the Earth's air
-        where it names that ``body``. Others whose gases are coefficients only have none that could
-        be named.
+        Planet, whose gases are those of ``gas_bands``: one whose gases are coefficients only has
+        none that could be named, unless its ``body`` is the Earth.
     wavelengths : array, shape (nl,)
         Wavelengths of the spectrum. [nm]
 
