@@ -59,7 +59,7 @@ LEAST: Final = 5e-5
 #: Wavelengths among which the strongest is looked for. [nm]
 _VISIBLE: Final = np.arange(380.0, 781.0)
 #: Steps of the integral of the squared density over altitude.
-_STEPS: Final = 20_000
+_STEPS: Final = 2_000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -142,10 +142,10 @@ def gas_columns(planet: Planet) -> dict[str, float]:
     columns: dict[str, float] = {}
     for one in planet.constituents:
         composition, whole = _mixture(one)
+        height = one.profile.column(planet.thickness) if composition else 0.0
         for formula, fraction in composition:
             density = one.amount * fraction * whole
-            column = density * one.profile.column(planet.thickness)
-            columns[formula] = columns.get(formula, 0.0) + column
+            columns[formula] = columns.get(formula, 0.0) + density * height
             if formula == "O2":
                 pairs = density**2 / PAIR_DENSITY * _squared_column(one, planet.thickness)
                 columns[PAIR] = columns.get(PAIR, 0.0) + pairs
