@@ -243,7 +243,7 @@ class RefractiveScattering(_Molecules):
     Parameters
     ----------
     refractivity : float or PerWavelength
-        n - 1. Linear between wavelengths, constant beyond: the coefficients then follow λ⁻⁴. [1]
+        n - 1. A power law between wavelengths, constant beyond, where coefficients follow λ⁻⁴. [1]
     number_density : float, optional
         Number density of the state that the refractivity belongs to. [m⁻³]
     temperature, pressure : float, optional
