@@ -2,7 +2,8 @@
 
 By day it is the sun's spectrum, its lines included, times the air's scattering. At dusk the light
 has come through the ozone layer on a slant: the dip around 600 nm is the Chappuis band. Each
-curve is divided by its largest value. Any wavelengths may be asked for, here one every 5 nm.
+curve is divided by its largest value. Any wavelengths may be asked for, here one every 5 nm. A
+warning names the bands of oxygen and water that this planet leaves out, such as 10 % at 690 nm.
 """
 
 import numpy as np

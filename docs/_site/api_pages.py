@@ -21,7 +21,8 @@ STATIONS = (
     ("Observables", ("observe",)),
     ("Tables", ("bake", "load_tables")),
     ("Composition", ("compose", "Pinhole", "Placement")),
-    ("Errors", ("AirlightError", "ParameterError", "FileError", "ConvergenceError", "Cancelled")),
+    ("Errors and warnings", ("AirlightError", "ParameterError", "FileError", "ConvergenceError",
+                             "Cancelled", "AirlightWarning")),
 )  # fmt: skip
 
 HEAD = """

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from airlight.composition import Pinhole, Placement, compose
     from airlight.errors import (
         AirlightError,
+        AirlightWarning,
         Cancelled,
         ConvergenceError,
         FileError,
@@ -72,6 +73,7 @@ _HOMES = {
     "Pinhole": "airlight.composition",
     "Placement": "airlight.composition",
     "AirlightError": "airlight.errors",
+    "AirlightWarning": "airlight.errors",
     "ParameterError": "airlight.errors",
     "FileError": "airlight.errors",
     "ConvergenceError": "airlight.errors",
@@ -107,6 +109,7 @@ __all__ = [
     "Pinhole",
     "Placement",
     "AirlightError",
+    "AirlightWarning",
     "ParameterError",
     "FileError",
     "ConvergenceError",

@@ -1,7 +1,9 @@
-"""Exceptions that airlight raises, each with a message of one clear line."""
+"""Exceptions and warnings of airlight, each with a message of one clear line."""
 
 from __future__ import annotations
 
+import sys
+import warnings
 from pathlib import Path
 
 from airlight.plain_text import plain
@@ -83,3 +85,21 @@ class WorkerError(AirlightError):
 
 class Cancelled(AirlightError):
     """Long computation stopped at the caller's request."""
+
+
+class AirlightWarning(UserWarning):
+    """Base of every warning that airlight gives, with a message of one line."""
+
+
+def warn(line: str) -> None:
+    """Warn of a result that is not what it seems; shown once for each line of the caller's code.
+
+    Parameters
+    ----------
+    line : str
+        Message: what is off, and by how much.
+    """
+    frame, level = sys._getframe(1), 2
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("airlight."):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(plain(line), AirlightWarning, stacklevel=level)

@@ -14,6 +14,7 @@ from airlight.validation.published.rayleigh_sphere import geometric_albedo
 from airlight.validation.published.titan import ALBEDOS, titan_with_methane
 
 
+@pytest.mark.filterwarnings("ignore::airlight.AirlightWarning")  # of Titan's methane
 @pytest.mark.parametrize(
     ("name", "wavelengths", "expected", "within"),
     [
@@ -39,6 +40,7 @@ def test_geometric_albedos_are_those_that_telescopes_see(
     assert_allclose(ours, expected, rtol=within)
 
 
+@pytest.mark.filterwarnings("ignore::airlight.AirlightWarning")  # of the methane
 def test_methane_darkens_titan_as_the_telescope_saw(
     solved: Callable[..., MomentsSolution], tell: Callable[[str], None]
 ) -> None:

@@ -37,6 +37,7 @@ def _share_off(made: NDArray[np.float64], shown: NDArray[np.float64]) -> float:
 
 
 @pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::airlight.AirlightWarning")  # one shows it
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_example_makes_the_picture_of_the_gallery(
     example: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -32,10 +32,15 @@ def test_tables_hold_the_published_values(name, nm, expected):
 
 
 def test_imaginary_part_is_interpolated_in_the_logarithm(tmp_path):
-    # Half-way between 1e-8 and 1e-4 is 1e-6; half-way between 1.4 and 1.6 is 1.5.
+    # A power law's geometric mean of 1e-8 and 1e-4 is 1e-6; half-way between 1.4 and 1.6 is 1.5.
+    # Next to a row with 0 it is linear, and a power law elsewhere.
     file = tmp_path / "mine.csv"
-    file.write_text("# source: me\nwavelength_nm,real,imaginary\n400,1.4,1e-8\n600,1.6,1e-4\n")
-    assert_allclose(read_index(str(file)).at(500.0), 1.5 + 1e-6j, rtol=1e-12)
+    file.write_text(
+        "# source: me\nwavelength_nm,real,imaginary\n400,1.4,1e-8\n900,1.6,1e-4\n1000,1.6,0\n"
+    )
+    index = read_index(str(file)).at([600.0, 650.0, 950.0])
+    assert_allclose(index.imag[[0, 2]], [1e-6, 5e-5], rtol=1e-12)
+    assert_allclose(index.real[1], 1.5, rtol=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -143,10 +143,61 @@ def test_an_index_that_cannot_be_is_refused(index, field):
         mie.scattering(single_size(1e-6), 550.0, index, [0.0])
 
 
-def test_radii_too_large_for_the_wavelength_are_refused():
-    # The bound is 2πr/λ = 3000.
-    with pytest.raises(ParameterError, match=r"^sizes is 0\.001; allowed: radii up to"):
-        mie.scattering(single_size(1e-3), 550.0, 1.33 + 0j, [0.0])
+def ray_asymmetry(n: float) -> float:
+    """Mean cosine of the rays that a clear large sphere reflects and refracts, by Fresnel's laws.
+
+    Ray p, incident at i and refracted at r, is turned by 2(i - r) + (p - 1)(π - 2r), the reflected
+    one by π - 2i.
+    """
+    share = (np.arange(200_000) + 0.5) / 200_000  # sin² i is even over the disc
+    i = np.arcsin(np.sqrt(share))
+    r = np.arcsin(np.sin(i) / n)
+    total = 0.0
+    for amplitude in (np.sin(i - r) / np.sin(i + r), np.tan(i - r) / np.tan(i + r)):
+        reflected = amplitude**2
+        total += 0.5 * np.mean(reflected * np.cos(np.pi - 2.0 * i))
+        for p in range(1, 60):
+            turned = 2.0 * (i - r) + (p - 1) * (np.pi - 2.0 * r)
+            light = (1.0 - reflected) ** 2 * reflected ** (p - 1)
+            total += 0.5 * np.mean(light * np.cos(turned))
+    return float(total)
+
+
+@pytest.mark.parametrize("n", [1.31, 1.333, 1.5])
+def test_spheres_beyond_mie_s_reach_are_those_of_geometric_optics(n):
+    # A second method: half of the light is diffracted straight on, half goes by Fresnel's laws.
+    # Edges, x^(-2/3) at x = 3000, are left.
+    found = mie.scattering(single_size(1e-3), 550.0, complex(n), [0.0, 90.0])
+    assert_allclose(found.extinction, 2.0 * np.pi * 1e-6, rtol=6e-3)
+    assert_allclose(found.scattering, found.extinction, rtol=1e-12)
+    assert_allclose(found.asymmetry, 0.5 * (1.0 + ray_asymmetry(n)), rtol=2e-3)
+
+
+@pytest.mark.parametrize("k", [0.0, 1e-5, 1e-4, 1e-2])
+def test_a_sphere_that_stands_for_a_larger_one_has_its_light(k, monkeypatch):
+    # A second method: Mie's own sums for the larger sphere, x = 2900 by one of 1000; edges,
+    # x^(-2/3) = 0.01 there, and resonances of one clear sphere are left.
+    index, sizes = 1.4 + 1j * k, single_size(2900.0 * 5e-7 / (2.0 * np.pi))
+    exact = mie.scattering(sizes, 500.0, index, [0.0])
+    monkeypatch.setattr(mie, "LARGEST_SIZE_PARAMETER", 1000.0)
+    found = mie.scattering(sizes, 500.0, index, [0.0])
+    assert_allclose(found.extinction, exact.extinction, rtol=0.015)
+    albedos = [one.scattering / one.extinction for one in (found, exact)]
+    assert_allclose(albedos[0], albedos[1], rtol=0, atol=0.01)
+    assert_allclose(found.asymmetry, exact.asymmetry, rtol=0, atol=0.01)
+
+
+def test_few_spheres_stand_for_many_large_ones():
+    # A law: areas add up; absorbing ones keep their mean absorption along the diameter.
+    sizes = gamma_sizes(500e-6, 0.1, 800)
+    area = sizes.weights @ sizes.radii**2
+    for index, most in ((1.33 + 0j, 1), (1.5 + 1e-5j, 30)):
+        few, indices = mie.computed_spheres(sizes, 550.0, index)
+        large = few.radii == few.radii.max()
+        assert 1 <= np.count_nonzero(large) <= most
+        assert_allclose(few.weights @ few.radii**2, area, rtol=1e-12)
+        length = few.weights @ (few.radii**3 * indices.imag)
+        assert_allclose(length, sizes.weights @ sizes.radii**3 * index.imag, rtol=1e-12)
 
 
 def test_blocks_of_radii_do_not_change_the_sums():

@@ -110,8 +110,8 @@ def test_the_constituents_of_the_page_take_what_the_tables_say(banded: Planet) -
 def test_what_a_planet_has_is_not_left_out(banded: Planet) -> None:
     assert bands_left_out(banded, [764.0]) == ()
     left_out = bands_left_out(load_planet("earth"), [764.0, 577.0])
-    assert [one.name for one in left_out] == ["O2", "O2-O2"]
-    bands, pairs = left_out
+    assert [one.name for one in left_out] == ["O2", "H2O", "O2-O2"]
+    bands, _, pairs = left_out
     assert_allclose(1.0 - bands.loss[0], through("oxygen-bands", OXYGEN, np.array([764.0]))[0],
                     rtol=3e-3)  # fmt: skip
     expected = through("oxygen-pairs", PAIR_DENSITY * SQUARED, np.array([577.0]))[0]
@@ -127,7 +127,15 @@ def test_a_gas_without_a_table_is_named_and_thin_gas_is_not() -> None:
     (left_out,) = bands_left_out(replace(earth, constituents=(ammonia,)), [647.0])
     assert str(left_out) == "bands of NH3: no table of them"
     assert bands_left_out(load_planet("mars"), [764.0]) == ()  # 0.16 % of 6 hPa
-    assert bands_left_out(load_planet("earth-bruneton"), [764.0]) == ()  # coefficients alone
+
+
+def test_the_earth_has_its_gases_even_where_its_air_is_coefficients() -> None:
+    # The U.S. Standard Atmosphere's columns, as the mixture of ``earth`` has them.
+    mixed, given = (bands_left_out(load_planet(name), [764.0, 577.0])
+                    for name in ("earth", "earth-bruneton"))  # fmt: skip
+    for one, other in zip(mixed, given, strict=True):
+        assert one.name == other.name
+        assert_allclose(other.loss, one.loss, rtol=3e-3, atol=1e-12)
 
 
 def test_methane_s_bands_are_karkoschka_s() -> None:

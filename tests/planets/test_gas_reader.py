@@ -71,14 +71,15 @@ wavelength_nm,cross_section
 
 
 def test_a_table_beside_the_planet_file_is_read(composed, tmp_path):
-    # linear between rows, in cm²: 2.8e-29, 1.75e-29, 1.2e-29 m² at 680, 550, 440 nm
+    # power laws between rows, in cm², with exponents ln 1.5 / ln(7/6) and ln 2 / ln 1.5
     text = composed.replace('"ozone-293k"', '"tables/own.csv"')
     (tmp_path / "tables").mkdir()
     (tmp_path / "tables" / "own.csv").write_text(TABLE)
     (tmp_path / "planet.toml").write_text(text)
     planet = load_planet(tmp_path / "planet.toml")
     depth = Medium.from_planet(planet, NM).vertical_optical_depth[1]
-    sigma = np.array([2.8e-29, 1.75e-29, 1.2e-29])
+    steep, flat = np.log(1.5) / np.log(7.0 / 6.0), np.log(2.0) / np.log(1.5)
+    sigma = 1e-29 * np.array([2.0 * (680 / 600) ** steep, (550 / 400) ** flat, (440 / 400) ** flat])
     assert_allclose(depth, 345.0 * 2.686780111e20 * sigma, rtol=1e-8)
 
 

@@ -12,7 +12,10 @@ from airlight.planets.missing_bands import BANDS, missing_bands
 def test_known_bands_are_named_with_their_size() -> None:
     # 41 % at 764 nm, as gas_bands has it
     (line,) = missing_bands(load_planet("earth"), [550.0, 764.0])
-    assert line == "bands of O2 are left out: up to 41 % of direct light at airmass 1.5, at 764 nm"
+    assert line == (
+        "bands of O2 are left out: up to 41 % of direct light at airmass 1.5, at 764 nm; "
+        "docs/planets.md has absorbers for them"
+    )
 
 
 def test_bands_without_a_table_are_named_where_the_spectrum_meets_them() -> None:

@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
 from airlight.planets import Medium, load_planet, planet_names
+from airlight.planets.matter.profiles import PROFILES
 from airlight.planets.reading.overrides import overridden, parsed
 from airlight.planets.reading.reader import read_planet
 
@@ -175,3 +176,59 @@ def test_of_two_names_that_fit_the_longer_is_meant():
     file = {"constituents": [{"name": "haze"}, {"name": "haze.fine", "at": 1}]}
     changed = overridden(file, {"haze.fine.at": 2})
     assert changed["constituents"] == [{"name": "haze"}, {"name": "haze.fine", "at": 2}]
+
+
+#: One profile of each kind.
+KINDS = {
+    "exponential": 'kind = "exponential", scale_height = "8 km"',
+    "tent": 'kind = "tent", center = "95 km", half_width = "15 km"',
+    "layered": 'kind = "layered", layers = [{ width = "10 km", constant_term = 1 }, '
+    "{ constant_term = 0.5 }]",
+    "tabulated": 'kind = "tabulated", altitudes = "0, 50, 100 km", densities = [1, 0.5, 0.2]',
+    "layers": 'kind = "layers", altitudes = "0, 11 km", temperature = "288 K", '
+    'lapse_rates = "6.5, 0 K/km", molar_mass = "29 g/mol", gravity = "9.8 m/s^2", '
+    'gravity_radius = "6360 km"',
+    "sounding": 'kind = "sounding", temperatures = "288, 217 K", altitudes = "0, 11 km", '
+    'molar_mass = "29 g/mol", gravity = "9.8 m/s^2"',
+    "uniform": 'kind = "uniform"',
+}
+
+
+def test_every_kind_of_profile_is_tried():
+    # the list above is complete
+    assert set(KINDS) == {one.keyword for one in PROFILES.classes}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("radius", ["500 km", "6400 km", "1e5 km"])
+def test_the_air_keeps_its_thickness_when_the_ground_moves(kind, radius):
+    # by definition: densities over altitude, and so the columns, do not know the radius
+    text = FILE.replace('kind = "uniform"', KINDS[kind])
+    before = read_planet(text, "test.toml")
+    after = read_planet(text, "test.toml", overrides={"shell.bottom_radius": radius})
+    assert_allclose(after.thickness, 100e3, rtol=1e-9)
+    media = [Medium.from_planet(one, [550.0]) for one in (before, after)]
+    assert_allclose(media[1].columns, media[0].columns, rtol=1e-9)
+
+
+def test_a_top_that_is_given_stays():
+    # by definition, in either order
+    for paths in (("bottom", "top"), ("top", "bottom")):
+        ends = {"bottom": "6300 km", "top": "6500 km"}
+        radii = {f"shell.{one}_radius": ends[one] for one in paths}
+        planet = read_planet(FILE, "test.toml", overrides=radii)
+        assert (planet.bottom_radius, planet.top_radius) == (6300e3, 6500e3)
+
+
+@pytest.mark.parametrize("radius", ["5 km", "2e9 km", "0 km", "-7 km", "7 s", "wide", 1e4])
+def test_a_ground_that_does_not_fit_is_the_radius_s_own_error(radius):
+    # the key that was typed is named, and not the one that moves along
+    with pytest.raises(ParameterError, match=r"shell\.bottom_radius is") as caught:
+        read("shell.bottom_radius", radius)
+    assert "top_radius" not in str(caught.value)
+
+
+def test_light_that_would_follow_the_larger_ground_is_the_radius_s_error():
+    # around 1e5 km air of 8 km scale height bends light by more than the ground is bent
+    with pytest.raises(ParameterError, match=r"shell\.bottom_radius is '1e5 km'; allowed: a sm"):
+        load_planet("earth", {"shell.bottom_radius": "1e5 km"})

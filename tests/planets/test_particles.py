@@ -249,16 +249,38 @@ def test_what_cannot_be_is_refused_in_one_line(make, message):
         make()
 
 
-def test_particles_too_large_are_refused_by_constituent():
-    # 2πr/λ up to 3000.
+@pytest.mark.parametrize("radius", [15e-6, 40e-6, 80e-6, 150e-6, 250e-6, 1e-3])
+def test_large_drops_of_one_size_keep_their_light_and_its_mean_cosine(radius):
+    # Laws: the integral is 1, and the mean cosine of the table is that of Mie's series, beyond
+    # 2πr/λ = 3000 that of the sphere which stands for it.
     drops = Particles(
-        index=TableIndex(table="water"), sizes=SingleSize(radius=1e-3), optical_depth=0.5
+        index=TableIndex(table="water"), sizes=SingleSize(radius=radius), optical_depth=0.5
     )
-    with pytest.raises(
-        ParameterError,
-        match=r"^constituents\[0\]\.sizes is 0\.001; allowed: radii up to",
-    ):
-        Medium.from_planet(_planet(drops), RGB)
+    medium = Medium.from_planet(_planet(drops), [550.0])
+    (moments,) = drops.phase_function([550.0]).moments([550.0], 1)
+    assert_allclose(moments[0], 1.0, rtol=0, atol=1e-6)
+    assert_allclose(moments[1], drops.asymmetries([550.0]), rtol=4e-4)
+    assert_allclose(medium.vertical_optical_depth[0], 0.5, rtol=1e-12)
+    assert_allclose(medium.phase_moments(1)[0, :, 1], moments[1], rtol=1e-6)
+
+
+def test_the_forward_peak_of_a_large_drop_is_airy_s():
+    # A second method: Airy's disc, x²/(16π) (2 J₁(z)/z)² 4 with z = x sin θ, within what rays add
+    # and edges take; its first dark ring at z = 3.8317.
+    from scipy.special import j1
+
+    radius = 150e-6
+    drops = Particles(
+        index=TableIndex(table="water"), sizes=SingleSize(radius=radius), optical_depth=0.5
+    )
+    phase = drops.phase_function([550.0])
+    x = 2.0 * np.pi * radius / 550e-9
+    z = np.array([1e-6, 0.5, 1.0, 2.0])
+    airy = x**2 / (8.0 * np.pi) * (2.0 * j1(z) / z) ** 2
+    found = phase.values(np.cos(z / x), [550.0])[:, 0]
+    assert_allclose(found, airy, rtol=0.05)
+    dark = phase.values(np.cos(np.array([3.8317]) / x), [550.0])[0, 0]
+    assert dark < 0.01 * found[0]
 
 
 def test_planet_of_particles_is_a_planet():

@@ -106,9 +106,9 @@ def test_earths_aerosol_is_opac_continental_clean():
     assert_allclose(medium.single_scattering_albedo[1], 0.972, rtol=1e-12)
     assert_allclose(medium.phase_moments(1)[1, :, 1], 0.709, rtol=0, atol=5e-4)
     depth = medium.vertical_optical_depth[1]
-    # linear between a dozen wavelengths: 1 % of the exponent's curve
-    assert_allclose(np.log(depth[0] / depth[1]) / np.log(500.0 / 350.0), 1.10, rtol=0, atol=0.02)
-    assert_allclose(np.log(depth[1] / depth[3]) / np.log(800.0 / 500.0), 1.42, rtol=0, atol=0.02)
+    # the list's digits
+    assert_allclose(np.log(depth[0] / depth[1]) / np.log(500.0 / 350.0), 1.10, rtol=0, atol=3e-3)
+    assert_allclose(np.log(depth[1] / depth[3]) / np.log(800.0 / 500.0), 1.42, rtol=0, atol=3e-3)
 
 
 def test_atmosphere_plus_presets_differ_by_the_misprint_only():

@@ -300,10 +300,10 @@ def test_an_optical_depth_beyond_reason_is_refused(good):
     assert "10000" in str(caught.value)
 
 
-def test_interpolation_is_linear_and_stops_ten_nanometres_beyond(good):
-    # ozone: half way between 550 and 440 nm; Rayleigh: λ⁻⁴ beyond 680 nm
-    medium = medium_of(good, [495.0, 690.0, 430.0])
-    assert_allclose(medium.absorption[2, 0], 0.5 * (1.881e-6 + 0.085e-6), rtol=1e-12)
+def test_coefficients_follow_power_laws_and_stop_ten_nanometres_beyond(good):
+    # ozone: the geometric mean between 550 and 440 nm; Rayleigh: λ⁻⁴ beyond 680 nm
+    medium = medium_of(good, [np.sqrt(550.0 * 440.0), 690.0, 430.0])
+    assert_allclose(medium.absorption[2, 0], np.sqrt(1.881e-6 * 0.085e-6), rtol=1e-12)
     assert_allclose(medium.absorption[2, 1:], [0.65e-6, 0.085e-6], rtol=1e-12)
     assert_allclose(medium.scattering[0, 1], 5.802e-6 * (680.0 / 690.0) ** 4, rtol=1e-12)
     assert_allclose(medium.scattering[0, 2], 33.1e-6 * (440.0 / 430.0) ** 4, rtol=1e-12)
@@ -312,13 +312,11 @@ def test_interpolation_is_linear_and_stops_ten_nanometres_beyond(good):
 
 
 def test_rayleigh_alone_is_known_at_any_wavelength(good):
-    # the factor of λ⁻⁴ is linear between given wavelengths
+    # λ⁻⁴ beyond the given wavelengths, a power law between them: the geometric mean
     air = good[: good.index('[[constituents]]\nname = "aerosol"')]
-    medium = medium_of(air, [300.0, 615.0, 2000.0])
-    factors = np.array(
-        [33.1 * 440.0**4, 0.5 * (13.558 * 550.0**4 + 5.802 * 680.0**4), 5.802 * 680.0**4]
-    )
-    expected = 1e-6 * factors / np.array([300.0, 615.0, 2000.0]) ** 4
+    medium = medium_of(air, [300.0, np.sqrt(550.0 * 680.0), 2000.0])
+    blue, red = 33.1 * (440.0 / 300.0) ** 4, 5.802 * (680.0 / 2000.0) ** 4
+    expected = [1e-6 * blue, 1e-6 * np.sqrt(13.558 * 5.802), 1e-6 * red]
     assert_allclose(medium.scattering[0], expected, rtol=1e-12)
 
 

@@ -37,8 +37,10 @@ def planet(folder: Path, unit: str, star: str, distance: str = "", rows: str = R
 
 
 def test_a_spectrum_without_distance_is_that_at_the_planet(tmp_path: Path) -> None:
+    # A power law between the rows: half-way in the logarithm, the geometric mean.
     made = planet(tmp_path, "W m-2 nm-1", 'angular_radius = "0.2 deg"')
-    assert_allclose(made.star.irradiances([400.0, 550.0, 700.0]), [1.0, 1.75, 2.5])
+    half = (400.0 * 700.0) ** 0.5
+    assert_allclose(made.star.irradiances([400.0, half, 700.0]), [1.0, 2.5**0.5, 2.5])
     assert made.star.limits == (390.0, 710.0)
 
 

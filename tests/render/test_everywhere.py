@@ -55,6 +55,7 @@ def test_every_planet_is_finite_and_not_negative(planet: str, lit: Lit) -> None:
             assert_sound(render(solution, scene).rgb, f"{altitude:g} m, sun {sun:g}")
 
 
+@pytest.mark.filterwarnings("ignore::airlight.AirlightWarning")  # of bands beyond 700 nm
 @pytest.mark.parametrize("planet", ["earth", pytest.param("mars", marks=pytest.mark.slow)])
 def test_sixteen_wavelengths_give_colours_of_real_light(planet: str, lit: Lit) -> None:
     # the spectrum is interpolated between the wavelengths, which must not give values below 0

@@ -15,7 +15,7 @@ from typing import Annotated, Any, Final
 import typer
 from typer.core import TyperGroup
 
-from airlight.cli.console import note
+from airlight.cli.console import note, noted_warnings
 from airlight.cli.examples import examples
 from airlight.cli.interrupt import INTERRUPTED, answered, end_when_interrupted
 from airlight.errors import AirlightError, Cancelled
@@ -147,7 +147,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with contextlib.suppress(AttributeError, ValueError):
             stream.reconfigure(errors="replace")  # type: ignore[union-attr]
     try:
-        status = app(words, prog_name="airlight", standalone_mode=False)
+        with noted_warnings():
+            status = app(words, prog_name="airlight", standalone_mode=False)
         sys.stdout.flush()
     except (KeyboardInterrupt, Cancelled, typer.Abort):
         status = INTERRUPTED

@@ -6,8 +6,11 @@ stand as escapes, and Rich reads no markup.
 
 from __future__ import annotations
 
+import contextlib
 import sys
-from typing import TYPE_CHECKING, Any
+import warnings
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, TextIO
 
 from airlight.plain_text import plain
 
@@ -23,6 +26,30 @@ def say(line: object = "", *, flush: bool = False) -> None:
 def note(line: object) -> None:
     """Write a line with the program's name to the standard error stream."""
     print(f"airlight: {plain(line)}", file=sys.stderr)
+
+
+@contextlib.contextmanager
+def noted_warnings() -> Iterator[None]:
+    """Write airlight's warnings as notes, each once."""
+    from airlight.errors import AirlightWarning
+
+    noted: set[str] = set()
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", AirlightWarning)
+        others = warnings.showwarning
+
+        def show(
+            message: Warning | str, category: type[Warning], filename: str, lineno: int,
+            file: TextIO | None = None, line: str | None = None,
+        ) -> None:  # fmt: skip
+            if not issubclass(category, AirlightWarning):
+                others(message, category, filename, lineno, file, line)
+            elif str(message) not in noted:
+                noted.add(str(message))
+                note(message)
+
+        warnings.showwarning = show
+        yield
 
 
 def console(width: int | None = None) -> Console:

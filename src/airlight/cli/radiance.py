@@ -162,12 +162,9 @@ def radiance(
         world = options.with_solved_ground(world, ground_albedo, None, None)
     nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
     sampled = solver == "montecarlo"
-    from airlight.planets.missing_bands import missing_bands
     from airlight.solvers import solve
     from airlight.sweep.cases import error_columns, radiance_columns, write_cases
 
-    for line in missing_bands(world, nm):
-        note(line)
     columns = radiance_columns(nm, stokes=stokes)
     columns += error_columns(nm, stokes=stokes) if sampled else []
     _warn_of_repeated(columns, cases.header)

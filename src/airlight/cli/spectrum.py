@@ -106,7 +106,6 @@ def spectrum(
     """
     started = time.perf_counter()
     from airlight.observables import observe
-    from airlight.planets.missing_bands import missing_bands
 
     files = _checked(output or [])
     given: dict[str, Any] = {
@@ -119,8 +118,6 @@ def spectrum(
     }
     world = options.planet(planet, set_)
     nm = options.wavelengths(wavelengths, world) if wavelengths else _known(world)
-    for line in missing_bands(world, nm):
-        note(line)
 
     from airlight.solvers import solve
 

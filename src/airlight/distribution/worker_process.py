@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import signal
+import warnings
 from typing import Any
+
+from airlight.errors import AirlightWarning
 
 
 def dask_setup(worker: Any) -> None:
-    """Leave Ctrl-C to the process that started them all, which ends them.
+    """Leave Ctrl-C and warnings to the process that started them all.
 
     Parameters
     ----------
@@ -15,3 +18,4 @@ def dask_setup(worker: Any) -> None:
         Worker of this process.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    warnings.simplefilter("ignore", AirlightWarning)

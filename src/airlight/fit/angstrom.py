@@ -11,6 +11,7 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.schema.measures import text_of
+from airlight.spectra.power_law import power_law
 from airlight.units import quantities
 
 FloatArray = NDArray[np.float64]
@@ -118,8 +119,7 @@ def tilted(
 
 
 def _at_pivot(nm: FloatArray, values: FloatArray) -> float:
-    order = np.argsort(nm)
-    return float(np.interp(_PIVOT, nm[order], values[order]))
+    return float(power_law(_PIVOT, nm, values))
 
 
 def _nodes(wavelengths: FloatArray, limits: tuple[float, float]) -> FloatArray:

@@ -22,8 +22,10 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import Tables, get, joined, put
+from airlight.planets.reading.shell_edit import BOTTOM, lifted
 from airlight.planets.schema.key import Key
 from airlight.planets.schema.measures import number_in, text_of
+from airlight.spectra.power_law import power_law
 from airlight.units import quantities
 
 FloatArray = NDArray[np.float64]
@@ -175,7 +177,8 @@ def _number(name: str, path: str, tables: Tables) -> Free:
     )  # fmt: skip
 
     def write(tables: Tables, value: float) -> Tables:
-        return put(tables, path, text_of(value, key.shown_unit))
+        changed = put(tables, path, text_of(value, key.shown_unit))
+        return lifted(changed, tables) if path == BOTTOM else changed
 
     return Free(parameter=parameter, write=write)
 
@@ -302,11 +305,10 @@ def _times(listed: Any, share: float, unit: str) -> Any:
 
 
 def value_at(tables: Mapping[str, Any], path: str, key: str, nm: float) -> float:
-    """Value of a key, one or a list, at a wavelength; linear between those of the list."""
+    """Value of a positive spectrum, one or a list, at a wavelength, see ``spectra.power_law``."""
     given = get(dict(tables), f"{path}.{key}")
     values = quantities(given, "1", key)
     if len(values) == 1:
         return values[0]
-    at = np.array(quantities(get(dict(tables), f"{path}.wavelengths"), "nm", "wavelengths"))
-    order = np.argsort(at)
-    return float(np.interp(nm, at[order], np.array(values)[order]))
+    at = quantities(get(dict(tables), f"{path}.wavelengths"), "nm", "wavelengths")
+    return float(power_law(nm, at, values))

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import FileError, ParameterError
+from airlight.spectra.power_law import power_law
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
@@ -54,8 +55,8 @@ class IndexTable:
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
         """n + ik at wavelengths within ``limits`` [nm], shape (...).
 
-        n is linear between the rows, and so is the logarithm of k, which varies over decades; next
-        to a row with k = 0, k itself is linear.
+        n is linear between the rows; k, which varies over decades, is a power law, and linear next
+        to a row with k = 0.
 
         Examples
         --------
@@ -65,10 +66,7 @@ class IndexTable:
         """
         nm = np.asarray(wavelengths, dtype=np.float64)
         real = np.interp(nm, self.wavelengths, self.real)
-        straight = np.interp(nm, self.wavelengths, self.imaginary)
-        if (self.imaginary > 0.0).all():
-            straight = np.exp(np.interp(nm, self.wavelengths, np.log(self.imaginary)))
-        return np.asarray(real + 1j * straight)
+        return np.asarray(real + 1j * power_law(nm, self.wavelengths, self.imaginary))
 
 
 @cache

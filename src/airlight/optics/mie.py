@@ -21,10 +21,18 @@ from airlight.optics.size_distribution import Sizes
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
 
-#: Largest size parameter 2πr/λ: beyond it the forward peak is as narrow as a star's disc.
+#: Largest size parameter 2πr/λ that is computed: beyond it light is that of geometric optics.
 LARGEST_SIZE_PARAMETER: Final = 3000.0
+#: Step of ln r between absorbing spheres beyond it.
+_LARGE_STEP: Final = 0.1
 #: Largest number of even steps between scattering angles.
-_MOST_STEPS: Final = 8000.0
+MOST_STEPS: Final = 8000.0
+#: Number of rings around the forward direction, and of the glory's, that are always resolved, and
+#: angles per ring.
+_RINGS: Final = 12
+_PER_RING: Final = 40.0
+#: Growth of the steps between angles from the ends inwards.
+_GROWTH: Final = 1.15
 #: Number of radii that are summed together, as their series have about the same length.
 _BLOCK: Final = 64
 
@@ -79,7 +87,7 @@ def efficiencies(size_parameter: float, index: complex) -> tuple[float, float, f
     >>> f"{q_ext:.3f} {q_sca / q_ext:.3f} {g:.3f}"
     '2.267 0.822 0.792'
     """
-    a, b = _coefficients(np.array([size_parameter]), index)
+    a, b = _coefficients(np.array([size_parameter]), np.array([index]))
     sums = _sums(a, b, index)
     scale = 2.0 / size_parameter**2
     return float(scale * sums[0, 0]), float(scale * sums[1, 0]), float(sums[2, 0] / sums[1, 0])
@@ -115,9 +123,13 @@ def scattering(
     Raises
     ------
     ParameterError
-        If a radius is too large for the wavelength, or the index is impossible.
+        If the index is impossible.
     Cancelled
         If ``cancel`` returned True.
+
+    Notes
+    -----
+    See ``computed_spheres`` for spheres of a size parameter above 3000.
 
     References
     ----------
@@ -125,7 +137,7 @@ def scattering(
     """
     check_index(index)
     wavenumber = 2.0 * np.pi / (1e-9 * wavelength)
-    check_sizes(sizes, wavelength)
+    sizes, indices = computed_spheres(sizes, wavelength, index)
     mu = np.cos(np.radians(np.asarray(angles, dtype=np.float64)))
     totals, matrix = np.zeros(3), np.zeros((4, mu.size))
     longest = _terms(wavenumber * float(sizes.radii.max()))
@@ -133,7 +145,7 @@ def scattering(
     for part in _blocks(len(sizes.radii)):
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
-        a, b = _coefficients(wavenumber * sizes.radii[part], index)
+        a, b = _coefficients(wavenumber * sizes.radii[part], indices[part])
         weights = sizes.weights[part]
         totals += _sums(a, b, index) @ weights
         matrix += _matrices(a, b, plus, minus, weights)
@@ -157,13 +169,45 @@ def check_index(index: complex) -> None:
         raise ParameterError("index.imaginary", index.imag, "0 to 10; light is only absorbed")
 
 
-def check_sizes(sizes: Sizes, wavelength: float) -> None:
-    """Refuse radii that are too large for a wavelength [nm]."""
+def computed_spheres(sizes: Sizes, wavelength: float, index: complex) -> tuple[Sizes, ComplexArray]:
+    """Spheres that stand for those of a size parameter above 3000, and the index of each.
+
+    In geometric optics light depends on a sphere's area, and on its absorption along a diameter. A
+    larger sphere is that of size parameter 3000, with as many more per area and with an imaginary
+    part that absorbs as much. Its cross-section is too large by 0.5 % at most (edges extinguish
+    1.99 x^(-2/3), Nussenzveig & Wiscombe 1980), and its forward peak, 0.07° wide, is too wide by
+    the ratio of the radii: both are narrower than the sun's disc.
+
+    Parameters
+    ----------
+    sizes : Sizes
+        Sizes from ``optics.size_distribution``. [m]
+    wavelength : float
+        Wavelength. [nm]
+    index : complex
+        Refractive index of the particles. [1]
+
+    Returns
+    -------
+    sizes : Sizes
+        Radii up to the largest, those of nearly the same index as one. [m]
+    indices : array, shape (n,)
+        Refractive index of each. [1]
+    """
     largest = LARGEST_SIZE_PARAMETER * 1e-9 * wavelength / (2.0 * np.pi)
-    if not sizes.radii.max() <= largest:
-        raise ParameterError(
-            "sizes", float(sizes.radii.max()), f"radii up to {largest:.3g} m at {wavelength:g} nm"
-        )
+    above = sizes.radii > largest
+    if not above.any():
+        return sizes, np.full(sizes.radii.size, index)
+    ratio = sizes.radii[above] / largest
+    steps = np.rint(np.log(ratio) / _LARGE_STEP) if index.imag > 0.0 else np.zeros(ratio.size)
+    group = np.unique(steps, return_inverse=True)[1]
+    areas = sizes.weights[above] * ratio**2
+    weights = np.bincount(group, areas)
+    mean = np.bincount(group, areas * ratio) / weights
+    radii = np.append(sizes.radii[~above], np.full(weights.size, largest))
+    absorbing = np.append(np.ones(np.count_nonzero(~above)), mean)
+    indices = index.real + 1j * np.minimum(index.imag * absorbing, 10.0)
+    return Sizes(radii, np.append(sizes.weights[~above], weights)), indices
 
 
 def work(radii: int, size_parameter: float, angles: int) -> float:
@@ -199,7 +243,8 @@ def scattering_angles(size_parameter: float, per_ripple: float = 12.0) -> FloatA
     """Angles at which to tabulate a phase function, ascending from 0 to 180. [deg]
 
     Even steps resolve the ripples of a sphere; they grow from a sixteenth of a step at both ends,
-    where the diffraction peak and the glory are.
+    where the diffraction peak and the glory are. There are at most 8000: of a larger sphere they
+    resolve the first 12 rings at both ends, and ``ripples.ripple_means`` takes the mean elsewhere.
 
     Parameters
     ----------
@@ -214,11 +259,15 @@ def scattering_angles(size_parameter: float, per_ripple: float = 12.0) -> FloatA
     >>> len(angles), float(angles[0]), float(angles[-1])
     (629, 0.0, 180.0)
     """
-    step = 180.0 / min(max(per_ripple * size_parameter, 180.0), _MOST_STEPS)
+    steps = max(per_ripple * size_parameter, 180.0)
+    step = 180.0 / min(steps, MOST_STEPS)
+    fine = step if steps <= MOST_STEPS else 180.0 / (_PER_RING * size_parameter)
+    rings = _RINGS * 180.0 / size_parameter
     near, width = [0.0], step / 16.0
     while width < step:
         near.append(near[-1] + width)
-        width *= 1.15
+        if width < fine or near[-1] >= rings:
+            width *= _GROWTH
     ends = np.array(near[:-1])
     count = math.ceil((180.0 - 2.0 * near[-1]) / step)
     middle = np.linspace(near[-1], 180.0 - near[-1], count + 1)
@@ -235,11 +284,16 @@ def _terms(size_parameter: float) -> int:
     return int(size_parameter + 4.05 * size_parameter**0.33333 + 2.0)
 
 
-def _coefficients(size_parameters: FloatArray, index: complex) -> tuple[ComplexArray, ComplexArray]:
+def _coefficients(
+    size_parameters: FloatArray, indices: ComplexArray
+) -> tuple[ComplexArray, ComplexArray]:
     """Coefficients a_n and b_n of spheres, zero beyond their series, shape (nr, nn)."""
     import miepython
 
-    pairs = [miepython.an_bn(index.conjugate(), float(x)) for x in size_parameters]
+    pairs = [
+        miepython.an_bn(complex(index).conjugate(), float(x))
+        for index, x in zip(indices, size_parameters, strict=True)
+    ]
     longest = max(len(a) for a, _ in pairs)
     both = np.zeros((2, len(pairs), longest), dtype=np.complex128)
     for row, (a, b) in enumerate(pairs):

@@ -20,7 +20,7 @@ from airlight.planets.spectral import (
     PerWavelength,
     Spectral,
     narrowest,
-    spectral_at,
+    power_law_at,
 )
 
 FloatArray = npt.NDArray[np.float64]
@@ -67,8 +67,8 @@ class Constituent(Record):
 
     Notes
     -----
-    Given scattering coefficients beside a ``Rayleigh`` phase function follow λ⁻⁴ between and beyond
-    their wavelengths. All other values are linear between them and constant for 10 nm beyond.
+    Coefficients at given wavelengths follow power laws between them, see ``spectra.power_law``, and
+    are constant for 10 nm beyond; scattering with a ``Rayleigh`` phase function follows λ⁻⁴ there.
     """
 
     name: Annotated[
@@ -200,7 +200,7 @@ class Constituent(Record):
             return self.scattering.coefficients(wavelengths)
         if self._follows_fourth_power and isinstance(self.scattering, PerWavelength):
             return self.scattering.at_fourth_power(wavelengths)
-        return spectral_at(self.scattering, wavelengths)
+        return power_law_at(self.scattering, wavelengths)
 
     def absorption_coefficients(self, wavelengths: npt.ArrayLike, thickness: float) -> FloatArray:
         """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
@@ -214,7 +214,7 @@ class Constituent(Record):
         if isinstance(self.absorption, Absorber):
             total = self.absorption.coefficients(wavelengths, self._column(thickness))
         else:
-            total = spectral_at(self.absorption, wavelengths)
+            total = power_law_at(self.absorption, wavelengths)
         if self.matter is not None:
             column = self._column(thickness)
             total = total + self.matter.absorption_coefficients(wavelengths, column)

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
+from airlight.planets.matter.gases import GasScattering, density_of_state
 from airlight.spectra.tables import read_spectrum
 
 if TYPE_CHECKING:
@@ -30,6 +31,27 @@ TABLES: Final[dict[str, tuple[str, ...]]] = {
 #: oxygen that it is made for: air at 288.15 K and 101 325 Pa. [m⁻³]
 PAIRS: Final = "oxygen-pairs"
 PAIR_DENSITY: Final = 5.3354e24
+#: Formula of pairs of oxygen.
+PAIR: Final = "O2-O2"
+#: Gases with bands that the air of a world has, and that a planet with its sky is taken to have
+#: unless its mixtures name them or have no oxygen: oxygen, its pairs as ``PAIR_DENSITY`` counts
+#: them, and 14.2 mm of water; U.S. Standard Atmosphere, 1976. [m⁻²]
+WORLD_COLUMNS: Final[dict[str, dict[str, float]]] = {
+    "earth": {"O2": 4.50e28, PAIR: 2.474e28, "H2O": 4.747e26},
+}
+#: Mole fractions of the gases of ``scattering = { rayleigh = … }``; of air as King factors have it.
+_NAMED: Final = {
+    "air": (("N2", 0.78084), ("O2", 0.20946), ("Ar", 0.00934)),
+    "co2": (("CO2", 1.0),),
+}
+#: Words in the name of an absorber with a cross-section of its own that say which gas it is.
+_WORDS: Final[dict[str, tuple[str, ...]]] = {
+    "O2": ("o2", "oxygen"),
+    "O2-O2": ("o2-o2", "o4", "pairs", "oxygen"),
+    "H2O": ("h2o", "water", "vapour", "vapor"),
+    "CH4": ("ch4", "methane"),
+    "NH3": ("nh3", "ammonia"),
+}
 #: Way through the air, over the vertical one, at which the size is given. [1]
 AIRMASS: Final = 1.5
 #: Loss below which a line says 0. [1]
@@ -37,7 +59,7 @@ LEAST: Final = 5e-5
 #: Wavelengths among which the strongest is looked for. [nm]
 _VISIBLE: Final = np.arange(380.0, 781.0)
 #: Steps of the integral of the squared density over altitude.
-_STEPS: Final = 20_000
+_STEPS: Final = 2_000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,7 +113,8 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
     Parameters
     ----------
     planet : Planet
-        Planet; gases that are given by coefficients are not known, and left out here.
+        Planet; its gases are those of its mixtures, of air and carbon dioxide by name, and of
+        ``WORLD_COLUMNS``. Others by coefficients are not known, and left out here.
     wavelengths : array, shape (nl,)
         Wavelengths. [nm]
 
@@ -101,44 +124,56 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
     >>> for one in bands_left_out(load_planet("earth"), [764.0]):
     ...     print(one.name, one.loss.round(2).tolist())
     O2 [0.41]
+    H2O [0.0]
     O2-O2 [0.01]
     """
-    used = {
-        one.absorption.cross_section
-        for one in planet.constituents
-        if isinstance(one.absorption, CrossSectionAbsorption)
-        and isinstance(one.absorption.cross_section, str)
-    }
-    columns, pairs = gas_columns(planet), 0.0
-    for one in planet.constituents:
-        if isinstance(one.matter, GasMixture):
-            oxygen = dict(one.matter.composition).get("O2", 0.0)
-            density = one.amount * oxygen * one.matter.number_density
-            pairs += density**2 / PAIR_DENSITY * _squared_column(one, planet.thickness)
-    found = []
-    for formula, tables in TABLES.items():
-        if columns.get(formula, 0.0) > 0.0:
-            found += [
-                _left_out(formula, table, columns[formula], wavelengths)
-                for table in tables or ("",)
-                if table not in used
-            ]
-    if pairs > 0.0 and PAIRS not in used:
-        found.append(_left_out("O2-O2", PAIRS, pairs, wavelengths))
+    columns = gas_columns(planet)
+    tables = [(formula, table) for formula, names in TABLES.items() for table in names or ("",)]
+    found = [
+        _left_out(formula, table, columns[formula], wavelengths)
+        for formula, table in (*tables, (PAIR, PAIRS))
+        if columns.get(formula, 0.0) > 0.0 and not _absorbs(planet, formula, table)
+    ]
     return tuple(one for one in found if not one.strongest < LEAST)
 
 
 def gas_columns(planet: Planet) -> dict[str, float]:
-    """Vertical columns of the gases of a planet's mixtures, by formula. [m⁻²]"""
+    """Vertical columns of gases, by formula: of the planet's own, or of its world's. [m⁻²]"""
     columns: dict[str, float] = {}
     for one in planet.constituents:
-        if not isinstance(one.matter, GasMixture):
-            continue
-        for formula, fraction in one.matter.composition:
-            density = one.amount * fraction * one.matter.number_density
-            column = density * one.profile.column(planet.thickness)
-            columns[formula] = columns.get(formula, 0.0) + column
-    return columns
+        composition, whole = _mixture(one)
+        height = one.profile.column(planet.thickness) if composition else 0.0
+        for formula, fraction in composition:
+            density = one.amount * fraction * whole
+            columns[formula] = columns.get(formula, 0.0) + density * height
+            if formula == "O2":
+                pairs = density**2 / PAIR_DENSITY * _squared_column(one, planet.thickness)
+                columns[PAIR] = columns.get(PAIR, 0.0) + pairs
+    if columns and "O2" not in columns:
+        return columns
+    return {**WORLD_COLUMNS.get(planet.body or "", {}), **columns}
+
+
+def _mixture(constituent: Constituent) -> tuple[tuple[tuple[str, float], ...], float]:
+    """Mole fractions and number density of a gas at relative density 1. [1], [m⁻³]"""
+    if isinstance(constituent.matter, GasMixture):
+        return constituent.matter.composition, constituent.matter.number_density
+    gas = constituent.scattering
+    if isinstance(gas, GasScattering):
+        density = density_of_state(gas.number_density, gas.temperature, gas.pressure)
+        return _NAMED.get(gas.gas, ()), density
+    return (), 0.0
+
+
+def _absorbs(planet: Planet, formula: str, table: str) -> bool:
+    """Whether a constituent absorbs by a table, or by a cross-section of its own for this gas."""
+    for one in planet.constituents:
+        if isinstance(one.absorption, CrossSectionAbsorption):
+            own = one.absorption.cross_section
+            named = any(word in one.name.lower() for word in _WORDS.get(formula, ()))
+            if own == table or (named and not isinstance(own, str)):
+                return True
+    return False
 
 
 def _squared_column(constituent: Constituent, thickness: float) -> float:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
+from airlight.color.four_wavelengths import CHOSEN
+from airlight.errors import ParameterError, warn
 from airlight.planets.gas_bands import AIRMASS, bands_left_out, gas_columns
+from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 
 #: Bands beyond the tables that come with airlight, by formula: where a gas absorbs strongly enough
@@ -50,8 +54,8 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
     Parameters
     ----------
     planet : Planet
-        Planet; the gases of its mixtures are known by their formulas. One whose gases are
-        coefficients only has none that could be named.
+        Planet, whose gases are those of ``gas_bands``: one whose gases are coefficients only has
+        none that could be named, unless its ``body`` is the Earth.
     wavelengths : array, shape (nl,)
         Wavelengths of the spectrum. [nm]
 
@@ -65,7 +69,7 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
     --------
     >>> from airlight.planets import load_planet
     >>> for line in missing_bands(load_planet("earth"), [550.0, 764.0]):
-    ...     print(line)
+    ...     print(line.partition(";")[0])
     bands of O2 are left out: up to 41 % of direct light at airmass 1.5, at 764 nm
     """
     nm = np.asarray(wavelengths, dtype=np.float64)
@@ -75,7 +79,8 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
         if loss.size and loss.max() >= WEAKEST:
             lines.append(
                 f"bands of {one.name} are left out: up to {100.0 * loss.max():.0f} % of direct "
-                f"light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm"
+                f"light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm; "
+                "docs/planets.md has absorbers for them"
             )
     columns = gas_columns(planet)
     met: dict[str, list[str]] = {}
@@ -89,3 +94,26 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
         named = "; ".join(f"{formula} {', '.join(spans)} nm" for formula, spans in met.items())
         lines.append(f"bands without a table are missing, so that it is too bright there: {named}")
     return lines
+
+
+def warn_of_missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
+    """Warn, a line for each kind of band, of what ``missing_bands`` names.
+
+    Wavelengths of pictures are exempt: each stands for a part of the spectrum, and a colour of the
+    Earth's sky has 0.3 % of its light in bands.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet.
+    wavelengths : array, shape (nl,)
+        Wavelengths of the solution. [nm]
+    """
+    nm = np.asarray(wavelengths, dtype=np.float64)
+    few = CHOSEN.get(nm.size, ())
+    with contextlib.suppress(ParameterError):  # a planet that is known at no visible wavelength
+        if np.array_equal(np.sort(nm), np.sort(picture_wavelengths(planet, nm.size))):
+            return
+    if not np.array_equal(np.sort(nm), few):
+        for line in missing_bands(planet, nm):
+            warn(f"{planet.name}: {line}")

@@ -89,10 +89,7 @@ def parameter_values(
 
 def _flattened(value: Any, label: str, unit: str, nm: tuple[float, ...]) -> Iterator[Any]:
     """Pairs of key and value below one part."""
-    if isinstance(value, PerWavelength):
-        for wavelength, number in zip(nm, np.atleast_1d(value.at(list(nm))), strict=True):
-            yield (label, unit, wavelength), float(number)
-    elif dataclasses.is_dataclass(value) and not isinstance(value, type):
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
         yield (label, "", None), _kind(value)
         yield from _fields(value, label, nm)
     elif isinstance(value, Mapping):
@@ -115,7 +112,14 @@ def _fields(value: Any, label: str, nm: tuple[float, ...]) -> Iterator[Any]:
         if not field.name.startswith("_"):
             key = keys.get(field.name)
             inner, unit = _joined(label, field.name), "" if key is None else key.unit_words
-            yield from _flattened(getattr(value, field.name), inner, unit, nm)
+            own = getattr(value, field.name)
+            if isinstance(own, PerWavelength):  # positive spectra are those edited on a log scale
+                positive = key is not None and key.scale == "log"
+                spectrum = own.at_power_law(nm) if positive else own.at(nm)
+                for wavelength, number in zip(nm, spectrum, strict=True):
+                    yield (inner, unit, wavelength), float(number)
+            else:
+                yield from _flattened(own, inner, unit, nm)
     yield from _derived(value, label, nm)
 
 

@@ -37,6 +37,9 @@ FloatArray = npt.NDArray[np.float64]
 RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
 #: Largest number of constituents of a planet.
 MOST_CONSTITUENTS: Final = 64
+#: Least thickness of the shell over the radius of the ground, and largest ratio of the radii. [1]
+LEAST_THICKNESS: Final = 1e-7
+LARGEST_RATIO: Final = 10.0
 
 
 @parameters
@@ -197,7 +200,8 @@ class Planet(Record):
         )
 
     def __post_init__(self) -> None:
-        least, most = self.bottom_radius * (1.0 + 1e-7), self.bottom_radius * 10.0
+        least = self.bottom_radius * (1.0 + LEAST_THICKNESS)
+        most = self.bottom_radius * LARGEST_RATIO
         if not least <= self.top_radius <= most:
             raise ParameterError(
                 "top_radius",

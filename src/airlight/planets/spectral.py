@@ -1,4 +1,9 @@
-"""Values that depend on wavelength: one number, or numbers at given wavelengths."""
+"""Values that depend on wavelength: one number, or numbers at given wavelengths.
+
+Between given wavelengths, positive spectra (coefficients, optical depths, cross-sections,
+irradiances, refractivities, imaginary parts of an index) follow power laws, and all else (albedos,
+asymmetries, weights, ratios, real parts) straight lines.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +16,7 @@ from pydantic import BeforeValidator, ValidationInfo
 
 from airlight.errors import ParameterError
 from airlight.planets.parameters import all_between, finite, inside, numbers, parameters
+from airlight.spectra.power_law import power_law
 
 FloatArray = npt.NDArray[np.float64]
 #: Lowest and highest wavelength at which something is known. [nm]
@@ -29,7 +35,7 @@ MOST_WAVELENGTHS: Final = 10_000
 
 @parameters
 class PerWavelength:
-    """Values at given wavelengths; linear between them, constant up to 10 nm beyond them.
+    """Values at given wavelengths, constant up to 10 nm beyond them.
 
     Parameters
     ----------
@@ -43,6 +49,9 @@ class PerWavelength:
     >>> dust = PerWavelength(wavelengths=(680.0, 440.0), values=(0.8, 0.4))
     >>> dust.at([440.0, 500.0, 690.0]).tolist()
     [0.4, 0.5, 0.8]
+    >>> haze = PerWavelength(wavelengths=(800.0, 400.0), values=(0.1, 0.4))
+    >>> haze.at_power_law([400.0, 600.0]).round(4).tolist()
+    [0.4, 0.1778]
     """
 
     wavelengths: Annotated[tuple[float, ...], all_between(SHORTEST, LONGEST, "nm")]
@@ -61,23 +70,27 @@ class PerWavelength:
         return min(self.wavelengths) - BEYOND, max(self.wavelengths) + BEYOND
 
     def at(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Value at wavelengths within ``limits`` [nm], shape (...)."""
+        """Value at wavelengths within ``limits`` [nm], shape (...); linear between its own."""
         order = np.argsort(self.wavelengths)
         known = np.asarray(self.wavelengths)[order]
         nm = np.asarray(wavelengths, dtype=np.float64)
         return np.asarray(np.interp(nm, known, np.asarray(self.values)[order]))
 
-    def at_fourth_power(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Value at any wavelength [nm], shape (...), as λ⁻⁴ with a factor.
+    def at_power_law(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Value of a positive spectrum at wavelengths within ``limits`` [nm], shape (...).
 
-        The factor is linear between the given wavelengths and constant beyond them: the law of
-        Rayleigh scattering, which the given values need not follow exactly.
+        See ``spectra.power_law``.
+        """
+        return power_law(wavelengths, self.wavelengths, self.values)
+
+    def at_fourth_power(self, wavelengths: npt.ArrayLike) -> FloatArray:
+        """Value at any wavelength [nm], shape (...): a power law between its own, λ⁻⁴ beyond.
+
+        The law of Rayleigh scattering, which the given values need not follow exactly.
         """
         nm = np.asarray(wavelengths, dtype=np.float64)
-        order = np.argsort(self.wavelengths)
-        known = np.asarray(self.wavelengths)[order]
-        factor = np.asarray(self.values)[order] * known**4
-        return np.asarray(np.interp(nm, known, factor) / nm**4)
+        factor = np.asarray(self.values) * np.asarray(self.wavelengths) ** 4
+        return power_law(nm, self.wavelengths, factor) / nm**4
 
 
 def check_wavelength_list(wavelengths: tuple[float, ...], field: str = "wavelengths") -> None:
@@ -110,10 +123,17 @@ def check_spectral(value: Any, field: str, low: float, high: float, unit: str = 
 
 
 def spectral_at(value: Spectral, wavelengths: npt.ArrayLike) -> FloatArray:
-    """Value at each wavelength [nm], shape (n,)."""
+    """Value at each wavelength [nm], shape (n,); linear between given ones."""
     if isinstance(value, PerWavelength):
         return value.at(wavelengths)
     return np.full(np.shape(wavelengths), finite(value, "value"))
+
+
+def power_law_at(value: Spectral, wavelengths: npt.ArrayLike) -> FloatArray:
+    """Value of a positive spectrum at each wavelength [nm], shape (n,)."""
+    if isinstance(value, PerWavelength):
+        return value.at_power_law(wavelengths)
+    return spectral_at(value, wavelengths)
 
 
 def spectral_limits(*values: Spectral) -> Limits:

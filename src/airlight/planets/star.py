@@ -23,7 +23,7 @@ from airlight.planets.spectral import (
     Limits,
     PerWavelength,
     Spectral,
-    spectral_at,
+    power_law_at,
     spectral_limits,
     table_limits,
 )
@@ -303,7 +303,7 @@ class Star(Record):
         [W m⁻² nm⁻¹]
         """
         if self.irradiance is not None:
-            return spectral_at(self.irradiance, wavelengths)
+            return power_law_at(self.irradiance, wavelengths)
         assert self.known_distance is not None
         if self.spectrum is not None:
             from airlight.spectra.sun import solar_irradiance

@@ -14,6 +14,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
+from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import load_planet
 from airlight.solvers.solution import Solution
@@ -139,6 +140,12 @@ def solve(
     ConvergenceError
         If the orders of scattering do not converge within the settings' limit.
 
+    Warns
+    -----
+    AirlightWarning
+        If the planet leaves out absorption bands of its gases at these wavelengths, with gas,
+        wavelength and size; not at the wavelengths of pictures.
+
     Examples
     --------
     >>> import airlight
@@ -161,6 +168,7 @@ def solve(
     if solver == "moments":
         _check_memory(settings, np.size(nm))
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
+    warn_of_missing_bands(planet, medium.wavelengths)
     solution: Solution = import_module(f"{package}.solution").solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )

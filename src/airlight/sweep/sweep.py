@@ -16,6 +16,7 @@ from airlight.distribution import Runner, opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.errors import ParameterError
 from airlight.kernel.cost import LINES, announce_all
+from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.solution import solve_work
 from airlight.solvers.stokes_frame import (
@@ -140,13 +141,18 @@ def sweep(
     code = code_digest(_SOURCE)
     missing: list[tuple[int, ...]] = []
     marks: dict[tuple[int, ...], int] = {}
+    planets: dict[str, Planet] = {}
     for block in _indices(grid.blocks):
+        task = _block(grid, block, how)
+        planets.setdefault(task.planet.name, task.planet)
         # Sixty-three bits of the hash, never 0.
-        marks[block] = 1 + int(digest((_block(grid, block, how), code))[:15], 16)
+        marks[block] = 1 + int(digest((task, code))[:15], 16)
         if not store.has(block, marks[block]):
             missing.append(block)
     if missing:
         variants = list(dict.fromkeys(block[: len(grid.variants)] for block in missing))
+        for planet in planets.values():  # here: nobody sees the warnings of a worker
+            warn_of_missing_bands(planet, grid.nm)
         solutions, lines = len(variants), sum(_lines(grid, block) for block in missing)
         amounts = [
             ("solve", solutions * solve_work(quality, len(grid.nm))),

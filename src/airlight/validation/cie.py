@@ -12,7 +12,6 @@ from airlight.color.xyz import luminance
 from airlight.errors import Cancelled
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets import Constituent, Planet, load_planet, replace
-from airlight.planets.spectral import PerWavelength
 from airlight.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.solvers import Solution, solve
 from airlight.validation.cie_clear_sky import angle_to_sun, relative_luminance
@@ -112,19 +111,9 @@ def with_aerosol(planet: Planet, factor: float) -> Planet:
     def thicker(constituent: Constituent) -> Constituent:
         if constituent.name != "aerosol":
             return constituent
-        return replace(
-            constituent,
-            scattering=_times(constituent.scattering, factor),
-            absorption=_times(constituent.absorption, factor),
-        )
+        return replace(constituent, amount=factor * constituent.amount)
 
     return replace(planet, constituents=tuple(thicker(one) for one in planet.constituents))
-
-
-def _times(coefficient: object, factor: float) -> object:
-    if isinstance(coefficient, PerWavelength):
-        return replace(coefficient, values=tuple(factor * value for value in coefficient.values))
-    return factor * coefficient  # type: ignore[operator]
 
 
 def _by_aerosol(

@@ -22,6 +22,7 @@ from airlight.planets.spectral import (
     PerWavelength,
     Spectral,
     narrowest,
+    power_law_at,
     spectral,
     spectral_at,
     spectral_limits,
@@ -227,7 +228,7 @@ class CrossSectionAbsorption(Absorber):
             from airlight.spectra.tables import read_spectrum
 
             return read_spectrum(self.cross_section).at(wavelengths)
-        return spectral_at(self.cross_section, wavelengths)
+        return power_law_at(self.cross_section, wavelengths)
 
     def coefficients(self, wavelengths: npt.ArrayLike, vertical_column: float) -> FloatArray:
         """Absorption coefficient at relative density 1, shape (nl,). [m⁻¹]
@@ -350,7 +351,7 @@ class SmallParticleAbsorption(Absorber):
             self.radius,
             self.number_density,
             spectral_at(self.real, wavelengths),
-            spectral_at(self.imaginary, wavelengths),
+            power_law_at(self.imaginary, wavelengths),
         )
 
 

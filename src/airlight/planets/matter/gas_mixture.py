@@ -32,6 +32,7 @@ from airlight.planets.spectral import (
     Spectral,
     check_spectral,
     narrowest,
+    power_law_at,
     spectral_at,
     spectral_limits,
 )
@@ -250,7 +251,7 @@ class GasMixture(Matter):
         nm = np.array([min(max(550.0, low), high)])
         if isinstance(refractivity, PerWavelength):
             nm = np.array([nm for nm in refractivity.wavelengths if low <= nm <= high])
-        given = spectral_at(refractivity, nm)
+        given = power_law_at(refractivity, nm)
         expected = self._composed_refractivities(nm, self._density_of_refractivity)
         for value, own in zip(given, expected, strict=True):
             if not abs(value / own - 1.0) <= REFRACTIVITY_TOLERANCE:
@@ -338,7 +339,7 @@ class GasMixture(Matter):
         """
         if self.refractivity is None:
             return self._composed_refractivities(wavelengths, self.number_density)
-        given = spectral_at(self.refractivity, wavelengths)
+        given = power_law_at(self.refractivity, wavelengths)
         return lorentz_lorenz.refractivity_at(
             given, self._density_of_refractivity, self.number_density
         )
@@ -381,7 +382,7 @@ class GasMixture(Matter):
         factors = self.king_factors(wavelengths)
         if self.refractivity is None:
             return np.asarray(self._sums(wavelengths)[1] * factors)
-        given = spectral_at(self.refractivity, wavelengths)
+        given = power_law_at(self.refractivity, wavelengths)
         return rayleigh.cross_section(wavelengths, given, self._density_of_refractivity, factors)
 
     def scattering_coefficients(

@@ -29,6 +29,7 @@ from airlight.planets.spectral import (
     Limits,
     PerWavelength,
     Spectral,
+    power_law_at,
     spectral_at,
 )
 
@@ -242,7 +243,7 @@ class RefractiveScattering(_Molecules):
     Parameters
     ----------
     refractivity : float or PerWavelength
-        n - 1. Linear between wavelengths, constant beyond: the coefficients then follow λ⁻⁴. [1]
+        n - 1. A power law between wavelengths, constant beyond, where coefficients follow λ⁻⁴. [1]
     number_density : float, optional
         Number density of the state that the refractivity belongs to. [m⁻³]
     temperature, pressure : float, optional
@@ -314,7 +315,7 @@ class RefractiveScattering(_Molecules):
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Refractivity n - 1 at relative density 1, shape (nl,). [1]"""
-        given = spectral_at(self.refractivity, wavelengths)
+        given = power_law_at(self.refractivity, wavelengths)
         return refractivity_at(given, *self._densities)
 
     def _king_factors(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -327,7 +328,7 @@ class RefractiveScattering(_Molecules):
         measured, ground = self._densities
         sigma = rayleigh.cross_section(
             wavelengths,
-            spectral_at(self.refractivity, wavelengths),
+            power_law_at(self.refractivity, wavelengths),
             measured,
             self._king_factors(wavelengths),
         )

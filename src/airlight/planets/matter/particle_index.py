@@ -21,6 +21,7 @@ from airlight.planets.spectral import (
     PerWavelength,
     Spectral,
     narrowest,
+    power_law_at,
     spectral_at,
     spectral_limits,
 )
@@ -135,8 +136,8 @@ class GivenIndex(ParticleIndex):
 
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
         """Index n + ik at wavelengths within ``limits`` [nm], shape (nl,)."""
-        n, k = (spectral_at(value, wavelengths) for value in (self.real, self.imaginary))
-        return np.asarray(n + 1j * k)
+        k = power_law_at(self.imaginary, wavelengths)
+        return np.asarray(spectral_at(self.real, wavelengths) + 1j * k)
 
 
 @parameters

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from typing import Any, Final
 
 from airlight.errors import ParameterError
 from airlight.planets.constituent import LARGEST_COEFFICIENT, Constituent
+from airlight.planets.derived_spectrum import FORMULAS, DerivedSpectrum
 from airlight.planets.matter.absorbers import ABSORBERS
 from airlight.planets.matter.gases import SCATTERERS
 from airlight.planets.matter.matter import Absorber, Scatterer
@@ -77,7 +76,7 @@ def read_coefficients(
         albedo = _given(ALBEDO, section, wavelengths)
         assert isinstance(scattering, (float, PerWavelength))
         return scattering, _combined(
-            _absorption_beside, wavelengths, section, "absorption", scattering, albedo
+            "s (1 - a)/a", wavelengths, section, "absorption", (scattering,), (albedo,)
         )
     return scattering, read_absorption(section, wavelengths)
 
@@ -123,16 +122,15 @@ def _from_extinction(
     if "optical_depth" in given:
         depth = _given(DEPTH, section, wavelengths)
         column = _column(section, profile, thickness)
-        extinction = _combined(lambda x: x / column, wavelengths, section, "extinction", depth)
+        extinction = _over(depth, column, section)
     else:
         extinction = _given(EXTINCTION, section, wavelengths)
     if "single_scattering_albedo" in given:
         albedo = _given(ALBEDO, section, wavelengths)
+        parts = (extinction,), (albedo,)
         return (
-            _combined(lambda e, a: e * a, wavelengths, section, "scattering", extinction, albedo),
-            _combined(
-                lambda e, a: e * (1.0 - a), wavelengths, section, "absorption", extinction, albedo
-            ),
+            _combined("e a", wavelengths, section, "scattering", *parts),
+            _combined("e (1 - a)", wavelengths, section, "absorption", *parts),
         )
     scattering = _given(_SCATTERING, section, wavelengths)
     pairs = zip(_listed(extinction, wavelengths), _listed(scattering, wavelengths), strict=True)
@@ -142,7 +140,7 @@ def _from_extinction(
                 section.name_of("extinction"), e, f"at least the scattering, {s:g} /m"
             )
     return scattering, _combined(
-        lambda e, s: e - s, wavelengths, section, "absorption", extinction, scattering
+        "e - s", wavelengths, section, "absorption", (extinction, scattering)
     )
 
 
@@ -162,11 +160,12 @@ def _given(key: Key, section: Section, wavelengths: Wavelengths) -> Spectral:
     return value
 
 
-def _absorption_beside(scattering: float, albedo: float) -> float:
-    """Absorption beside this scattering at this albedo; infinite at albedo 0."""
-    if scattering == 0.0:
-        return 0.0
-    return scattering * (1.0 - albedo) / albedo if albedo > 0.0 else math.inf
+def _over(depth: Spectral, column: float, section: Section) -> Spectral:
+    """Extinction at relative density 1 that gives an optical depth. [m⁻¹]"""
+    values = [_in_range(one / column, section, "extinction") for one in _listed(depth, None)]
+    if isinstance(depth, PerWavelength):
+        return PerWavelength(wavelengths=depth.wavelengths, values=tuple(values))
+    return values[0]
 
 
 def _listed(value: Spectral, wavelengths: Wavelengths) -> tuple[float, ...]:
@@ -175,22 +174,29 @@ def _listed(value: Spectral, wavelengths: Wavelengths) -> tuple[float, ...]:
     return (value,) * len(wavelengths or (0.0,))
 
 
+def _in_range(value: float, section: Section, key: str) -> float:
+    if not 0.0 <= value <= LARGEST_COEFFICIENT:
+        allowed = f"0 to {LARGEST_COEFFICIENT:g} /m, as implied"
+        raise ParameterError(section.name_of(key), value, allowed)
+    return value
+
+
 def _combined(
-    formula: Callable[..., float],
+    formula: str,
     wavelengths: Wavelengths,
     section: Section,
     key: str,
-    *values: Spectral,
+    spectra: tuple[Spectral, ...],
+    fractions: tuple[Spectral, ...] = (),
 ) -> Spectral:
-    """Apply a formula at each wavelength, or once if no value depends on it."""
-    lists = [_listed(value, wavelengths) for value in values]
-    results = tuple(formula(*items) for items in zip(*lists, strict=True))
-    for result in results:
-        if not 0.0 <= result <= LARGEST_COEFFICIENT:
-            raise ParameterError(
-                section.name_of(key), result, f"0 to {LARGEST_COEFFICIENT:g} /m, as implied"
-            )
-    if any(isinstance(value, PerWavelength) for value in values):
+    """Coefficient by a formula of spectra, then fractions, at every wavelength."""
+    lists = [_listed(value, wavelengths) for value in (*spectra, *fractions)]
+    results = tuple(
+        _in_range(float(FORMULAS[formula](*items)), section, key)
+        for items in zip(*lists, strict=True)
+    )
+    if any(isinstance(value, PerWavelength) for value in (*spectra, *fractions)):
         assert wavelengths is not None
-        return PerWavelength(wavelengths=wavelengths, values=results)
+        return DerivedSpectrum(wavelengths=wavelengths, values=results, formula=formula,
+                       spectra=spectra, fractions=fractions)  # fmt: skip
     return results[0]

@@ -12,11 +12,14 @@ import difflib
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
+from functools import reduce
 from typing import Any, Final
 
 import numpy as np
 
 from airlight.errors import ParameterError
+from airlight.planets.reading.nested_tables import joined
+from airlight.planets.reading.shell_edit import BOTTOM, TOP, lifted
 
 #: Field in errors; the command line replaces it by its option.
 FIELD: Final = "override"
@@ -31,7 +34,8 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
     """Change some keys in the tables of a planet file.
 
     A key that is not in the file is added, if the table it belongs to is there: the reader decides
-    whether it exists. ``None`` removes a key, so that another may replace it.
+    whether it exists. ``None`` removes a key, so that another may replace it. The top of the shell
+    moves with the ground, unless it is changed too.
 
     Parameters
     ----------
@@ -59,8 +63,11 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
         allowed = f"a mapping from at most {MOST_OVERRIDES} paths to values"
         raise ParameterError(f"{FIELD}s", overrides, allowed)
     changed = copy.deepcopy(dict(values))
+    edited = []
     for path, value in overrides.items():
-        _change(changed, path, _plain(value))
+        edited.append(_change(changed, path, _plain(value)))
+    if BOTTOM in edited and TOP not in edited and "shell" not in edited:
+        return lifted(changed, dict(values))
     return changed
 
 
@@ -111,6 +118,10 @@ def with_hint(
     """
     if error.field.startswith(FIELD) or error.field in overrides:
         return error
+    if error.field == "refraction" and BOTTOM in overrides:  # bent around another ground
+        reason = error.allowed.partition(": ")[2]
+        allowed = f"a smaller radius, or straight light (refraction=none): {reason}"
+        return ParameterError(BOTTOM, overrides[BOTTOM], allowed, error.file)
     known = _paths(values)
     for path in overrides:
         near = _nearest(path, known)
@@ -141,7 +152,8 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _change(root: dict[str, Any], path: Any, value: Any) -> None:
+def _change(root: dict[str, Any], path: Any, value: Any) -> str:
+    """Change one key in place; its path with indices, ``constituents[0].profile``."""
     steps = _steps(root, path)
     place: Any = root
     for step in steps[:-1]:
@@ -152,13 +164,13 @@ def _change(root: dict[str, Any], path: Any, value: Any) -> None:
         if value is None:
             raise ParameterError(FIELD, path, "a value, since an item of a list cannot go")
         place[last] = value
-        return
-    if not isinstance(place, dict):
+    elif not isinstance(place, dict):
         raise _nowhere(root, path)
-    if value is not None:
+    elif value is not None:
         place[last] = value
     elif place.pop(last, None) is None:
         raise _nowhere(root, path)
+    return reduce(joined, steps, "")
 
 
 def _inside(root: dict[str, Any], place: Any, step: _Step, path: str) -> Any:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, Protocol
 
+from airlight.errors import AirlightWarning
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import Planet
 from airlight.solvers import Solution
@@ -157,9 +159,11 @@ def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:
             assert progress is not None
             progress(done, total, f"{planet.name}, {message}")
 
-        return solve(
-            planet, wavelengths, quality, solver="moments", polarisation=polarisation, cache=False,
-            progress=None if progress is None else tell, cancel=cancel,
-        )  # fmt: skip
+        # Its rows say what bands that are left out change.
+        with warnings.catch_warnings(action="ignore", category=AirlightWarning):
+            return solve(
+                planet, wavelengths, quality, solver="moments", polarisation=polarisation,
+                cache=False, progress=None if progress is None else tell, cancel=cancel,
+            )  # fmt: skip
 
     return solved

@@ -11,6 +11,7 @@ from airlight.optics.phase_table import moments
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import Tables, get, put
+from airlight.planets.reading.shell_edit import BOTTOM, lifted
 from airlight.planets.reading.tables import TABLES
 from airlight.planets.schema.kinds import Kinds
 from airlight.planets.schema.measures import number_in, text_of
@@ -62,9 +63,9 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
     assert isinstance(value, float)
     if ".composition." in path:
         return _mixed(tables, path, value)
-    if path == "shell.bottom_radius":
-        tables = _lifted(tables, value)
-    tables = put(tables, path, text_of(value, key.shown_unit))
+    before, tables = tables, put(tables, path, text_of(value, key.shown_unit))
+    if path == BOTTOM:
+        return lifted(tables, before)
     table, _, last = path.partition(".phase_function.")
     if last.startswith(("values[", "angles[")):
         return _normalised(tables, f"{table}.phase_function")
@@ -105,15 +106,6 @@ def _mixed(tables: Tables, path: str, share: float) -> Tables:
             shares[one] = old * room / rest if rest > 0.0 else room / (len(shares) - 1)
     shares[name] = share
     return put(tables, table, {one: float(f"{x:.9g}") for one, x in shares.items()})
-
-
-def _lifted(tables: Tables, bottom: float) -> Tables:
-    """Move the top of the shell with the ground to a new bottom radius. [km]"""
-    shell = tables["shell"]
-    old, top = (
-        number_in(shell[key], "km", "m", f"shell.{key}") for key in ("bottom_radius", "top_radius")
-    )
-    return put(tables, "shell.top_radius", text_of(float(f"{bottom + (top - old):.14g}"), "km"))
 
 
 def _thickness(tables: Tables) -> float:

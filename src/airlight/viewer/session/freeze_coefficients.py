@@ -37,7 +37,7 @@ def is_advanced(constituent: Tables) -> bool:
 def freeze_coefficients(tables: Tables, planet: Planet, index: int) -> Tables:
     """Copy of the tables with one constituent's coefficients at a few wavelengths.
 
-    Coefficients are linear between the wavelengths, those of gases times λ⁴. Particles get a
+    Coefficients follow power laws between the wavelengths. Particles get a
     Henyey-Greenstein phase function of their mean cosine, whose aureole around the star is weaker
     than theirs; phase functions of few parameters are kept. Light goes straight if no other gas
     bends it.
