@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from airlight.paint.drawing_device import Choice
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 
@@ -124,7 +125,7 @@ def environment_map(
     ground: str = "neutral",
     placed: bool = True,
     local: bool = True,
-    wavelengths: Sequence[float] | None = None,
+    wavelengths: Measures | None = None,
     quality: str = "default",
     polarisation: bool = True,
     device: Choice = "cpu",

@@ -16,9 +16,12 @@ from airlight.observables.disc import disc_reflectance, disc_stokes, spherical_a
 from airlight.observables.limb import limb_radiance
 from airlight.observables.transit import transit
 from airlight.solvers.solution import Solution
+from airlight.units import Measure, values_in
 
 if TYPE_CHECKING:
     import xarray
+
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 #: Named values with their dimensions, values, unit and long name.
@@ -34,6 +37,8 @@ HEIGHTS: Final = 60
 class Geometry:
     """Settings of an observable; None leaves one to the observable.
 
+    Numbers, texts with a unit or quantities, see ``airlight.units.values_in``.
+
     Attributes
     ----------
     radius : float, optional
@@ -47,11 +52,11 @@ class Geometry:
         (90). [deg]
     """
 
-    radius: float | None = None
-    phase_angles: ArrayLike | None = None
-    tangent_heights: ArrayLike | None = None
-    sun_zenith: float | None = None
-    azimuth: float | None = None
+    radius: Measure | None = None
+    phase_angles: Measures | None = None
+    tangent_heights: Measures | None = None
+    sun_zenith: Measure | None = None
+    azimuth: Measure | None = None
 
 
 @dataclass(frozen=True)
@@ -77,11 +82,11 @@ def observe(
     solution: Solution,
     of: str,
     *,
-    radius: float | None = None,
-    phase_angles: ArrayLike | None = None,
-    tangent_heights: ArrayLike | None = None,
-    sun_zenith: float | None = None,
-    azimuth: float | None = None,
+    radius: Measure | None = None,
+    phase_angles: Measures | None = None,
+    tangent_heights: Measures | None = None,
+    sun_zenith: Measure | None = None,
+    azimuth: Measure | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> xarray.Dataset:
@@ -158,11 +163,9 @@ def _dataset(
     return data
 
 
-def _inside(field: str, value: ArrayLike, low: float, high: float, unit: str) -> FloatArray:
-    try:
-        array = np.atleast_1d(np.asarray(value, dtype=np.float64))
-    except (TypeError, ValueError):
-        raise ParameterError(field, value, f"numbers from {low:g} to {high:g} {unit}") from None
+def _inside(field: str, value: Measures, low: float, high: float, unit: str) -> FloatArray:
+    allowed = f"numbers from {low:g} to {high:g} {unit}"
+    array = np.atleast_1d(values_in(value, unit, field, allowed=allowed))
     wrong = ~((array >= low) & (array <= high))
     if wrong.any() or array.ndim != 1 or not array.size:
         shown = float(array[wrong].flat[0]) if wrong.any() else value

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import FileError, ParameterError
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
@@ -63,7 +64,7 @@ class IndexTable:
         >>> f"{complex(table.at(589.3)).real:.2f}"
         '1.33'
         """
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         real = np.interp(nm, self.wavelengths, self.real)
         straight = np.interp(nm, self.wavelengths, self.imaginary)
         if (self.imaginary > 0.0).all():

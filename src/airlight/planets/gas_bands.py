@@ -11,6 +11,7 @@ import numpy.typing as npt
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.spectra.tables import read_spectrum
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.planets.constituent import Constituent
@@ -151,7 +152,7 @@ def _squared_column(constituent: Constituent, thickness: float) -> float:
 
 
 def _left_out(name: str, table: str, column: float, wavelengths: npt.ArrayLike) -> LeftOut:
-    nm = np.asarray(wavelengths, dtype=np.float64)
+    nm = values_in(wavelengths, "nm", "wavelengths")
     if not table:
         return LeftOut(
             name=name, table="", loss=np.full(nm.shape, np.nan), strongest=np.nan, wavelength=np.nan

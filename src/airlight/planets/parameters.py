@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Callable, Iterable
 from typing import Annotated, Any, TypeVar, dataclass_transform
 
@@ -13,6 +12,7 @@ import pydantic.dataclasses
 from pydantic import BeforeValidator, ValidationInfo
 
 from airlight.errors import ParameterError
+from airlight.units import quantity
 
 Class = TypeVar("Class", bound=type[Any])
 Instance = TypeVar("Instance")
@@ -93,17 +93,11 @@ def replace(instance: Instance, **changes: Any) -> Instance:
     return dataclasses.replace(instance, **changes)
 
 
-def finite(value: Any, field: str, allowed: str = "a finite number") -> float:
-    """Convert a number to a float, or raise a ``ParameterError`` with the name of its field."""
-    if isinstance(value, (bool, str, bytes)):
+def finite(value: Any, field: str, allowed: str = "a finite number", unit: str = "") -> float:
+    """Convert a number or a quantity to a float; text is for files, whose reader knows its unit."""
+    if isinstance(value, (str, bytes)):
         raise ParameterError(field, value, allowed)
-    try:
-        number = float(value)
-    except (TypeError, ValueError, OverflowError):
-        raise ParameterError(field, value, allowed) from None
-    if not math.isfinite(number):
-        raise ParameterError(field, value, allowed)
-    return number
+    return quantity(value, unit or "1", field, bare=True, allowed=allowed)
 
 
 def inside(
@@ -113,7 +107,7 @@ def inside(
     lower = f"more than {low:g}" if above else f"{low:g}"
     upper = f"less than {high:g}" if below else f"{high:g}"
     allowed = f"{lower} to {upper} {unit}".rstrip()
-    number = finite(value, field, allowed)
+    number = finite(value, field, allowed, unit)
     if number < low or number > high or (above and number == low) or (below and number == high):
         raise ParameterError(field, value, allowed)
     return number
@@ -142,7 +136,7 @@ def between(
 
 def numbers(value: Any, field: str, low: float, high: float, unit: str = "") -> tuple[float, ...]:
     """Convert a sequence of finite numbers in a range to a tuple of floats."""
-    if isinstance(value, np.ndarray):
+    if type(value) is np.ndarray:  # no subclass that has a unit
         value = value.tolist()
     if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
         raise ParameterError(

@@ -11,6 +11,7 @@ from pydantic import BeforeValidator, ValidationInfo
 
 from airlight.errors import ParameterError
 from airlight.planets.parameters import all_between, finite, inside, numbers, parameters
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 #: Lowest and highest wavelength at which something is known. [nm]
@@ -64,7 +65,7 @@ class PerWavelength:
         """Value at wavelengths within ``limits`` [nm], shape (...)."""
         order = np.argsort(self.wavelengths)
         known = np.asarray(self.wavelengths)[order]
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         return np.asarray(np.interp(nm, known, np.asarray(self.values)[order]))
 
     def at_fourth_power(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -73,7 +74,7 @@ class PerWavelength:
         The factor is linear between the given wavelengths and constant beyond them: the law of
         Rayleigh scattering, which the given values need not follow exactly.
         """
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         order = np.argsort(self.wavelengths)
         known = np.asarray(self.wavelengths)[order]
         factor = np.asarray(self.values)[order] * known**4

@@ -18,6 +18,7 @@ from airlight.scene.limits import within
 from airlight.scene.observer import planet_frame
 from airlight.scene.scene import HIGHEST_ALTITUDE
 from airlight.scene.surface_map import SurfaceMap, surface_map
+from airlight.units import Measure
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -36,7 +37,7 @@ _STEP: Final = 0.002
 
 
 def local_ground(
-    planet: Planet, *, latitude: float, longitude: float, altitude: float = 0.0
+    planet: Planet, *, latitude: Measure, longitude: Measure, altitude: Measure = 0.0
 ) -> Planet:
     """Planet whose mean albedo is that of the ground which lights an observer's sky.
 

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from airlight.errors import ParameterError
 from airlight.kernel.memory import check_memory
@@ -17,6 +16,7 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import load_planet
 from airlight.solvers.solution import Solution
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.solvers.direct.settings import Settings as DirectSettings
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from airlight.solvers.moments.solution import MomentsSolution
     from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
     from airlight.solvers.montecarlo.solution import MonteCarloSolution
+    from airlight.units import Measures
 
 #: Packages of the solvers, imported on demand. Each has ``settings.settings_for`` and
 #: ``solution.solve(medium, settings, *, cache, progress, cancel)``.
@@ -38,7 +39,7 @@ SOLVERS: Final = {
 @overload
 def solve(
     planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    wavelengths: Measures | None = None,
     quality: str | MomentsSettings = "default",
     *,
     solver: Literal["moments"] = "moments",
@@ -52,7 +53,7 @@ def solve(
 @overload
 def solve(
     planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    wavelengths: Measures | None = None,
     quality: str | DirectSettings = "default",
     *,
     solver: Literal["direct"],
@@ -66,7 +67,7 @@ def solve(
 @overload
 def solve(
     planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    wavelengths: Measures | None = None,
     quality: str | MonteCarloSettings = "default",
     *,
     solver: Literal["montecarlo"],
@@ -80,7 +81,7 @@ def solve(
 @overload
 def solve(
     planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    wavelengths: Measures | None = None,
     quality: Any = "default",
     *,
     solver: str,
@@ -93,7 +94,7 @@ def solve(
 
 def solve(
     planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    wavelengths: Measures | None = None,
     quality: Any = "default",
     *,
     solver: str = "moments",
@@ -110,7 +111,8 @@ def solve(
         Planet from ``load_planet``, or made in Python; or what ``load_planet`` takes, the name of a
         preset or the path of a planet file.
     wavelengths : array, shape (nl,), optional
-        Wavelengths, any number; the planet's own if left out. [nm]
+        Wavelengths, any number; the planet's own if left out. Text (``"0.4:0.7:0.1 um"``) and
+        quantities of another length are converted. [nm]
     quality : str or Settings
         Name ``"preview"``, ``"default"`` or ``"fine"``, or the solver's own settings.
     solver : str
@@ -157,7 +159,8 @@ def solve(
     settings = import_module(f"{package}.settings").settings_for(quality)
     if not polarisation and hasattr(settings, "polarisation"):
         settings = replace(settings, polarisation=False)
-    nm = planet.wavelengths if wavelengths is None else wavelengths
+    given = planet.wavelengths if wavelengths is None else wavelengths
+    nm = values_in(given, "nm", "wavelengths")
     if solver == "moments":
         _check_memory(settings, np.size(nm))
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)

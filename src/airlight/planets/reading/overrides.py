@@ -131,9 +131,14 @@ def _value(text: str) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    """Value as a TOML parser returns it: numbers and lists of Python, tables as dicts."""
-    if isinstance(value, (np.ndarray, np.generic)):
+    """Value as a TOML parser returns it: numbers and lists of Python, tables as dicts.
+
+    Quantities stay, since only the reader knows the unit that it needs.
+    """
+    if type(value) is np.ndarray or isinstance(value, np.generic):
         return value.tolist()
+    if getattr(value, "ndim", 0) == 1:
+        return list(value)
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
@@ -28,6 +28,8 @@ from airlight.solvers.stokes_frame import STOKES, star_planes, to_meridian
 
 if TYPE_CHECKING:
     import xarray
+
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 
@@ -220,10 +222,10 @@ class MonteCarloSolution(Solution):
     def estimate(
         self,
         *,
-        altitude: ArrayLike,
-        sun_zenith: ArrayLike,
-        view_zenith: ArrayLike,
-        azimuth: ArrayLike = 0.0,
+        altitude: Measures,
+        sun_zenith: Measures,
+        view_zenith: Measures,
+        azimuth: Measures = 0.0,
         stokes: bool = False,
     ) -> xarray.Dataset:
         """Radiance with its standard error, and the contribution of each order of scattering.
