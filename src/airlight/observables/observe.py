@@ -16,11 +16,13 @@ from airlight.observables.disc import disc_reflectance, disc_stokes, spherical_a
 from airlight.observables.limb import limb_radiance
 from airlight.observables.transit import transit
 from airlight.solvers.solution import Solution
+from airlight.solvers.solve import solution_of
 from airlight.units import Measure, values_in
 
 if TYPE_CHECKING:
     import xarray
 
+    from airlight.planets.reading.reader import PlanetLike
     from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
@@ -79,7 +81,7 @@ class Kind:
 
 
 def observe(
-    solution: Solution,
+    solution: Solution | PlanetLike,
     of: str,
     *,
     radius: Measure | None = None,
@@ -94,8 +96,9 @@ def observe(
 
     Parameters
     ----------
-    solution : Solution
-        Light of the planet at the wavelengths of the spectrum.
+    solution : Solution, Planet, str or Path
+        Light of the planet at the wavelengths of the spectrum; a planet, the name of a preset or a
+        path is solved at its own wavelengths.
     of : str
         ``"geometric-albedo"``, ``"bond-albedo"``, ``"phase-curve"``, ``"transmission"``,
         ``"limb"`` or ``"disc"``.
@@ -135,6 +138,7 @@ def observe(
         if value is not None and name not in kind.takes:
             takers = ", ".join(name_of for name_of, one in KINDS.items() if name in one.takes)
             raise ParameterError(name, value, f"only for {takers}")
+    solution = solution_of(solution, progress=progress, cancel=cancel)
     variables, notes = kind.of(solution, geometry, progress, cancel)
     return _dataset(solution, of, variables, notes)
 

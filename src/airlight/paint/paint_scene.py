@@ -21,6 +21,7 @@ from airlight.planets.picture_wavelengths import (
     picture_wavelengths,
     texel_wavelengths,
 )
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.ahead import DRAWING, drawing_ahead
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -28,7 +29,6 @@ from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
-    from airlight.planets.planet import Planet
     from airlight.scene import Scene
     from airlight.solvers.moments.solution import MomentsSolution
     from airlight.units import Measures
@@ -53,7 +53,7 @@ class PaintedScene(NamedTuple):
 
 
 def paint_scene(
-    planet: Planet,
+    planet: PlanetLike,
     scene: Scene,
     *,
     wavelengths: Measures | None = None,
@@ -75,8 +75,8 @@ def paint_scene(
 
     Parameters
     ----------
-    planet : Planet
-        Planet to solve.
+    planet : Planet, str, Path or Solution
+        Planet to solve, see ``load_planet``.
     scene : Scene
         Observer, star and camera.
     wavelengths : array, shape (nl,), optional
@@ -142,7 +142,7 @@ def paint_scene(
 
 
 def paint_solved(
-    planet: Planet,
+    planet: PlanetLike,
     scene: Scene,
     *,
     wavelengths: Measures | None = None,
@@ -183,6 +183,7 @@ def paint_solved(
     ParameterError, ConvergenceError, Cancelled
         As ``paint_scene``.
     """
+    planet = load_planet(planet, progress=progress, cancel=cancel)
     nm: tuple[float, ...] | None = None
     if wavelengths is not None:
         nm = tuple(np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")).tolist())

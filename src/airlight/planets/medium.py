@@ -186,6 +186,8 @@ class Medium:
         Cancelled
             If ``cancel`` returned True.
         """
+        if not isinstance(planet, Planet):
+            raise ParameterError("planet", planet, "a Planet, as load_planet returns it")
         nm = _checked_wavelengths(planet, wavelengths)
         kept: dict[bytes, Medium] = vars(planet).setdefault("_media", {})
         if nm.tobytes() in kept:

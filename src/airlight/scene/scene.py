@@ -22,7 +22,7 @@ from airlight.scene.observer import planet_frame
 from airlight.units import Measure, Measured, measured, quantity
 
 if TYPE_CHECKING:
-    from airlight.planets.planet import Planet
+    from airlight.planets.reading.reader import PlanetLike
 
 #: Largest altitude of an observer. [m]
 HIGHEST_ALTITUDE = 1e12
@@ -101,7 +101,7 @@ class Scene:
     @classmethod
     def at(
         cls,
-        planet: Planet,
+        planet: PlanetLike,
         *,
         latitude: Measure,
         longitude: Measure,
@@ -117,8 +117,9 @@ class Scene:
 
         Parameters
         ----------
-        planet : Planet
-            Planet whose ``body`` is known. Its light at that time is ``planet.lit_at(scene.time)``.
+        planet : Planet, str, Path or Solution
+            Planet whose ``body`` is known, see ``load_planet``. Its light at that time is
+            ``planet.lit_at(scene.time)``.
         latitude, longitude : float
             Place, north and east positive: on Earth geographic, elsewhere planetocentric. [deg]
         time : datetime or str
@@ -153,8 +154,10 @@ class Scene:
         from airlight.ephemeris.instant import days_of
         from airlight.ephemeris.sky import Place, moon_after, sun_after
         from airlight.ephemeris.time_text import read_time
+        from airlight.planets.reading.reader import load_planet
         from airlight.scene.moon_light import MoonLight
 
+        planet = load_planet(planet)
         place = Place(
             body=planet.world.name,
             latitude=quantity(latitude, "deg", "latitude", bare=True),

@@ -416,19 +416,21 @@ class Solution(ABC):
         r = np.minimum(self.medium.bottom_radius + arrays[0], self.medium.top_radius)
         mu_s = np.cos(np.radians(arrays[1]))
         parts = {
-            "direct": self.relative_direct_irradiance(r, mu_s),
-            "diffuse": self.relative_sky_irradiance(r, mu_s),
+            "direct": ("direct irradiance", self.relative_direct_irradiance(r, mu_s)),
+            **self._diffuse(r, mu_s),
         }
         import xarray
 
         return xarray.Dataset(
             {
-                name: self._labelled(
-                    values * self.lights[0].irradiance, axes, f"{name} irradiance", "W m-2 nm-1"
-                )
-                for name, values in parts.items()
+                name: self._labelled(values * self.lights[0].irradiance, axes, words, "W m-2 nm-1")
+                for name, (words, values) in parts.items()
             }
         )
+
+    def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
+        """Diffuse irradiance relative to the star's, with its words, and its error if known. [1]"""
+        return {"diffuse": ("diffuse irradiance", self.relative_sky_irradiance(r, mu_s))}
 
     def _labelled(
         self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str

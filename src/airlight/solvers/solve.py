@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, overload
 
 import numpy as np
@@ -14,7 +14,7 @@ from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
-from airlight.planets.reading.reader import load_planet
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.solvers.solution import Solution
 from airlight.units import values_in
 
@@ -38,7 +38,7 @@ SOLVERS: Final = {
 
 @overload
 def solve(
-    planet: Planet | str | Path,
+    planet: PlanetLike,
     wavelengths: Measures | None = None,
     quality: str | MomentsSettings = "default",
     *,
@@ -52,7 +52,7 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet | str | Path,
+    planet: PlanetLike,
     wavelengths: Measures | None = None,
     quality: str | DirectSettings = "default",
     *,
@@ -66,7 +66,7 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet | str | Path,
+    planet: PlanetLike,
     wavelengths: Measures | None = None,
     quality: str | MonteCarloSettings = "default",
     *,
@@ -80,7 +80,7 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet | str | Path,
+    planet: PlanetLike,
     wavelengths: Measures | None = None,
     quality: Any = "default",
     *,
@@ -93,7 +93,7 @@ def solve(
 
 
 def solve(
-    planet: Planet | str | Path,
+    planet: PlanetLike,
     wavelengths: Measures | None = None,
     quality: Any = "default",
     *,
@@ -107,9 +107,9 @@ def solve(
 
     Parameters
     ----------
-    planet : Planet, str or Path
+    planet : Planet, str, Path or Solution
         Planet from ``load_planet``, or made in Python; or what ``load_planet`` takes, the name of a
-        preset or the path of a planet file.
+        preset or the path of a planet file; a solution stands for its planet.
     wavelengths : array, shape (nl,), optional
         Wavelengths, any number; the planet's own if left out. Text (``"0.4:0.7:0.1 um"``) and
         quantities of another length are converted. [nm]
@@ -151,10 +151,7 @@ def solve(
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
-    if isinstance(planet, (str, Path)):
-        planet = load_planet(planet)
-    if not isinstance(planet, Planet):
-        raise ParameterError("planet", planet, "a Planet, the name of a preset, or a path")
+    planet = load_planet(planet)
     package = SOLVERS[solver]
     settings = import_module(f"{package}.settings").settings_for(quality)
     if not polarisation and hasattr(settings, "polarisation"):
@@ -168,6 +165,36 @@ def solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )
     return solution.of(planet)
+
+
+def solution_of(
+    given: Solution | PlanetLike,
+    wavelengths: Callable[[Planet], Measures] | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution:
+    """Solution as it is, or that of a planet at the quality ``default``.
+
+    Parameters
+    ----------
+    given : Solution, Planet, str or Path
+        Solution, or what ``solve`` takes for a planet.
+    wavelengths : callable, optional
+        Function that gives the wavelengths of a planet; by default its own. [nm]
+    progress, cancel : callable, optional
+        See ``solve``.
+
+    Raises
+    ------
+    ParameterError, ConvergenceError
+        As ``solve``.
+    """
+    if isinstance(given, Solution):
+        return given
+    planet = load_planet(given)
+    nm = None if wavelengths is None else wavelengths(planet)
+    return solve(planet, nm, progress=progress, cancel=cancel)
 
 
 def _check_memory(settings: MomentsSettings, wavelengths: int) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
 
@@ -26,6 +26,18 @@ from airlight.planets.star import Star
 LARGEST_FILE: Final = 4_000_000
 
 
+class HasPlanet(Protocol):
+    """Solution, of which only the planet is asked."""
+
+    @property
+    def planet(self) -> Planet | None:
+        """Planet that was solved."""
+
+
+#: What functions take for a planet.
+PlanetLike: TypeAlias = Planet | str | Path | HasPlanet
+
+
 @cache
 def planet_names() -> tuple[str, ...]:
     """Names of the planets in the package.
@@ -41,7 +53,7 @@ def planet_names() -> tuple[str, ...]:
 
 
 def load_planet(
-    name_or_path: str | Path,
+    name_or_path: PlanetLike,
     overrides: Mapping[str, Any] | None = None,
     *,
     progress: Progress | None = None,
@@ -51,9 +63,9 @@ def load_planet(
 
     Parameters
     ----------
-    name_or_path : str or Path
+    name_or_path : str, Path, Planet or Solution
         One of ``planet_names()``, or the path to a TOML file; its format is described in
-        ``docs/planet-files.md``.
+        ``docs/planet-files.md``. A planet is returned as it is, and of a solution its planet.
     overrides : mapping, optional
         Keys of the file that are changed before it is read, from path to value: constituents by
         name, values as in the file, None to remove a key.
@@ -70,7 +82,7 @@ def load_planet(
         If the file does not exist, cannot be read, or is not TOML.
     ParameterError
         If the name is unknown, or the file is invalid: the error names file, field, value and the
-        allowed values.
+        allowed values. If overrides are given for a planet, which has no file.
 
     Examples
     --------
@@ -79,7 +91,14 @@ def load_planet(
     >>> load_planet("earth", {"ground.albedo": 0.3, "shell.top_radius": "6500 km"}).ground.albedo
     0.3
     """
-    text, file, folder = planet_text(name_or_path)
+    made = name_or_path if isinstance(name_or_path, Planet) else None
+    made = getattr(name_or_path, "planet", None) if made is None else made
+    if isinstance(made, Planet):
+        if overrides:
+            allowed = "none for a Planet, which has no file: a preset or a path, or replace()"
+            raise ParameterError("overrides", dict(overrides), allowed)
+        return made
+    text, file, folder = planet_text(name_or_path)  # type: ignore[arg-type]
     return read_planet(text, file, folder, overrides, progress=progress, cancel=cancel)
 
 
@@ -116,7 +135,8 @@ def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
         return file.read_text(encoding="utf-8"), f"{name_or_path}.toml", None
     if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
-        raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
+        allowed = "a Planet, a solution, the name of a preset, or the path to a TOML file"
+        raise ParameterError("planet", name_or_path, allowed)
     path = Path(name_or_path)
     try:
         there = path.exists()

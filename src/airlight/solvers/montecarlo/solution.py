@@ -204,13 +204,58 @@ class MonteCarloSolution(Solution):
     def _integrates_first_order(self) -> bool:
         return self.settings.exact_first_order and self.paths.shell is None
 
+    def radiance(
+        self,
+        *,
+        altitude: Measures,
+        sun_zenith: Measures,
+        view_zenith: Measures,
+        azimuth: Measures = 0.0,
+        order: int | None = None,
+        stokes: bool = False,
+    ) -> xarray.DataArray:
+        """See ``Solution``; the coordinate ``standard_error`` has the result's shape and unit.
+
+        ``estimate`` returns the contributions of the orders too.
+        """
+        if stokes and order is not None:  # the first, by quadrature
+            return super().radiance(
+                altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith,
+                azimuth=azimuth, order=order, stokes=stokes,
+            )  # fmt: skip
+        if stokes:
+            self.check_polarised()
+        self.check_order(order)
+        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        got = self.trace(sight, order=order)
+        values, errors = got.total, got.total_error
+        if order is not None:
+            values, errors = got.parts[:, order - 1], got.part_errors[:, order - 1]
+        if stokes:
+            values = _turned(got.total, got.polarised, *arrays[2:])
+            errors, axes = _turned_errors(got, *arrays[2:]), axes.beside("stokes", STOKES)
+        sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
+        found = self._labelled(values * sun, axes, "radiance", unit)
+        spread = self._labelled(errors * sun, axes, "standard error", unit)
+        return found.assign_coords(standard_error=spread)
+
+    def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
+        got = self._sky(r, mu_s)
+        return {
+            "diffuse": ("diffuse irradiance", got.total),
+            "diffuse_standard_error": ("standard error of the diffuse irradiance", got.total_error),
+        }
+
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; sampled over directions, the first order too."""
+        return self._sky(r, mu_s).total
+
+    def _sky(self, r: FloatArray, mu_s: FloatArray) -> Estimate:
         up = np.ones_like(r)
         r = self.paths.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, up, self.paths.medium.top_radius)
         question = Question(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
-        return self.answer(question, perf_counter()).total
+        return self.answer(question, perf_counter())
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; by quadrature."""
