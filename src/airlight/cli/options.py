@@ -62,7 +62,7 @@ SunZenith = Annotated[
 ]
 SunAzimuth = Annotated[
     str | None,
-    typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for map and bearings: 105deg."),
+    typer.Option(metavar="BEARING", help="Of the sun, for map and bearings: 105deg, ESE."),
 ]
 Wavelengths = Annotated[
     str | None,
@@ -278,6 +278,19 @@ def angle(text: str, option: str) -> float:
     85.0
     """
     return quantity(text, "deg", option, bare=True)
+
+
+def bearing(text: str, option: str) -> float:
+    """Parse a compass bearing such as ``SW`` or ``225deg``; degrees without a unit. [deg]
+
+    Examples
+    --------
+    >>> bearing("SW", "--sun-azimuth"), bearing("-20", "--heading")
+    (225.0, -20.0)
+    """
+    from airlight.scene.compass import bearing as bearing_of
+
+    return bearing_of(text, option)
 
 
 def temperature(text: str, option: str) -> float:

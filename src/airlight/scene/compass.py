@@ -6,6 +6,8 @@ import re
 from typing import Final
 
 from airlight.errors import ParameterError
+from airlight.planets.schema.key import Wavelengths
+from airlight.planets.schema.section import Section
 from airlight.scene.limits import within
 from airlight.units import Measure
 
@@ -81,3 +83,11 @@ def bearing(value: Measure, field: str) -> float:
     except ParameterError as error:
         allowed = f"{error.allowed}, or a point of the compass such as SW"
         raise ParameterError(field, value, allowed) from None
+
+
+def read_bearing(section: Section, name: str, wavelengths: Wavelengths) -> float:
+    """Bearing of a key of a file: a point of the compass, or an angle with its unit. [deg]"""
+    value = section.raw(name)
+    if isinstance(value, str) and compass_bearing(value) is not None and value[-1:].isalpha():
+        return bearing(value, section.name_of(name))
+    return section.number(name, "deg", "225 deg or SW")

@@ -98,7 +98,10 @@ def load_planet(
             allowed = "none for a Planet, which has no file: a preset or a path, or replace()"
             raise ParameterError("overrides", dict(overrides), allowed)
         return made
-    text, file, folder = planet_text(name_or_path)  # type: ignore[arg-type]
+    if not isinstance(name_or_path, (str, Path)):
+        allowed = "a Planet, a solution, the name of a preset, or the path to a TOML file"
+        raise ParameterError("planet", name_or_path, allowed)
+    text, file, folder = planet_text(name_or_path)
     return read_planet(text, file, folder, overrides, progress=progress, cancel=cancel)
 
 
@@ -135,8 +138,7 @@ def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
         file = resources.files("airlight.planets") / "presets" / f"{name_or_path}.toml"
         return file.read_text(encoding="utf-8"), f"{name_or_path}.toml", None
     if not isinstance(name_or_path, (str, Path)) or not str(name_or_path):
-        allowed = "a Planet, a solution, the name of a preset, or the path to a TOML file"
-        raise ParameterError("planet", name_or_path, allowed)
+        raise ParameterError("planet", name_or_path, "a name, or the path to a TOML file")
     path = Path(name_or_path)
     try:
         there = path.exists()
