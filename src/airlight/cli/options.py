@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli.console import note
-from airlight.errors import ParameterError
+from airlight.errors import ParameterError, changed
 from airlight.units import UNDERSTOOD, quantities, quantity, values_in
 
 if TYPE_CHECKING:
@@ -146,9 +146,13 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
         with shown_progress() as report:
             loaded = load_planet(name, paths, progress=report)
     except ParameterError as error:
-        if error.field != FIELD:
-            raise
-        raise ParameterError("--set", error.value, error.allowed, error.file) from None
+
+        def of_the_option(one: ParameterError) -> ParameterError:
+            if one.field != FIELD:
+                return one
+            return ParameterError("--set", one.value, one.allowed, one.file)
+
+        raise changed(error, of_the_option) from None
     for line in cut_air(loaded):
         note(line)
     return loaded

@@ -11,7 +11,7 @@ import pydantic
 import pydantic.dataclasses
 from pydantic import BeforeValidator, ValidationInfo
 
-from airlight.errors import ParameterError
+from airlight.errors import ParameterError, ParameterErrors
 from airlight.units import quantity
 
 Class = TypeVar("Class", bound=type[Any])
@@ -52,15 +52,18 @@ def parameters(cls: Class) -> Class:
 
 
 def _parameter_error(owner: str, error: pydantic.ValidationError) -> ParameterError:
-    """First error of pydantic, as one line."""
-    first = error.errors(include_url=False)[0]
-    own = first.get("ctx", {}).get("error")
-    if isinstance(own, ParameterError):
-        return own
-    field = str(first["loc"][0]) if first["loc"] else owner
-    if first["type"] == "missing":
-        return ParameterError(field, MISSING, f"a required field of {owner}")
-    return ParameterError(field, first.get("input"), first["msg"])
+    """Errors of pydantic, as one line; of a field's alternative types, the first."""
+    found: dict[str, ParameterError] = {}
+    for one in error.errors(include_url=False):
+        field = str(one["loc"][0]) if one["loc"] else owner
+        own = one.get("ctx", {}).get("error")
+        if not isinstance(own, ParameterError):
+            own = ParameterError(field, one.get("input"), one["msg"])
+            if one["type"] == "missing":
+                own = ParameterError(field, MISSING, f"a required field of {owner}")
+        found.setdefault(field, own)
+    first, *others = found.values()
+    return ParameterErrors([first, *others]) if others else first
 
 
 def replace(instance: Instance, **changes: Any) -> Instance:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import copy
 import difflib
+import functools
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -16,7 +17,9 @@ from typing import Any, Final
 
 import numpy as np
 
-from airlight.errors import ParameterError
+from airlight.errors import Collector, ParameterError, ParameterErrors
+from airlight.planets.reading.declared_keys import key_at
+from airlight.planets.reading.nested_tables import joined
 
 #: Field in errors; the command line replaces it by its option.
 FIELD: Final = "override"
@@ -47,7 +50,7 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
     Raises
     ------
     ParameterError
-        If a path leads nowhere: the nearest existing path is suggested.
+        If paths lead nowhere: for each the nearest existing path is suggested.
 
     Examples
     --------
@@ -59,8 +62,11 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
         allowed = f"a mapping from at most {MOST_OVERRIDES} paths to values"
         raise ParameterError(f"{FIELD}s", overrides, allowed)
     changed = copy.deepcopy(dict(values))
+    collector = Collector()
     for path, value in overrides.items():
-        _change(changed, path, _plain(value))
+        with collector:
+            _change(changed, path, _plain(value))
+    collector.raise_all()
     return changed
 
 
@@ -100,6 +106,8 @@ def with_hint(
 ) -> ParameterError:
     """Add to the reader's error the path in the file that an added key may have meant.
 
+    A key that planet files may have, and this one has not, meant itself.
+
     Parameters
     ----------
     error : ParameterError
@@ -109,15 +117,27 @@ def with_hint(
     overrides : mapping
         Map from path to value.
     """
-    if error.field.startswith(FIELD) or error.field in overrides:
+    said = "did you mean" in error.allowed or isinstance(error, ParameterErrors)
+    if error.field.startswith(FIELD) or error.field in overrides or said:
         return error
     known = _paths(values)
     for path in overrides:
-        near = _nearest(path, known)
-        if path not in known and near and "did you mean" not in error.allowed:
+        if path in known or _is_declared(values, path):
+            continue
+        near = _nearest(path, known, least=0.75)
+        if near:
             allowed = f"{error.allowed} (for {path!r} did you mean {near!r}?)"
             return ParameterError(error.field, error.value, allowed, error.file)
     return error
+
+
+def _is_declared(values: Mapping[str, Any], path: str) -> bool:
+    """Whether planet files may have a key at a path."""
+    try:
+        key_at(dict(values), functools.reduce(joined, _steps(values, path), ""))
+    except ParameterError:
+        return False
+    return True
 
 
 def _value(text: str) -> Any:
@@ -220,11 +240,11 @@ def _nowhere(root: Mapping[str, Any], path: str) -> ParameterError:
     return ParameterError(FIELD, path, allowed)
 
 
-def _nearest(path: str, known: list[str]) -> str | None:
-    """Path most similar to this path; with the same last key, if possible."""
+def _nearest(path: str, known: list[str], least: float = 0.5) -> str | None:
+    """Path most similar to this path, or with the same last key; None below a similarity."""
     last = path.rpartition(".")[2]
     same = [one for one in known if one.rpartition(".")[2] == last]
-    for options, cutoff in ((known, 0.75), (same, 0.0), (known, 0.5)):
+    for options, cutoff in ((known, 0.75), (same, 0.0), (known, least)):
         near = difflib.get_close_matches(path[:200], options, n=1, cutoff=cutoff)
         if near:
             return near[0]

@@ -11,7 +11,7 @@ from typing import Any, Final, Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import Collector, FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
@@ -304,28 +304,43 @@ def nested_tables(text: str, file: str) -> dict[str, Any]:
 
 def _planet(root: Section) -> Planet:
     keys = fields_of(Planet)
-    wavelengths = root.wavelengths()
-    own = {
-        field: key.read_from(root, wavelengths)
-        for field, key in keys.items()
-        if key.kind != "table" and not key.within
-    }
-    shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
-    own |= {
-        field: key.read_from(shell, None) for field, key in keys.items() if key.within == "shell"
-    }
-    shell.finish()
-    _check_shell(own["bottom_radius"], own["top_radius"])
-    ground = Ground.read(root.section("ground", "a table [ground] with an albedo"))
-    star = Star.read(root.section("star", "a table [star] with a spectrum and an angular_radius"))
-    thickness = own["top_radius"] - own["bottom_radius"]
-    constituents = tuple(
-        read_constituent(section, thickness)
-        for section in root.sections("constituents", "a list of tables [[constituents]]")
-    )
-    root.finish()
-    given = {field: value for field, value in own.items() if value is not None}
-    return Planet(ground=ground, star=star, constituents=constituents, **given)
+    collector = Collector()
+    own: dict[str, Any] = {}
+    wavelengths = None
+    with collector:
+        wavelengths = root.wavelengths()
+    for field, key in keys.items():
+        if key.kind != "table" and not key.within:
+            with collector:
+                own[field] = key.read_from(root, wavelengths)
+    with collector:
+        shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
+        for field, key in keys.items():
+            if key.within == "shell":
+                with collector:
+                    own[field] = key.read_from(shell, None)
+        shell.finish()
+    with collector:
+        own["ground"] = Ground.read(root.section("ground", "a table [ground] with an albedo"))
+    with collector:
+        allowed = "a table [star] with a spectrum and an angular_radius"
+        own["star"] = Star.read(root.section("star", allowed))
+    sections: list[Section] = []
+    with collector:
+        sections = root.sections("constituents", "a list of tables [[constituents]]")
+    if {"bottom_radius", "top_radius"} <= set(own):
+        with collector:
+            _check_shell(own["bottom_radius"], own["top_radius"])
+            thickness = own["top_radius"] - own["bottom_radius"]
+            constituents = []
+            for section in sections:
+                with collector:
+                    constituents.append(read_constituent(section, thickness))
+            own["constituents"] = tuple(constituents)
+    with collector:
+        root.finish()
+    collector.raise_all()
+    return Planet(**{field: value for field, value in own.items() if value is not None})
 
 
 def _check_shell(bottom: float, top: float) -> None:
