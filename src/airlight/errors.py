@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Final
 
 from airlight.plain_text import plain
+
+#: Longest line of several errors, of which those after its half leave out what is allowed.
+_LONGEST_LINE: Final = 800
 
 
 class AirlightError(Exception):
@@ -81,8 +85,18 @@ class ParameterErrors(ParameterError):
 
     def __str__(self) -> str:
         first, *others = self.errors
-        rest = (str(ParameterError(one.field, one.value, one.allowed)) for one in others)
-        return "; also: ".join((str(first), *rest))
+        parts = [str(first)]
+        length = len(parts[0])
+        for count, one in enumerate(others):
+            whole = str(ParameterError(one.field, one.value, one.allowed))
+            short = whole.partition("; allowed: ")[0]
+            text = whole if length + len(whole) < _LONGEST_LINE // 2 else short
+            if length + len(text) > _LONGEST_LINE:
+                parts.append(f"and {len(others) - count} more")
+                break
+            parts.append(text)
+            length += len(text) + len("; also: ")
+        return "; also: ".join(parts)
 
     def in_file(self, file: str | Path) -> ParameterErrors:
         """Same errors with the name of the file that holds the fields."""

@@ -24,7 +24,7 @@ Read = TypeVar("Read", bound=float | None)
 
 
 class HasUnit(Protocol):
-    """Quantity of pint, astropy or unyt: converted by its own method ``to``."""
+    """Quantity of pint, astropy or unyt."""
 
     def to(self, *unit: Any, **options: Any) -> Any:
         """Quantity in another unit."""
@@ -93,7 +93,7 @@ _USUAL: Final[dict[str, tuple[float, _Dimension]]] = {
 UNDERSTOOD: Final = ("deg", "nm", "K", "s")
 #: Largest number of values that a range may have.
 MOST_VALUES: Final = 100_000
-#: Names of a degree by the CF conventions, which pint does not have.
+#: Names of a degree in the CF conventions.
 _CF_DEGREES: Final = re.compile(r"degrees?_?(?:north|east|N|E)")
 #: Units of quantities that have none.
 _UNITLESS: Final = ("", "1", "dimensionless", "(dimensionless)")
@@ -262,6 +262,14 @@ def _unit_of(value: Any) -> Any:
         return value.attrs.get("units") or None if unit is None else unit
     unit = getattr(value, "units", None)
     return getattr(value, "unit", None) if unit is None else unit
+
+
+def without_unit(value: Any, field: str) -> Any:
+    """Value as it is; a quantity, whose unit would be lost, is refused."""
+    unit = _unit_of(value)
+    if unit is not None and str(unit).strip() not in _UNITLESS:
+        raise ParameterError(field, value, f"numbers without a unit, not in {str(unit)!r}")
+    return value
 
 
 def is_labelled(value: object) -> bool:

@@ -32,7 +32,7 @@ def aerial(
         ),
     ],
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the observer (0m).")
+        str | None, typer.Option(metavar="LENGTH", help="Of the observer (2m).")
     ] = None,
     sun_zenith: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Of the sun there (60deg).")

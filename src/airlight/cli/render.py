@@ -61,7 +61,7 @@ def render(
         str | None,
         typer.Option(
             metavar="LENGTH",
-            help="Of the observer above the ground: 10m. If left out 0m, with --at 2m.",
+            help="Of the observer above the ground: 10m. 2m if left out.",
         ),
     ] = None,
     look: Annotated[

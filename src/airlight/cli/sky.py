@@ -83,7 +83,7 @@ def sky(
     season: time_and_place.Season = None,
     sun_distance: time_and_place.SunDistance = "true",
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the observer above the ground (0m).")
+        str | None, typer.Option(metavar="LENGTH", help="Of the observer above the ground (2m).")
     ] = None,
     sun_zenith: options.SunZenith = None,
     sun_azimuth: options.SunAzimuth = None,
@@ -111,7 +111,7 @@ def sky(
 
     The map shows east, north and zenith where the program looks for them: x east, y north, z up, or
     where y is up, x east and -z north (Unity: z north). Unless said otherwise the observer stands
-    on the ground, and the sun in the south, 60deg from the zenith.
+    2 m above the ground, and the sun in the south, 60deg from the zenith.
     """
     started = time.perf_counter()
     from airlight.cli.render import check_glare, check_tone_map

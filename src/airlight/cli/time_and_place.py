@@ -62,9 +62,6 @@ SunDistance = Annotated[
     ),
 ]
 
-#: Altitude of an observer at a place and time, as of ``Scene.at``. [m]
-_STANDING = 2.0
-
 
 @dataclass(frozen=True, kw_only=True)
 class Placed:
@@ -163,11 +160,12 @@ def given(
     from airlight.ephemeris.place_text import read_place
     from airlight.ephemeris.sky import Place, moon_seen, sun_seen
     from airlight.ephemeris.time_text import read_time
+    from airlight.scene.scene import STANDING
 
     latitude, longitude, above = read_place(at, "--at")
     if above is not None and altitude is not None:
         raise ParameterError("--altitude", altitude, "left out beside an altitude in --at")
-    height = _STANDING
+    height = STANDING
     if above is not None:
         height = options.length(above, "--at")
     elif altitude is not None:

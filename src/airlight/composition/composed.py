@@ -31,6 +31,7 @@ from airlight.scene.frame import Frame
 from airlight.solvers import Solution
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.solve import solution_of
+from airlight.units import without_unit
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -216,6 +217,8 @@ def _checked(
     rgb: ArrayLike, alpha: ArrayLike | None, depth: ArrayLike, kind: str, camera: Pinhole
 ) -> tuple[NDArray[Any], NDArray[Any] | None, NDArray[Any], str]:
     """Colours, cover and depth as arrays of the camera's shape, and the kind of the depth."""
+    for name, one in (("rgb", rgb), ("depth", depth), ("alpha", alpha)):
+        without_unit(one, name)
     colors, passes = np.asarray(rgb), np.asarray(depth)
     cover = None if alpha is None else np.asarray(alpha)
     shape = (camera.height, camera.width)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from datetime import datetime
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,11 +26,15 @@ if TYPE_CHECKING:
 
 #: Largest altitude of an observer. [m]
 HIGHEST_ALTITUDE = 1e12
+#: Altitude of an observer who stands on the ground, the default of scenes and commands. [m]
+STANDING: Final = 2.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
     """Observer, camera and direction of the sun; the planet comes with the solution.
+
+    Its defaults are those of the commands.
 
     Lengths and angles are numbers, text with a unit such as ``altitude="400 km"``, or quantities of
     pint, astropy or unyt.
@@ -69,7 +73,7 @@ class Scene:
     """
 
     camera: Camera = field(default_factory=Camera)
-    altitude: Measured[float] = measured(0.0)
+    altitude: Measured[float] = measured(STANDING)
     sun_zenith: Measured[float] = measured(60.0)
     latitude: Measured[float] = measured(0.0)
     longitude: Measured[float] = measured(0.0)
@@ -108,7 +112,7 @@ class Scene:
         time: datetime | str,
         zone: str | None = None,
         season: Measure | None = None,
-        altitude: Measure = 2.0,
+        altitude: Measure = STANDING,
         look_at: str | None = None,
         camera: Camera | None = None,
         ground: str = "plain",

@@ -34,8 +34,8 @@ def converted(number: float, unit: str, shown: str) -> float:
     return float(f"{number / _factor(shown, unit):.14g}")
 
 
-#: Columns in each unit as a file may write them.
-COLUMNS_OF_GAS: Final = "'300 DU', '0.3 atm-cm', '0.134 mol/m^2' or '8.06e22 /m^2'"
+#: Units of columns in words, with an example.
+COLUMN_UNITS: Final = "'DU', 'atm-cm', 'mol/m^2' or '1/m^2': '300 DU'"
 #: Thickness of a column at 0 °C and 1 atm, in Dobson units of 10 µm: factor of each unit's name.
 _THICKNESS: Final = {"DU": 1.0, "atm-cm": 1e3, "atm cm": 1e3, "atmcm": 1e3, "matm-cm": 1.0}
 _COLUMN: Final = re.compile(rf"\s*(\S{{1,40}}?)\s*({'|'.join(_THICKNESS)})\s*")
@@ -60,7 +60,7 @@ def column_of_gas(value: Any, field: str, *, bare: bool = False) -> float:
     >>> f"{column_of_gas('1 mol/m^2', 'ozone'):.8e}"
     '6.02214076e+23'
     """
-    allowed = f"a column with its unit, such as {COLUMNS_OF_GAS}"
+    allowed = f"a column with a unit such as {COLUMN_UNITS}"
     if isinstance(value, str) and (match := _COLUMN.fullmatch(value)):
         from airlight.optics.gas_absorption import column_from_dobson
 
