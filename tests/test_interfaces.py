@@ -20,12 +20,15 @@ from airlight.cli.time_and_place import by_angles
 from airlight.composition.placement import Placement
 from airlight.errors import ParameterError
 from airlight.exports.exr import read_exr
+from airlight.film.view import PlanetView
 from airlight.paint.paint_scene import paint_scene
 from airlight.planets.reading.reader import planet_text
+from airlight.planets.schema.section import Section
 from airlight.scene.compass import POINTS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.montecarlo.settings import settings_for
 from airlight.sweep import Grid
+from airlight.system.viewpoint import View
 
 NAME = "earth-bruneton"
 SMALL = airlight.Scene(camera=airlight.Camera(width=6, height=4))
@@ -148,6 +151,16 @@ def test_points_of_the_compass_are_bearings_everywhere(number: int, point: str) 
     placed = Placement(heading=point, sun_azimuth=point.lower())
     assert (placed.heading, placed.sun_azimuth) == (degrees, degrees)
     assert by_angles(None, point, None, None, None).sun_azimuth == degrees
+
+
+def test_files_of_scenes_and_films_take_points_of_the_compass() -> None:
+    # 45° and 225°, and the same as angles with their unit
+    for north_east, south_west in (("NE", "sw"), ("45 deg", "225 deg")):
+        view = View.read(Section({"look_zenith": "80 deg", "look_bearing": north_east}))
+        assert view.look_bearing == 45.0
+        assert PlanetView.read(Section({"sun_azimuth": south_west})).sun_azimuth == 225.0
+    with pytest.raises(ParameterError, match="look_bearing is 'NEX'"):
+        View.read(Section({"look_zenith": "80 deg", "look_bearing": "NEX"}))
 
 
 def test_an_angle_that_is_no_bearing_takes_no_point_of_the_compass() -> None:

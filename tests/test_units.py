@@ -262,3 +262,9 @@ def test_what_is_no_number_is_refused(value: Any) -> None:
 def test_plain_arrays_keep_shape_and_values() -> None:
     for value in (3, 3.5, [[1, 2], [3, 4]], range(4), np.arange(4, dtype=np.int16), []):
         assert_allclose(units.values_in(value, "m"), np.asarray(value, float), rtol=0)
+
+
+def test_a_variable_of_xarray_has_units_too() -> None:
+    # as a labelled array, without coordinates
+    variable = xarray.Variable("x", [1.0, 2.0], {"units": "km"})
+    assert_allclose(units.values_in(variable, "m"), [1000.0, 2000.0], rtol=0)

@@ -257,7 +257,7 @@ def _values_of_text(text: str, unit: str, field: str, allowed: str) -> float | l
 
 def _unit_of(value: Any) -> Any:
     """Unit of a quantity or of a labelled array; None for plain numbers."""
-    if is_labelled(value):
+    if _has_attributes(value):
         unit = _unit_of(value.data)
         return value.attrs.get("units") or None if unit is None else unit
     unit = getattr(value, "units", None)
@@ -272,8 +272,8 @@ def without_unit(value: Any, field: str) -> Any:
     return value
 
 
-def is_labelled(value: object) -> bool:
-    """Whether a value is an xarray.DataArray, without importing xarray for others."""
+def _has_attributes(value: object) -> bool:
+    """Whether a value is an array of xarray, whose attribute ``units`` counts."""
     return hasattr(value, "dims") and hasattr(value, "attrs")
 
 
@@ -285,7 +285,7 @@ def _values_of_quantity(
 
     if given in _UNITLESS and unit == "deg":
         raise ParameterError(field, value, f"{allowed}; {given!r} is no unit of an angle")
-    if is_labelled(value):
+    if _has_attributes(value):
         if _unit_of(value.data) is not None:
             return values_in(value.data, unit, field, allowed=allowed)
         return np.asarray(value.data, np.float64) * _labelled_factor(given, unit, field, allowed)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.units import is_labelled, values_in
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.units import Measures
@@ -66,6 +66,11 @@ class Argument:
     def long_unit(self) -> str:
         """Unit as the attribute of a coordinate."""
         return "degree" if self.unit == "deg" else self.unit
+
+
+def is_labelled(value: object) -> bool:
+    """Whether a value is an xarray.DataArray, without importing xarray for others."""
+    return hasattr(value, "dims") and hasattr(value, "coords")
 
 
 @dataclass(frozen=True)
