@@ -15,9 +15,15 @@ from shutil import which
 from PIL import Image
 
 FOLDER = Path(__file__).parents[1] / "docs" / "images" / "polarisation"
-_DOME = "render earth --altitude 2m --projection fisheye --size 460 --show"
-_BESIDE = "render earth --altitude 2m --sun-zenith 80 --look 78,90 --fov 70 --size 480x360"
-_SPACE = "render earth --altitude 20000km --look-at nadir --fov 33 --sun-zenith 55 --size 460x460"
+_PLACE = "--latitude 25 --longitude 30 --sun-azimuth 105"
+_DOME = f"render earth --altitude 2m {_PLACE} --projection fisheye --size 460 --show"
+_BESIDE = (
+    f"render earth --altitude 2m {_PLACE} --sun-zenith 80 --look 78,90 --fov 70 --size 480x360"
+)
+_SPACE = (
+    f"render earth --altitude 20000km {_PLACE} --look-at nadir --fov 33 --sun-zenith 55 "
+    "--size 460x460"
+)
 #: Arguments of ``airlight`` by the name of the file.
 PICTURES: dict[str, tuple[str, ...]] = {
     "domes.png": (f"{_DOME} dolp --sun-zenith 60", f"{_DOME} dolp --sun-zenith 90"),

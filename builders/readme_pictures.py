@@ -18,7 +18,8 @@ from PIL import Image
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "images"
-_LOW_SUN = "--altitude 2m --look 89.7,0 --fov 2 --sun-zenith 90.2 --size 480x270"
+_EGYPT = "--latitude 25 --longitude 30 --sun-azimuth"
+_LOW_SUN = f"--altitude 2m --look 89.7,0 --fov 2 --sun-zenith 90.2 --size 480x270 {_EGYPT} 105"
 #: Arguments of ``airlight render`` by the picture's name.
 PICTURES = {
     "earth-terminator": "earth --altitude 400km --look 108,-62 --fov 75 --sun-zenith 91 "
@@ -42,9 +43,9 @@ EARTH = (
 #: The five of docs/live.md, row by row.
 DEVICE = (
     "earth --altitude 2m --look 82,-60 --sun-zenith 60 --latitude 43 --longitude 12",
-    "earth --altitude 35km --look 93,-40 --sun-zenith 75",
-    "earth --altitude 400km --sun-zenith 80",
-    "earth --altitude 20000km --look 180,180 --sun-zenith 50 --sun-azimuth 180 --fov 60",
+    f"earth --altitude 35km --look 93,-40 --sun-zenith 75 {_EGYPT} 105",
+    f"earth --altitude 400km --sun-zenith 80 {_EGYPT} 105",
+    f"earth --altitude 20000km --look 180,180 --sun-zenith 50 --fov 60 {_EGYPT} 180",
     "mars --altitude 2m --look 80,0 --sun-zenith 86 --fov 70 --exposure -4",
 )
 #: Columns of that sheet, size of a picture there, and the gap between two. [pixel]

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import sys
 import warnings
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Final
 
 from airlight.plain_text import plain
+
+#: Longest line of several errors, of which those after its half leave out what is allowed.
+_LONGEST_LINE: Final = 800
 
 
 class AirlightError(Exception):
@@ -57,6 +62,94 @@ class ParameterError(AirlightError, ValueError):
     def in_file(self, file: str | Path) -> ParameterError:
         """Same error with the name of the file that holds the field."""
         return ParameterError(self.field, self.value, self.allowed, file)
+
+
+class ParameterErrors(ParameterError):
+    """Several unusable values at once, on one line; field, value and range are the first's.
+
+    Parameters
+    ----------
+    errors : sequence of ParameterError
+        Errors, two or more.
+
+    Examples
+    --------
+    >>> first = ParameterError("ground.albedo", 2, "0 to 1")
+    >>> print(ParameterErrors([first, ParameterError("star.radius", -1, "0 or more")]))
+    ground.albedo is 2; allowed: 0 to 1; also: star.radius is -1; allowed: 0 or more
+    """
+
+    def __init__(self, errors: Sequence[ParameterError]) -> None:
+        self.errors = tuple(errors)
+        first = self.errors[0]
+        super().__init__(first.field, first.value, first.allowed, first.file)
+        self.args = (self.errors,)
+
+    def __str__(self) -> str:
+        first, *others = self.errors
+        parts = [str(first)]
+        length = len(parts[0])
+        for count, one in enumerate(others):
+            whole = str(ParameterError(one.field, one.value, one.allowed))
+            short = whole.partition("; allowed: ")[0]
+            text = whole if length + len(whole) < _LONGEST_LINE // 2 else short
+            if length + len(text) > _LONGEST_LINE:
+                parts.append(f"and {len(others) - count} more")
+                break
+            parts.append(text)
+            length += len(text) + len("; also: ")
+        return "; also: ".join(parts)
+
+    def in_file(self, file: str | Path) -> ParameterErrors:
+        """Same errors with the name of the file that holds the fields."""
+        return ParameterErrors([one.in_file(file) for one in self.errors])
+
+
+def changed(
+    error: ParameterError, change: Callable[[ParameterError], ParameterError]
+) -> ParameterError:
+    """Error of which each part is changed: ``change(part)`` of one, or of several at once."""
+    if isinstance(error, ParameterErrors):
+        return ParameterErrors([change(one) for one in error.errors])
+    return change(error)
+
+
+class Collector:
+    """Collects the errors of several steps, to raise all of them at once.
+
+    Examples
+    --------
+    >>> collector = Collector()
+    >>> for name, number in (("a", 1), ("b", -2), ("c", -3)):
+    ...     with collector:
+    ...         if number < 0:
+    ...             raise ParameterError(name, number, "0 or more")
+    >>> collector.raise_all()
+    Traceback (most recent call last):
+    ...
+    airlight.errors.ParameterErrors: b is -2; allowed: 0 or more; also: c is -3; allowed: 0 or more
+    """
+
+    def __init__(self) -> None:
+        self.errors: list[ParameterError] = []
+
+    def __enter__(self) -> None:
+        """Begin a step."""
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
+        """Keep the step's error, if it is one of a parameter."""
+        if isinstance(error, ParameterErrors):
+            self.errors += error.errors
+        elif isinstance(error, ParameterError):
+            self.errors.append(error)
+        return isinstance(error, ParameterError)
+
+    def raise_all(self) -> None:
+        """Raise what was collected: one error as it is, several as one."""
+        if len(self.errors) == 1:
+            raise self.errors[0]
+        if self.errors:
+            raise ParameterErrors(self.errors)
 
 
 class FileError(AirlightError):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.errors import ParameterError
+from airlight.errors import ParameterError, ParameterErrors
 from airlight.planets import Medium, load_planet, planet_names
 from airlight.planets.matter.profiles import PROFILES
 from airlight.planets.reading.overrides import overridden, parsed
@@ -232,3 +232,84 @@ def test_light_that_would_follow_the_larger_ground_is_the_radius_s_error():
     # around 1e5 km air of 8 km scale height bends light by more than the ground is bent
     with pytest.raises(ParameterError, match=r"shell\.bottom_radius is '1e5 km'; allowed: a sm"):
         load_planet("earth", {"shell.bottom_radius": "1e5 km"})
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("star.irradiance", "1 W/m^2/nm"),
+        ("star.temperature", "5800 K"),
+        ("aerosol.extinction", "1e-5 /m"),
+        ("air.absorption", 3),
+        ("ozone.scattering", 5),
+        ("shell.thickness", 5),
+        ("rings", 3),
+    ],
+)
+def test_no_key_is_guessed_for_one_that_files_may_have_or_that_resembles_none(path, value):
+    # the first five are declared keys that the file has not; "rings" and "thickness" are like none
+    with pytest.raises(ParameterError) as caught:
+        load_planet("earth", {path: value})
+    assert "did you mean" not in str(caught.value)
+
+
+def test_all_offending_keys_of_a_file_are_in_one_line():
+    # five keys in four tables, two of them unknown, one of another unit, two out of range
+    with pytest.raises(ParameterErrors) as caught:
+        load_planet(
+            "earth",
+            {
+                "ground.albdo": 0.3,
+                "ground.brightness": -1,
+                "star.distance": "3 kg",
+                "ozone.absorption.ozone": 0.3,
+                "air.colour": "blue",
+            },
+        )
+    line = str(caught.value)
+    assert line.startswith("earth.toml: ")
+    assert "\n" not in line
+    for part in (
+        "'albdo'", "ground.brightness is -1", "star.distance is '3 kg'",
+        "constituents[2].absorption.ozone is 0.3", "'colour'",
+    ):  # fmt: skip
+        assert part in line
+    assert len(caught.value.errors) == 5
+
+
+def test_all_paths_that_lead_nowhere_are_in_one_line():
+    with pytest.raises(ParameterErrors, match=r"ground\.albedo.*air\.profile") as caught:
+        load_planet("earth", {"grond.albedo": 0.3, "air.profil.kind": "uniform", "name": "x"})
+    assert [one.value for one in caught.value.errors] == ["grond.albedo", "air.profil.kind"]
+
+
+def test_a_line_of_many_errors_has_an_end():
+    with pytest.raises(ParameterErrors) as caught:
+        load_planet("earth", {f"ground.key{k}": k for k in range(200)})
+    assert len(str(caught.value)) < 1000
+    assert str(caught.value).endswith(" more")
+    assert len(caught.value.errors) == 200
+
+
+@pytest.mark.parametrize(
+    ("text", "molecules"),
+    [
+        ("300 DU", 300.0),
+        ("0.3 atm-cm", 300.0),
+        ("0.3 atm cm", 300.0),
+        ("300 matm-cm", 300.0),
+        ("0.133845 mol/m^2", 300.0),
+        ("13.3845 mmol m^-2", 30.0),
+    ],
+)
+def test_columns_of_ozone_by_thickness_and_by_moles(text, molecules):
+    # a Dobson unit is 10 µm of gas at 0 °C and 1 atm, 0.44615 mmol/m² (the ideal gas law with the
+    # constants of 2019: 1e-5 m × 101325 Pa / (8.314462618 J/mol/K × 273.15 K))
+    dobson = 1e-5 * 101325.0 / (8.314462618 * 273.15) * 6.02214076e23
+    absorption = load_planet("earth", {"ozone.absorption.ozone": text}).constituents[2].absorption
+    assert_allclose(absorption.column, molecules * dobson, rtol=4e-6)  # half the last digit
+
+
+def test_a_column_without_a_unit_is_told_of_dobson_units():
+    with pytest.raises(ParameterError, match=r"ozone is 0\.3; .*'DU', 'atm-cm', 'mol/m\^2'"):
+        load_planet("earth", {"ozone.absorption.ozone": 0.3})

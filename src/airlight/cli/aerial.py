@@ -85,9 +85,7 @@ def aerial(
     if placed is not None:
         world = time_and_place.lit(world, placed, "true")
     else:
-        placed = time_and_place.by_angles(
-            sun_zenith or "60deg", None, latitude or "0deg", longitude or "0deg", altitude or "2m"
-        )
+        placed = time_and_place.by_angles(sun_zenith, None, latitude, longitude, altitude)
     nm = None if wavelengths is None else options.wavelengths(wavelengths, world)
     world = local_ground(
         world, latitude=placed.latitude, longitude=placed.longitude, altitude=placed.altitude

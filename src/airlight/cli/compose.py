@@ -98,7 +98,7 @@ def compose(
         str | None, typer.Option(metavar="ANGLE", help="Of the sun at the scene's origin (60deg).")
     ] = None,
     sun_azimuth: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Compass bearing of the sun (180deg).")
+        str | None, typer.Option(metavar="ANGLE", help="Compass bearing of the sun (S).")
     ] = None,
     latitude: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Of the scene's origin (0deg).")
@@ -111,7 +111,7 @@ def compose(
     ] = None,
     heading: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Compass bearing of the scene's +Y (0deg, north)."),
+        typer.Option(metavar="ANGLE", help="Compass bearing of the scene's +Y: NE, 45deg (N)."),
     ] = None,
     metres_per_unit: Annotated[
         float | None, typer.Option(metavar="NUMBER", help="Length of the scene's unit (1).")
@@ -273,7 +273,8 @@ def _placement(
     given: dict[str, float | str | None] = {"metres_per_unit": metres_per_unit, "up": up}
     for name, text in texts.items():
         option = "--" + name.replace("_", "-")
-        given[name] = None if text is None else options.angle(text, option)
+        parse = options.bearing if name in ("heading", "sun_azimuth") else options.angle
+        given[name] = None if text is None else parse(text, option)
     given["altitude"] = None if altitude is None else options.length(altitude, "--altitude")
     if placed is not None:
         for name in ("latitude", "longitude", "sun_zenith", "sun_azimuth"):

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Annotated, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from airlight.cli.console import note
-from airlight.errors import ParameterError
-from airlight.units import quantities, quantity
+from airlight.errors import ParameterError, changed
+from airlight.units import UNDERSTOOD, quantities, quantity, values_in
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -62,7 +62,7 @@ SunZenith = Annotated[
 ]
 SunAzimuth = Annotated[
     str | None,
-    typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for map and bearings: 105deg."),
+    typer.Option(metavar="BEARING", help="Of the sun, for map and bearings: 105deg, ESE."),
 ]
 Wavelengths = Annotated[
     str | None,
@@ -111,10 +111,6 @@ NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
 
-#: Units that a number of the command line may leave out, being the only ones that anybody means.
-UNDERSTOOD: Final = ("deg", "nm", "K", "s")
-#: Largest number of values that a range may have.
-MOST_VALUES = 100_000
 #: Wavelengths of the three-wavelength mode. [nm]
 RGB = (680.0, 550.0, 440.0)
 #: A whole number below this is a number of wavelengths; from here on it is a wavelength. [nm]
@@ -150,9 +146,13 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
         with shown_progress() as report:
             loaded = load_planet(name, paths, progress=report)
     except ParameterError as error:
-        if error.field != FIELD:
-            raise
-        raise ParameterError("--set", error.value, error.allowed, error.file) from None
+
+        def of_the_option(one: ParameterError) -> ParameterError:
+            if one.field != FIELD:
+                return one
+            return ParameterError("--set", one.value, one.allowed, one.file)
+
+        raise changed(error, of_the_option) from None
     for line in cut_air(loaded):
         note(line)
     return loaded
@@ -269,17 +269,8 @@ def values(text: str, unit: str, option: str) -> list[float]:
     ([0.0, 20.0, 40.0, 60.0], [0.0, 2000.0])
     """
     if ":" not in text:
-        return list(quantities(text, unit, option, bare=unit in UNDERSTOOD))
-    form = "a list, or FROM:TO:STEP such as 0:90:5"
-    try:
-        parts = quantities(text.replace(":", ","), unit, option, bare=unit in UNDERSTOOD)
-        start, end, step = parts
-    except ValueError:
-        raise ParameterError(option, text, form) from None
-    if not step > 0.0 or end < start or (end - start) / step > MOST_VALUES:
-        raise ParameterError(option, text, f"{form}, with at most {MOST_VALUES} values")
-    count = int((end - start) / step + 1e-9)
-    return [float(f"{start + k * step:.12g}") for k in range(count + 1)]
+        return quantities(text, unit, option, bare=unit in UNDERSTOOD)
+    return values_in(text, unit, option).tolist()  # type: ignore[no-any-return]
 
 
 def angle(text: str, option: str) -> float:
@@ -291,6 +282,19 @@ def angle(text: str, option: str) -> float:
     85.0
     """
     return quantity(text, "deg", option, bare=True)
+
+
+def bearing(text: str, option: str) -> float:
+    """Parse a compass bearing such as ``SW`` or ``225deg``; degrees without a unit. [deg]
+
+    Examples
+    --------
+    >>> bearing("SW", "--sun-azimuth"), bearing("-20", "--heading")
+    (225.0, -20.0)
+    """
+    from airlight.scene.compass import bearing as bearing_of
+
+    return bearing_of(text, option)
 
 
 def temperature(text: str, option: str) -> float:

@@ -43,7 +43,11 @@ def radiance(
     planet: options.Planet_,
     altitude: Annotated[
         str | None,
-        typer.Option(metavar="LENGTH", help="Of the observer above the ground (0m)."),
+        typer.Option(
+            metavar="LENGTH",
+            help="Of the observer above the ground (0m); several: "
+            "0m,2km or 0:10:2km, here and below, print a table.",
+        ),
     ] = None,
     sun_zenith: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
@@ -150,13 +154,15 @@ def radiance(
         )  # fmt: skip
         return
     if input_ is None:
-        cases = _one_case(single, output)
+        cases = _observers(single, output)
     else:
         where = {"--latitude": latitude, "--longitude": longitude}
         cases = _many_cases(input_, {**single, **where}, output)
     world = options.planet(planet, set_)
     if input_ is None:
         height = float(cases.values[0, 0])
+        if latitude is not None and (cases.values[:, 0] != height).any():
+            raise ParameterError("--altitude", altitude, "one altitude, beside --latitude")
         world = options.with_solved_ground(world, ground_albedo, latitude, longitude, height)
     else:
         world = options.with_solved_ground(world, ground_albedo, None, None)
@@ -185,7 +191,7 @@ def radiance(
             values, errors, histories = _estimates(solution, cases, stokes)
         else:
             values = _answers(solution, cases, len(columns), stokes, report)
-    if input_ is not None:
+    if cases.header:
         write_cases(output, cases, nm, values, errors, stokes=stokes)
     elif stokes:
         _print_stokes(nm, values[0], None if errors is None else errors[0], histories)
@@ -311,27 +317,35 @@ def _settings(solver: str, quality: str, relative_error: float | None, seed: int
         raise ParameterError(option, error.value, error.allowed) from None
 
 
-def _one_case(texts: dict[str, str | None], output: str) -> Cases:
-    """Parse the observer of the options, after checking that no file is to be written."""
+def _observers(texts: dict[str, str | None], output: str) -> Cases:
+    """Parse the observers of the options: one, or a row for each of their lists and ranges."""
     import numpy as np
 
     from airlight.scene.limits import within
     from airlight.sweep.cases import COLUMNS, Cases
+    from airlight.units import MOST_VALUES
 
     if output != "-":
         raise ParameterError("--output", output, "only together with --input")
     filled = {"--altitude": "0m", "--azimuth": "0deg"}
-    row = []
+    axes = []
     for (option, given), (low, high) in zip(texts.items(), COLUMNS.values(), strict=True):
         text = filled.get(option) if given is None else given
         if text is None:
             raise typer.BadParameter(
                 f"{option} is missing: an angle such as 60deg, or --input FILE"
             )
-        is_length = option == "--altitude"
-        value = (options.length if is_length else options.angle)(text, option)
-        row.append(within(option, value, low, high, "m" if is_length else "deg"))
-    return Cases(comments=[], header=[], rows=[[]], values=np.array([row]))
+        unit = "m" if option == "--altitude" else "deg"
+        numbers = options.values(text, unit, option)
+        axes.append([within(option, number, low, high, unit) for number in numbers])
+    values = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))
+    if len(values) > MOST_VALUES:
+        allowed = f"at most {MOST_VALUES}; longer tables by --input or airlight sweep"
+        raise ParameterError("number of observers", len(values), allowed)
+    if len(values) == 1:
+        return Cases(comments=[], header=[], rows=[[]], values=values)
+    rows = [[f"{number:.10g}" for number in row] for row in values]
+    return Cases(comments=[], header=list(COLUMNS), rows=rows, values=values)
 
 
 def _answers(

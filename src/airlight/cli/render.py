@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from airlight.scene.frame import Frame
 
 EPILOG = examples(
-    "airlight render earth -o earth.png",
+    "airlight render earth --altitude 400km --latitude 25 --longitude 30 --sun-zenith 72 "
+    "--sun-azimuth ESE -o earth.png",
     "airlight render earth --altitude 35km --look-at horizon --fov 90 -o limb.png",
     "airlight render mars --altitude 2m --sun-zenith 80 --look 85,0 -o mars.png",
     "airlight render earth --altitude 2m --iso 100 --aperture f/8 --shutter 1/250s -o snap.png",
@@ -60,7 +61,7 @@ def render(
         str | None,
         typer.Option(
             metavar="LENGTH",
-            help="Of the observer above the ground: 10m. If left out 400km, with --at 2m.",
+            help="Of the observer above the ground: 10m. 2m if left out.",
         ),
     ] = None,
     look: Annotated[

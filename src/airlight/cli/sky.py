@@ -30,9 +30,6 @@ EPILOG = examples(
     "airlight sky earth --for dome --front 180 --tilt 15 --size 4096 --bits 16 -o dome.png",
 )
 
-#: Observer and sun if nobody says.
-_ALTITUDE, _SUN_ZENITH, _SUN_AZIMUTH = "2m", "45deg", "180deg"
-
 
 def sky(
     planet: options.Planet_,
@@ -114,7 +111,7 @@ def sky(
 
     The map shows east, north and zenith where the program looks for them: x east, y north, z up, or
     where y is up, x east and -z north (Unity: z north). Unless said otherwise the observer stands
-    2 m above the ground, and the sun in the south, 45deg from the zenith.
+    2 m above the ground, and the sun in the south, 60deg from the zenith.
     """
     started = time.perf_counter()
     from airlight.cli.render import check_glare, check_tone_map
@@ -159,10 +156,7 @@ def sky(
         if given is not None and other is None:
             raise ParameterError(option, given, "both of --latitude and --longitude")
     if placed is None:
-        placed = time_and_place.by_angles(
-            sun_zenith or _SUN_ZENITH, sun_azimuth or _SUN_AZIMUTH, latitude, longitude,
-            altitude or _ALTITUDE,
-        )  # fmt: skip
+        placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
     scene = Scene(
         camera=Camera(projection=consumer.projection, width=columns, height=rows),
         altitude=placed.altitude,
@@ -221,13 +215,7 @@ def _consumer(name: str, front: str | None, tilt: str | None) -> Consumer:
         return consumer
     bearing = consumer.centre
     if front is not None:
-        from airlight.scene.compass import compass_bearing
-
-        found = compass_bearing(front)
-        if found is None or found[1] is not None:
-            allowed = "a bearing such as S or 180, -360 to 360 deg"
-            raise ParameterError("--front", front, allowed)
-        bearing = found[0]
+        bearing = options.bearing(front, "--front")
     try:
         return consumer.facing(bearing, 0.0 if tilt is None else options.angle(tilt, "--tilt"))
     except ParameterError as error:

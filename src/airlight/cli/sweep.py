@@ -113,15 +113,13 @@ def sweep(
 
 def _varied(text: str) -> tuple[str, list[Any]]:
     """Path and values of ``--vary``."""
+    from airlight.sweep.grid import varied
+
     path, sign, values = text.partition("=")
-    items = [item.strip() for item in values.split(",")]
-    if not sign or not path.strip() or not all(items):
-        raise ParameterError("--vary", text, "PATH=A,B,C, such as ground.albedo=0.1,0.3")
-    return path.strip(), [_plain(item) for item in items]
-
-
-def _plain(item: str) -> Any:
+    if not sign or not path.strip() or not values.strip():
+        allowed = "PATH=A,B,C or PATH=FROM:TO:STEP, such as ground.albedo=0.1,0.3"
+        raise ParameterError("--vary", text, allowed)
     try:
-        return float(item)
-    except ValueError:
-        return item
+        return path.strip(), varied(values, "--vary")
+    except ParameterError as error:
+        raise ParameterError("--vary", text, error.allowed) from None

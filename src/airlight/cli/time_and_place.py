@@ -12,7 +12,7 @@ from airlight.cli import options
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
     from datetime import datetime
 
     from airlight.ephemeris.sky import MoonSighting, Place
@@ -62,9 +62,6 @@ SunDistance = Annotated[
     ),
 ]
 
-#: Altitudes if nobody says: from orbit, and on the ground. [m]
-_ORBIT, _STANDING = 400e3, 2.0
-
 
 @dataclass(frozen=True, kw_only=True)
 class Placed:
@@ -100,23 +97,25 @@ def by_angles(
     longitude: str | None,
     altitude: str | None,
 ) -> Placed:
-    """Observer and sun by their angles, from the options' texts.
+    """Observer and sun by their angles, from the options' texts; the rest as in ``Scene()``.
 
     Examples
     --------
-    >>> by_angles(None, None, None, None, "35km").altitude
-    35000.0
+    >>> by_angles(None, "SE", None, None, "35km")  # doctest: +ELLIPSIS
+    Placed(altitude=35000.0, latitude=0.0, longitude=0.0, sun_zenith=60.0, sun_azimuth=135.0, ...)
     """
+    from airlight.scene import Scene
 
-    def angle(text: str | None, option: str, default: float) -> float:
-        return default if text is None else options.angle(text, option)
+    def number(text: str | None, name: str, parse: Callable[[str, str], float]) -> float:
+        default: float = getattr(Scene(), name)
+        return default if text is None else parse(text, "--" + name.replace("_", "-"))
 
     return Placed(
-        altitude=_ORBIT if altitude is None else options.length(altitude, "--altitude"),
-        latitude=angle(latitude, "--latitude", 25.0),
-        longitude=angle(longitude, "--longitude", 30.0),
-        sun_zenith=angle(sun_zenith, "--sun-zenith", 72.0),
-        sun_azimuth=angle(sun_azimuth, "--sun-azimuth", 105.0),
+        altitude=number(altitude, "altitude", options.length),
+        latitude=number(latitude, "latitude", options.angle),
+        longitude=number(longitude, "longitude", options.angle),
+        sun_zenith=number(sun_zenith, "sun_zenith", options.angle),
+        sun_azimuth=number(sun_azimuth, "sun_azimuth", options.bearing),
     )
 
 
@@ -161,11 +160,12 @@ def given(
     from airlight.ephemeris.place_text import read_place
     from airlight.ephemeris.sky import Place, moon_seen, sun_seen
     from airlight.ephemeris.time_text import read_time
+    from airlight.scene.scene import STANDING
 
     latitude, longitude, above = read_place(at, "--at")
     if above is not None and altitude is not None:
         raise ParameterError("--altitude", altitude, "left out beside an altitude in --at")
-    height = _STANDING
+    height = STANDING
     if above is not None:
         height = options.length(above, "--at")
     elif altitude is not None:

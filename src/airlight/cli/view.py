@@ -113,7 +113,7 @@ def view(
             "view.field_of_view": (fov, options.angle, "--fov"),
             "view.latitude": (latitude, options.angle, "--latitude"),
             "view.longitude": (longitude, options.angle, "--longitude"),
-            "view.sun_azimuth": (sun_azimuth, options.angle, "--sun-azimuth"),
+            "view.sun_azimuth": (sun_azimuth, options.bearing, "--sun-azimuth"),
         },
         choices={
             "view.projection": projection and options.projection(projection),

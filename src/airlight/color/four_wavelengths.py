@@ -20,6 +20,7 @@ from airlight.color.spectral import (
 from airlight.color.typical_light import typical_light
 from airlight.color.xyz import RGB_TO_XYZ
 from airlight.errors import ParameterError
+from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
 
@@ -193,7 +194,7 @@ def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None
     >>> bool((picture_weights(few_wavelengths(4)) == fitted_weights(few_wavelengths(4))).all())
     True
     """
-    at = np.asarray(wavelengths, dtype=float)
+    at = values_in(wavelengths, "nm", "wavelengths")
     if at.size in CHOSEN and tuple(at) == CHOSEN[at.size]:
         return fitted_weights(at, irradiance)
     return rgb_weights(at, irradiance)

@@ -14,6 +14,7 @@ from airlight.errors import ParameterError
 from airlight.geometry.cubic_curves import cubic_curve, spline_slopes
 from airlight.spectra.color_matching import cie_1931
 from airlight.spectra.sun import solar_irradiance
+from airlight.units import values_in
 
 Irradiance = Callable[[NDArray[np.float64]], ArrayLike] | ArrayLike
 
@@ -183,7 +184,7 @@ def rgb_weights(
 def _interpolation(wavelengths: tuple[float, ...]) -> NDArray[np.float64]:
     """Values at 360 to 830 nm as a linear map of values at the wavelengths, shape (471, n)."""
     order = np.argsort(wavelengths)
-    nodes = np.asarray(wavelengths)[order]
+    nodes = values_in(wavelengths, "nm", "wavelengths")[order]
     unit = np.eye(nodes.size)[order]
     if nodes.size == 1:
         return np.ones((EYE.size, 1))
@@ -193,7 +194,7 @@ def _interpolation(wavelengths: tuple[float, ...]) -> NDArray[np.float64]:
 
 def checked_wavelengths(wavelengths: ArrayLike) -> NDArray[np.float64]:
     """Wavelengths as an array; at least one, distinct, 300 to 900, or ``ParameterError``. [nm]"""
-    at = np.asarray(wavelengths, dtype=np.float64)
+    at = values_in(wavelengths, "nm", "wavelengths")
     if at.ndim != 1 or at.size == 0:
         raise ParameterError("wavelengths", wavelengths, "a list of at least one wavelength")
     outside = ~((at >= 300.0) & (at <= 900.0))

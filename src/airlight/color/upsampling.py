@@ -11,6 +11,7 @@ from airlight.color.xyz import XYZ_TO_RGB
 from airlight.errors import ParameterError
 from airlight.spectra.color_matching import cie_1931
 from airlight.spectra.sun import solar_irradiance
+from airlight.units import values_in
 
 
 def reflectance_basis(wavelengths: ArrayLike) -> NDArray[np.float64]:
@@ -50,7 +51,7 @@ def reflectance_basis(wavelengths: ArrayLike) -> NDArray[np.float64]:
     >>> reflectance_basis([440.0, 550.0, 680.0]) @ np.array([0.3, 0.3, 0.3])
     array([0.3, 0.3, 0.3])
     """
-    at = np.asarray(wavelengths, dtype=np.float64)
+    at = values_in(wavelengths, "nm", "wavelengths")
     if at.ndim != 1 or not ((at > 0.0) & (at < np.inf)).all():
         raise ParameterError("wavelengths", wavelengths, "a list of numbers above 0 nm")
     nodes, basis = _basis()

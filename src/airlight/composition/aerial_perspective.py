@@ -28,6 +28,7 @@ from airlight.pixels.picture_numbers import scene_numbers
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import enter_shell
+from airlight.units import Measure, quantity, values_in
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -104,8 +105,8 @@ class AerialPerspective:
         solution: MomentsSolution,
         scene: Scene,
         *,
-        nearest: float = 10.0,
-        farthest: float = 200e3,
+        nearest: Measure = 10.0,
+        farthest: Measure = 200e3,
         size: tuple[int, int, int] = SIZE,
         sky_size: tuple[int, int] = SKY_SIZE,
         progress: Progress | None = None,
@@ -139,6 +140,8 @@ class AerialPerspective:
         """
         if not isinstance(solution, MomentsSolution):
             raise ParameterError("solution", type(solution).__name__, "a solution of moments")
+        nearest = quantity(nearest, "m", "nearest", bare=True)
+        farthest = quantity(farthest, "m", "farthest", bare=True)
         check_request(
             solution.medium.thickness, scene, nearest, farthest, size=size, sky_size=sky_size
         )
@@ -199,9 +202,9 @@ class AerialPerspective:
         radiance, transmittance : array, shape (n, 3)
             Linear sRGB, and the transmittance of white. [1]
         """
-        return _air_of(self.tables, directions, distances)
+        return _air_of(self.tables, directions, values_in(distances, "m", "distances"))
 
-    def sky(self, directions: ArrayLike, pixel: float = 1e-3) -> Float32Array:
+    def sky(self, directions: ArrayLike, pixel: Measure = 1e-3) -> Float32Array:
         """Sky, or ground, behind everything, with the star's disc: as the shader has it.
 
         Parameters
@@ -216,7 +219,8 @@ class AerialPerspective:
         array, shape (n, 3)
             Linear sRGB. [1]
         """
-        return _sky_of(self.tables, directions, pixel)
+        angle = quantity(pixel, "rad", "pixel", bare=True)
+        return _sky_of(self.tables, directions, angle)
 
 
 class _March:

@@ -23,10 +23,15 @@ from airlight.composition.surface_light import SurfaceLight
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.lit_scenes import lit_scenes
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.planets.reading.reader import PlanetLike
 from airlight.render.drawing import Drawing
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
+from airlight.solvers import Solution
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.solve import solution_of
+from airlight.units import without_unit
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -85,7 +90,7 @@ def compose(
     rgb: ArrayLike,
     depth: ArrayLike,
     camera: Pinhole,
-    solution: MomentsSolution,
+    solution: Solution | PlanetLike,
     place: Placement,
     *,
     alpha: ArrayLike | None = None,
@@ -110,8 +115,9 @@ def compose(
         more; a position of exactly 0, 0, 0. [scene units]
     camera : Pinhole
         Camera.
-    solution : MomentsSolution
-        Solution of the planet at three or more wavelengths.
+    solution : MomentsSolution, Planet, str or Path
+        Solution of the planet at three or more wavelengths; a planet, the name of a preset or a
+        path is solved at sixteen.
     place : Placement
         Place of the scene's origin on the planet, and direction of the sun.
     alpha : array, shape (h, w), optional
@@ -156,6 +162,7 @@ def compose(
     relit = _relit(colors.shape, albedo, normals, shadow)
     if white is not None and not 0.0 < white < np.inf:
         raise ParameterError("white", white, "above 0")
+    solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "a solution of moments")
     view = viewpoint(camera, place, solution.medium.bottom_radius)
@@ -210,6 +217,8 @@ def _checked(
     rgb: ArrayLike, alpha: ArrayLike | None, depth: ArrayLike, kind: str, camera: Pinhole
 ) -> tuple[NDArray[Any], NDArray[Any] | None, NDArray[Any], str]:
     """Colours, cover and depth as arrays of the camera's shape, and the kind of the depth."""
+    for name, one in (("rgb", rgb), ("depth", depth), ("alpha", alpha)):
+        without_unit(one, name)
     colors, passes = np.asarray(rgb), np.asarray(depth)
     cover = None if alpha is None else np.asarray(alpha)
     shape = (camera.height, camera.width)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
 
@@ -24,6 +25,7 @@ _DISTORTION: Final = ("k1", "k2", "k3", "k4", "p1", "p2")
 _SKEW: Final = 1e-3
 #: Largest relative difference of the shape of a picture from that of its camera.
 _SHAPE: Final = 0.01
+_MATRIX: Final = "a 4 x 4 matrix of finite numbers"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -75,13 +77,9 @@ class Pinhole:
             if not sound or (name.startswith("focal") and value <= 0.0):
                 allowed = "a number above 0" if name.startswith("focal") else "a finite number"
                 raise ParameterError(f"camera.{name}", value, f"{allowed}, in pixels")
-        try:
-            matrix = np.asarray(self.to_world, dtype=np.float64)
-        except (TypeError, ValueError):
-            matrix = np.empty(0)
+        matrix = values_in(self.to_world, "1", "camera.transform_matrix", allowed=_MATRIX)
         if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
-            allowed = "a 4 x 4 matrix of finite numbers"
-            raise ParameterError("camera.transform_matrix", self.to_world, allowed)
+            raise ParameterError("camera.transform_matrix", self.to_world, _MATRIX)
         axes = matrix[:3, :3]
         length = np.linalg.norm(axes, axis=0)
         if not (length > 0.0).all() or abs(np.linalg.det(axes / length) - 1.0) > _SKEW:

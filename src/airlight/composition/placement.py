@@ -12,10 +12,12 @@ from numpy.typing import NDArray
 from airlight.composition.pinhole import Pinhole
 from airlight.errors import ParameterError
 from airlight.scene import Camera, Scene
+from airlight.scene.compass import bearing
 from airlight.scene.directions import camera_axes
 from airlight.scene.limits import within
 from airlight.scene.observer import planet_frame
 from airlight.scene.scene import HIGHEST_ALTITUDE
+from airlight.units import Measure, Measured, measured
 
 FloatArray = NDArray[np.float64]
 
@@ -47,7 +49,8 @@ class Placement:
     altitude : float
         Altitude of the origin above the planet's ground. [m]
     heading : float
-        Compass bearing of the scene's +Y (-Z where Y is up): 0 north, 90 east. [deg]
+        Compass bearing of the scene's +Y (-Z where Y is up): 0 north, 90 east, or a point of the
+        compass such as ``NE``. [deg]
     metres_per_unit : float
         Length of the scene's unit. [m]
     up : str
@@ -66,14 +69,14 @@ class Placement:
     array([1., 0., 0.])
     """
 
-    latitude: float = 0.0
-    longitude: float = 0.0
-    altitude: float = 0.0
-    heading: float = 0.0
-    metres_per_unit: float = 1.0
+    latitude: Measured[float] = measured(0.0)
+    longitude: Measured[float] = measured(0.0)
+    altitude: Measured[float] = measured(0.0)
+    heading: Measured[float] = measured(0.0)
+    metres_per_unit: Measured[float] = measured(1.0)
     up: str = "z"
-    sun_zenith: float = 60.0
-    sun_azimuth: float = 180.0
+    sun_zenith: Measured[float] = measured(60.0)
+    sun_azimuth: Measured[float] = measured(180.0)
 
     def __post_init__(self) -> None:
         if self.up not in UPS:
@@ -82,15 +85,15 @@ class Placement:
             ("latitude", -90.0, 90.0, "deg"),
             ("longitude", -360.0, 360.0, "deg"),
             ("altitude", -HIGHEST_ALTITUDE, HIGHEST_ALTITUDE, "m"),
-            ("heading", -360.0, 360.0, "deg"),
             ("metres_per_unit", 1e-9, 1e12, "m"),
             ("sun_zenith", 0.0, 180.0, "deg"),
-            ("sun_azimuth", -360.0, 360.0, "deg"),
         ):
             object.__setattr__(self, name, within(name, getattr(self, name), low, high, unit))
+        for name in ("heading", "sun_azimuth"):
+            object.__setattr__(self, name, bearing(getattr(self, name), name))
 
     @classmethod
-    def from_block(cls, block: dict[str, Any], **given: float | str | None) -> Placement:
+    def from_block(cls, block: dict[str, Any], **given: Measure | None) -> Placement:
         """Make a placement from the block ``airlight`` of a camera's file.
 
         Parameters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
@@ -18,6 +18,7 @@ from airlight.environment.texels import texel_solid_angles
 from airlight.errors import ParameterError
 from airlight.paint.paint_scene import paint_solved
 from airlight.pixels.lit_scenes import lit_scenes
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.scene.camera import Camera
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -25,8 +26,8 @@ from airlight.scene.local_ground import local_ground
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
     from airlight.paint.drawing_device import Choice
-    from airlight.planets.planet import Planet
     from airlight.scene import Scene
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 
@@ -116,7 +117,7 @@ def map_camera(consumer: Consumer, width: int, height: int, sun_azimuth: float) 
 
 
 def environment_map(
-    planet: Planet,
+    planet: PlanetLike,
     scene: Scene,
     consumer: Consumer,
     *,
@@ -124,7 +125,7 @@ def environment_map(
     ground: str = "neutral",
     placed: bool = True,
     local: bool = True,
-    wavelengths: Sequence[float] | None = None,
+    wavelengths: Measures | None = None,
     quality: str = "default",
     polarisation: bool = True,
     device: Choice = "cpu",
@@ -139,8 +140,8 @@ def environment_map(
 
     Parameters
     ----------
-    planet : Planet
-        Planet to solve.
+    planet : Planet, str, Path or Solution
+        Planet to solve, see ``load_planet``.
     scene : Scene
         Observer and lights; of its camera only the size counts.
     consumer : Consumer
@@ -174,6 +175,7 @@ def environment_map(
             raise ParameterError(name, value, ", ".join(allowed))
     if scene.camera.polariser is not None:
         raise ParameterError("camera.polariser", scene.camera.polariser, "none of a map")
+    planet = load_planet(planet, progress=progress, cancel=cancel)
     camera = map_camera(consumer, scene.camera.width, scene.camera.height, scene.sun_azimuth)
     scene = replace(scene, camera=camera)
     if placed and local:

@@ -31,13 +31,15 @@ def days_of(time: datetime, field: str = "time") -> float:
     Raises
     ------
     ParameterError
-        If it has no zone, or lies outside the years 1700 to 2199.
+        If it is no datetime, has no zone, or lies outside the years 1700 to 2199.
 
     Examples
     --------
     >>> days_of(datetime(2000, 1, 2, 0, tzinfo=UTC))
     0.5
     """
+    if not isinstance(time, datetime):
+        raise ParameterError(field, time, "a datetime with its zone")
     if time.tzinfo is None:
         raise ParameterError(field, time.isoformat(), "a time with its zone")
     moment = time.astimezone(UTC)

@@ -15,6 +15,7 @@ from airlight.ephemeris.instant import days_of, ephemeris_time
 from airlight.ephemeris.sun_vector import SolarPoint, solar_point
 from airlight.ephemeris.world import World, world_named
 from airlight.errors import ParameterError
+from airlight.units import Measured, measured, quantity
 
 #: Mean radius of the moon. [m] Archinal et al. (2018), Table 5.
 MOON_RADIUS: Final = 1737.4e3
@@ -44,13 +45,18 @@ class Place:
     body: str = "earth"
     latitude: float
     longitude: float
-    altitude: float = 0.0
+    altitude: Measured[float] = measured(0.0)
 
     def __post_init__(self) -> None:
         world_named(self.body)
         for name, limit in (("latitude", 90.0), ("longitude", 360.0)):
-            if not -limit <= getattr(self, name) <= limit:
-                raise ParameterError(name, getattr(self, name), f"{-limit:g} to {limit:g} deg")
+            allowed = f"{-limit:g} to {limit:g} deg"
+            value = quantity(getattr(self, name), "deg", name, bare=True, allowed=allowed)
+            if not -limit <= value <= limit:
+                raise ParameterError(name, value, allowed)
+            object.__setattr__(self, name, value)
+        bare = not isinstance(self.altitude, str)
+        object.__setattr__(self, "altitude", quantity(self.altitude, "m", "altitude", bare=bare))
 
     @property
     def world(self) -> World:

@@ -14,6 +14,7 @@ from airlight.ephemeris.place_text import written_place
 from airlight.ephemeris.sky import Place
 from airlight.ephemeris.solar_time import time_of_season, true_solar_time
 from airlight.errors import ParameterError
+from airlight.units import Measure, quantity
 
 #: Zone of the sun's own clock.
 SOLAR: Final = "solar"
@@ -32,7 +33,7 @@ def read_time(
     place: Place,
     *,
     zone: str | None = None,
-    season: float | None = None,
+    season: Measure | None = None,
     field: str = "time",
     today: date | None = None,
 ) -> datetime:
@@ -75,6 +76,8 @@ def read_time(
     >>> read_time("2026-06-21T22:10+02:00", Place(latitude=59.33, longitude=18.07)).isoformat()
     '2026-06-21T20:10:00+00:00'
     """
+    if season is not None:
+        season = quantity(season, "deg", "season", bare=True)
     words = text.strip()
     match = _WORD.fullmatch(words.lower())
     if match is not None and match[2] in WORDS:

@@ -29,13 +29,17 @@ from airlight.exports.texel_values import balanced, fill_angles, of_views
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.phase_functions import rayleigh
+from airlight.planets.reading.reader import PlanetLike
+from airlight.scene.limits import within
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.solution import Solution
+from airlight.solvers.solve import solution_of
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.layout import Layout, Positions
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
 from airlight.tables.table import Table
+from airlight.units import Measure
 
 FloatArray = NDArray[np.float64]
 
@@ -82,17 +86,17 @@ class Baked:
 
 
 def bake(
-    solution: Solution,
+    solution: Solution | PlanetLike,
     layout: str = "bruneton",
     *,
     mapping: str = "weighted-power",
     packing: str | None = None,
-    azimuth: float = 0.0,
+    azimuth: Measure = 0.0,
     size: tuple[int, ...] | None = None,
     precision: str = "single",
     order: int | None = None,
     cumulative: bool = False,
-    mu_s_min: float | None = None,
+    mu_s_min: Measure | None = None,
     higher_orders: bool = False,
     smooth_phase: str = "own",
     balance: bool = True,
@@ -105,8 +109,8 @@ def bake(
 
     Parameters
     ----------
-    solution : Solution
-        Solution to bake.
+    solution : Solution, Planet, str or Path
+        Solution to bake; a planet, the name of a preset or a path is solved at its own wavelengths.
     layout : str
         ``bruneton``: (r, mu, mu_s, nu). ``atmosphere-plus``: (altitude, mu, mu_s).
     mapping : str
@@ -159,8 +163,11 @@ def bake(
     Cancelled
         If ``cancel`` returned True.
     """
+    solution = solution_of(solution, progress=progress, cancel=cancel)
     only_straight(solution.medium, "tables, whose look-ups draw straight lines")
-    where = _layout(solution, layout, mapping, azimuth, size, mu_s_min)
+    azimuth = within("azimuth", azimuth, -360.0, 360.0, "deg")
+    lowest = None if mu_s_min is None else within("mu_s_min", mu_s_min, -1.0, 0.0, "1")
+    where = _layout(solution, layout, mapping, azimuth, size, lowest)
     if higher_orders and layout != "bruneton":
         raise ParameterError("higher_orders", True, "only with layout bruneton")
     packing = _packing(layout, packing)

@@ -14,6 +14,7 @@ from airlight.errors import FileError
 from airlight.exports.exr import read_exr_header, write_exr
 from airlight.exports.png import read_png_header, write_png
 from airlight.exports.whole_file import check_target
+from airlight.units import Measure, quantity, without_unit
 
 if TYPE_CHECKING:
     from airlight.scene.frame import Frame
@@ -84,7 +85,7 @@ def write_picture(
     eye: bool | None = None,
     bits: int = 8,
     glare: float = 1.0,
-    pixel_angle: float = 0.0,
+    pixel_angle: Measure = 0.0,
     layers: Mapping[str, NDArray[np.float32]] | None = None,
 ) -> Written:
     """Write a frame's colours as PNG (exposed, tone mapped, encoded) or EXR (linear, untouched).
@@ -135,7 +136,11 @@ def write_picture(
     suffix = picture_suffix(path)
     from airlight.scene.frame import Frame
 
-    frame = picture if isinstance(picture, Frame) else Frame(rgb=picture, pixel_angle=pixel_angle)
+    if isinstance(picture, Frame):
+        frame = picture
+    else:
+        angle = quantity(pixel_angle, "rad", "pixel_angle", bare=True)
+        frame = Frame(rgb=without_unit(picture, "picture"), pixel_angle=angle)
     rgb, pixel_angle = frame.rgb, frame.pixel_angle
     metadata = {**frame.metadata, **(metadata or {})}
     used: float | None = None

@@ -12,6 +12,7 @@ from airlight.planets.planet import Planet
 from airlight.planets.schema.key import Key
 from airlight.planets.schema.record import Record
 from airlight.scene import Camera, Scene, look_at
+from airlight.scene.compass import read_bearing
 from airlight.scene.ground_detail import GROUNDS
 from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PROJECTION, ROLL
 
@@ -71,7 +72,7 @@ class PlanetView(Record):
         Annotated[
             float,
             Key(label="sun azimuth", help="Compass bearing of the sun; 105 deg without a clock.",
-                unit="deg", range=(-360.0, 360.0), example="270 deg"),
+                unit="deg", range=(-360.0, 360.0), example="270 deg or W", read=read_bearing),
         ]
         | None
     ) = None  # fmt: skip

@@ -30,6 +30,7 @@ from airlight.planets.reading.nested_tables import Tables
 from airlight.planets.reading.overrides import overridden
 from airlight.planets.reading.reader import load_planet, nested_tables, planet_text, read_tables
 from airlight.solvers.solution import Solution
+from airlight.units import Measure, quantity
 
 FloatArray = NDArray[np.float64]
 
@@ -62,7 +63,8 @@ class Request:
         Narrower bounds by name.
     priors : mapping of str to Prior
     starts : mapping of str to float
-        Values to begin with; by default the planet's.
+        Values to begin with; by default the planet's. Like bounds and priors, numbers in the
+        parameter's unit, texts with a unit or quantities.
     uncertainty : float, optional
         Relative standard deviation of all values; by default the data's, or estimated. [1]
     loss : str
@@ -77,14 +79,19 @@ class Request:
 
     free: Sequence[str]
     each_scan: Sequence[str] = ()
-    bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    bounds: Mapping[str, tuple[Measure, Measure]] = field(default_factory=dict)
     priors: Mapping[str, Prior] = field(default_factory=dict)
-    starts: Mapping[str, float] = field(default_factory=dict)
+    starts: Mapping[str, Measure] = field(default_factory=dict)
     uncertainty: float | None = None
     loss: str = "linear"
     quality: str = "default"
     overrides: Mapping[str, Any] = field(default_factory=dict)
     keep: bool = True
+
+    def __post_init__(self) -> None:
+        if self.uncertainty is not None:
+            share = quantity(self.uncertainty, "1", "uncertainty")
+            object.__setattr__(self, "uncertainty", share)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -320,11 +327,18 @@ def _adapted(parameter: Parameter, request: Request) -> Parameter:
     name = parameter.name
     low, high = parameter.low, parameter.high
     if name in request.bounds:
-        low, high = request.bounds[name]
+        low, high = (parameter.number(one, f"bounds of {name}") for one in request.bounds[name])
         if not parameter.low <= low < high <= parameter.high:
             raise ParameterError(f"bounds of {name}", f"{low:g}..{high:g}", parameter.range_text)
-    start = request.starts.get(name, min(max(parameter.start, low), high))
-    return replace(parameter, low=low, high=high, start=start, prior=request.priors.get(name))
+    start = parameter.number(
+        request.starts.get(name, min(max(parameter.start, low), high)), f"start of {name}"
+    )
+    prior = request.priors.get(name)
+    if prior is not None:
+        mean, sigma = prior.mean, prior.sigma
+        mean, sigma = (parameter.number(one, f"prior of {name}") for one in (mean, sigma))
+        prior = Prior(mean=mean, sigma=sigma)
+    return replace(parameter, low=low, high=high, start=start, prior=prior)
 
 
 # --- the instrument ---------------------------------------------------------------------------

@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
+#: Units of what is measured, and of its directions.
+UNITS: Final = {
+    "wavelength": "nm", "altitude": "m", "sun_zenith": "deg", "view_zenith": "deg",
+    "azimuth": "deg", "radiance": "W/m^2/sr/nm", "uncertainty": "W/m^2/sr/nm",
+}  # fmt: skip
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Measurements:
-    """Radiances of a sky, n values.
+    """Radiances of a sky, n values: numbers, or quantities, which are converted.
 
     Attributes
     ----------
@@ -50,6 +58,12 @@ class Measurements:
     scan: IntArray
     scans: tuple[str, ...]
     line: IntArray | None = None
+
+    def __post_init__(self) -> None:
+        for name, unit in UNITS.items():
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, values_in(value, unit, name))
 
     @property
     def wavelengths(self) -> FloatArray:

@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass
 
 from airlight.errors import ParameterError
+from airlight.planets.schema.measures import DOBSON, column_of_gas, converted
+from airlight.units import Measure, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,6 +60,19 @@ class Parameter:
             )
         if not self.low <= self.start <= self.high:
             raise ParameterError(f"start of {self.name}", self.start, self.range_text)
+
+    def number(self, value: Measure, field: str) -> float:
+        """Number of a value in the parameter's unit, which a plain number has.
+
+        Examples
+        --------
+        >>> height = Parameter(name="h", unit="km", start=1.0, low=0.5, high=9.0, least_step=0.1)
+        >>> height.number("1200 m", "start of h"), height.number(1.2, "start of h")
+        (1.2, 1.2)
+        """
+        if isinstance(value, (int, float)) or self.unit != DOBSON:
+            return quantity(value, self.unit, field, bare=True)
+        return converted(column_of_gas(value, field), "1/m^2", DOBSON)
 
     @property
     def range_text(self) -> str:

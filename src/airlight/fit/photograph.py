@@ -14,6 +14,8 @@ from airlight.errors import FileError, ParameterError
 from airlight.fit.measurements import angle_from_sun
 from airlight.kernel.memory import check_picture
 from airlight.scene.camera import Camera
+from airlight.scene.limits import within
+from airlight.scene.scene import HIGHEST_ALTITUDE
 
 FloatArray = NDArray[np.float64]
 
@@ -121,6 +123,15 @@ class Shot:
     tone_map: str | None = None
     above: float = 5.0
     exclude_sun: float = 15.0
+
+    def __post_init__(self) -> None:
+        for name, low, high, unit in (
+            ("sun_zenith", 0.0, 180.0, "deg"),
+            ("altitude", 0.0, HIGHEST_ALTITUDE, "m"),
+            ("above", -90.0, 90.0, "deg"),
+            ("exclude_sun", 0.0, 180.0, "deg"),
+        ):
+            object.__setattr__(self, name, within(name, getattr(self, name), low, high, unit))
 
 
 def read_photograph(path: str | Path, shot: Shot) -> Photograph:

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.errors import ParameterError
 from airlight.observables.distant_lines import lines_into_shell
 from airlight.solvers.solution import Solution
+from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
 
@@ -43,7 +44,9 @@ def limb_radiance(
     """
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     height, sun, around = np.broadcast_arrays(
-        *(np.asarray(one, dtype=np.float64) for one in (tangent_height, sun_zenith, azimuth))
+        values_in(tangent_height, "m", "tangent_height"),
+        values_in(sun_zenith, "deg", "sun_zenith"),
+        values_in(azimuth, "deg", "azimuth"),
     )
     outside = ~((height >= -bottom) & (height <= top - bottom))
     if outside.any():

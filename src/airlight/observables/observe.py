@@ -16,9 +16,14 @@ from airlight.observables.disc import disc_reflectance, disc_stokes, spherical_a
 from airlight.observables.limb import limb_radiance
 from airlight.observables.transit import transit
 from airlight.solvers.solution import Solution
+from airlight.solvers.solve import solution_of
+from airlight.units import Measure, values_in
 
 if TYPE_CHECKING:
     import xarray
+
+    from airlight.planets.reading.reader import PlanetLike
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 #: Named values with their dimensions, values, unit and long name.
@@ -34,6 +39,8 @@ HEIGHTS: Final = 60
 class Geometry:
     """Settings of an observable; None leaves one to the observable.
 
+    Numbers, texts with a unit or quantities, see ``airlight.units.values_in``.
+
     Attributes
     ----------
     radius : float, optional
@@ -47,11 +54,11 @@ class Geometry:
         (90). [deg]
     """
 
-    radius: float | None = None
-    phase_angles: ArrayLike | None = None
-    tangent_heights: ArrayLike | None = None
-    sun_zenith: float | None = None
-    azimuth: float | None = None
+    radius: Measure | None = None
+    phase_angles: Measures | None = None
+    tangent_heights: Measures | None = None
+    sun_zenith: Measure | None = None
+    azimuth: Measure | None = None
 
 
 @dataclass(frozen=True)
@@ -74,14 +81,14 @@ class Kind:
 
 
 def observe(
-    solution: Solution,
+    solution: Solution | PlanetLike,
     of: str,
     *,
-    radius: float | None = None,
-    phase_angles: ArrayLike | None = None,
-    tangent_heights: ArrayLike | None = None,
-    sun_zenith: float | None = None,
-    azimuth: float | None = None,
+    radius: Measure | None = None,
+    phase_angles: Measures | None = None,
+    tangent_heights: Measures | None = None,
+    sun_zenith: Measure | None = None,
+    azimuth: Measure | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> xarray.Dataset:
@@ -89,8 +96,9 @@ def observe(
 
     Parameters
     ----------
-    solution : Solution
-        Light of the planet at the wavelengths of the spectrum.
+    solution : Solution, Planet, str or Path
+        Light of the planet at the wavelengths of the spectrum; a planet, the name of a preset or a
+        path is solved at its own wavelengths.
     of : str
         ``"geometric-albedo"``, ``"bond-albedo"``, ``"phase-curve"``, ``"transmission"``,
         ``"limb"`` or ``"disc"``.
@@ -130,6 +138,7 @@ def observe(
         if value is not None and name not in kind.takes:
             takers = ", ".join(name_of for name_of, one in KINDS.items() if name in one.takes)
             raise ParameterError(name, value, f"only for {takers}")
+    solution = solution_of(solution, progress=progress, cancel=cancel)
     variables, notes = kind.of(solution, geometry, progress, cancel)
     return _dataset(solution, of, variables, notes)
 
@@ -158,11 +167,9 @@ def _dataset(
     return data
 
 
-def _inside(field: str, value: ArrayLike, low: float, high: float, unit: str) -> FloatArray:
-    try:
-        array = np.atleast_1d(np.asarray(value, dtype=np.float64))
-    except (TypeError, ValueError):
-        raise ParameterError(field, value, f"numbers from {low:g} to {high:g} {unit}") from None
+def _inside(field: str, value: Measures, low: float, high: float, unit: str) -> FloatArray:
+    allowed = f"numbers from {low:g} to {high:g} {unit}"
+    array = np.atleast_1d(values_in(value, unit, field, allowed=allowed))
     wrong = ~((array >= low) & (array <= high))
     if wrong.any() or array.ndim != 1 or not array.size:
         shown = float(array[wrong].flat[0]) if wrong.any() else value

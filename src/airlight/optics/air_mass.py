@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -44,7 +45,7 @@ def air_mass_pickering2002(altitude: npt.ArrayLike) -> FloatArray:
     >>> air_mass_pickering2002([0.0, 1.0, 5.0, 10.0]).round(3).tolist()
     [38.749, 26.644, 10.334, 5.581]
     """
-    h = np.asarray(altitude, dtype=np.float64)
+    h = values_in(altitude, "deg", "altitude")
     wrong = ~((h >= 0.0) & (h <= 90.0))
     if wrong.any():
         raise ParameterError("altitude", float(h[wrong].flat[0]), "0 to 90 deg above the horizon")

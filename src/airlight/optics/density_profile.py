@@ -21,6 +21,7 @@ import numpy.typing as npt
 from airlight.errors import ParameterError
 from airlight.kernel import compiled_loop, kernel
 from airlight.optics.altitude_nodes import altitude_nodes, node_altitudes
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -208,7 +209,7 @@ class DensitySegments:
         >>> segments.at([0.0, 8e3, 25e3]).round(4).tolist()
         [[1.0, 0.3679, 0.0439], [0.0, 0.0, 1.0]]
         """
-        h = np.asarray(altitudes, dtype=np.float64)
+        h = values_in(altitudes, "m", "altitudes")
         out = np.empty((len(self.edges), h.size))
         _relative_densities(h.ravel(), self.edges, self.coefficients, out)
         return out.reshape(len(self.edges), *h.shape)

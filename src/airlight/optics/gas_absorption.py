@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.constants import DOBSON_UNIT
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -141,6 +142,6 @@ def small_particle_absorption(
     '7.151e-09'
     """
     square = (np.asarray(real, dtype=np.float64) + 1j * np.asarray(imaginary)) ** 2
-    metres = np.asarray(wavelengths, dtype=np.float64) * 1e-9
+    metres = values_in(wavelengths, "nm", "wavelengths") * 1e-9
     factor = ((square - 1.0) / (square + 2.0)).imag
     return np.asarray(8.0 * np.pi**2 * radius**3 * number_density / metres * factor)

@@ -28,6 +28,7 @@ import numpy.typing as npt
 from airlight.constants import GAS_CONSTANT
 from airlight.errors import ParameterError
 from airlight.optics.density_profile import Row
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -150,7 +151,7 @@ class HydrostaticLayers:
 
     def geopotential(self, altitude: npt.ArrayLike) -> FloatArray:
         """Geopotential altitude of a geometric one [m]. [m]"""
-        h = np.asarray(altitude, dtype=np.float64)
+        h = values_in(altitude, "m", "altitude")
         return np.asarray(h if math.isinf(self.radius) else self.radius * h / (self.radius + h))
 
     def geometric(self, altitude: float) -> float:

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from airlight.errors import FileError, ParameterError
 from airlight.spectra.power_law import power_law
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
@@ -64,7 +65,7 @@ class IndexTable:
         >>> f"{complex(table.at(589.3)).real:.2f}"
         '1.33'
         """
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         real = np.interp(nm, self.wavelengths, self.real)
         return np.asarray(real + 1j * power_law(nm, self.wavelengths, self.imaginary))
 

@@ -7,6 +7,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from airlight.units import values_in
+
 FloatArray = npt.NDArray[np.float64]
 
 #: Dry air by volume: N₂, O₂, Ar. [%] Bodhaine et al. (1999), eq. 23.
@@ -43,7 +45,7 @@ def king_factor_n2_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     >>> f"{king_factor_n2_bates1984(550.0):.4f}"
     '1.0350'
     """
-    um2 = (np.asarray(wavelengths, dtype=np.float64) * 1e-3) ** 2
+    um2 = (values_in(wavelengths, "nm", "wavelengths") * 1e-3) ** 2
     return np.asarray(1.034 + 3.17e-4 / um2)
 
 
@@ -69,7 +71,7 @@ def king_factor_o2_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     >>> f"{king_factor_o2_bates1984(550.0):.4f}"
     '1.1022'
     """
-    um2 = (np.asarray(wavelengths, dtype=np.float64) * 1e-3) ** 2
+    um2 = (values_in(wavelengths, "nm", "wavelengths") * 1e-3) ** 2
     return np.asarray(1.096 + 1.385e-3 / um2 + 1.448e-4 / um2**2)
 
 
@@ -136,7 +138,7 @@ def king_factor_co2_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
     >>> f"{king_factor_co2_alms1975(550.0):.4f}"
     '1.1448'
     """
-    wavenumber = 1e7 / np.asarray(wavelengths, dtype=np.float64)
+    wavenumber = 1e7 / values_in(wavelengths, "nm", "wavelengths")
     return np.asarray(1.1364 + 25.3e-12 * wavenumber**2)
 
 
@@ -166,7 +168,7 @@ def king_factor_n2o_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
     >>> f"{king_factor_n2o_alms1975(550.0):.3f}"
     '1.224'
     """
-    wavenumber = 1e7 / np.asarray(wavelengths, dtype=np.float64)
+    wavenumber = 1e7 / values_in(wavelengths, "nm", "wavelengths")
     rho = 0.0577 + 11.8e-12 * wavenumber**2
     return np.asarray((3.0 + 6.0 * rho) / (3.0 - 4.0 * rho))
 
@@ -228,7 +230,7 @@ def _of_two_oscillators(
 
     α = f/(ω₀² - ω²), all in atomic units.
     """
-    frequency = 1e7 / np.asarray(wavelengths, dtype=np.float64) / _HARTREE_WAVENUMBER
+    frequency = 1e7 / values_in(wavelengths, "nm", "wavelengths") / _HARTREE_WAVENUMBER
     parallel, normal = (strength / (pole - frequency**2) for strength, pole in (along, across))
     mean = (parallel + 2.0 * normal) / 3.0
     return np.asarray(1.0 + 2.0 * ((parallel - normal) / (3.0 * mean)) ** 2)

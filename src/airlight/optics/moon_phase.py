@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.kernel import kernel, vectorized
+from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
 
@@ -156,7 +157,8 @@ def moon_albedo(wavelengths: ArrayLike) -> FloatArray:
     wavelengths : array
         Wavelengths. [nm]
     """
-    return np.asarray(MOON_ALBEDO * (np.asarray(wavelengths, float) / 550.0) ** MOON_REDDENING)
+    nm = values_in(wavelengths, "nm", "wavelengths")
+    return np.asarray(MOON_ALBEDO * (nm / 550.0) ** MOON_REDDENING)
 
 
 def moon_brightness(wavelengths: ArrayLike, phase: float) -> FloatArray:

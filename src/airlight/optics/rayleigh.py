@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.constants import AVOGADRO, BOLTZMANN, GAS_CONSTANT
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -52,7 +53,7 @@ def cross_section(
     """
     excess = np.asarray(refractivity, dtype=np.float64)
     squared_excess = excess * (2.0 + excess)
-    metres = np.asarray(wavelengths, dtype=np.float64) * 1e-9
+    metres = values_in(wavelengths, "nm", "wavelengths") * 1e-9
     density = np.asarray(number_density, dtype=np.float64)
     ratio = squared_excess / (metres**2 * density * (squared_excess + 3.0))
     return np.asarray(24.0 * np.pi**3 * ratio**2 * np.asarray(king_factor, dtype=np.float64))

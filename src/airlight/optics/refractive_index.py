@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import ParameterError
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -27,7 +28,7 @@ CO2_RANGE: Final = (180.7, 1694.5)
 
 def inverse_square_um(wavelengths: npt.ArrayLike, fitted: tuple[float, float]) -> FloatArray:
     """Squares σ² = 1/λ² for vacuum wavelengths, after a check of the fitted range. [µm⁻²]"""
-    nm = np.asarray(wavelengths, dtype=np.float64)
+    nm = values_in(wavelengths, "nm", "wavelengths")
     outside = ~((nm >= fitted[0]) & (nm <= fitted[1]))
     if outside.any():
         first = float(nm[outside].flat[0])

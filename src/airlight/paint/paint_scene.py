@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final, NamedTuple
+
+import numpy as np
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.memory import check_drawn
@@ -19,15 +21,17 @@ from airlight.planets.picture_wavelengths import (
     picture_wavelengths,
     texel_wavelengths,
 )
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.ahead import DRAWING, drawing_ahead
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
-    from airlight.planets.planet import Planet
     from airlight.scene import Scene
     from airlight.solvers.moments.solution import MomentsSolution
+    from airlight.units import Measures
 
 #: Smallest number of wavelengths that gives colours.
 FEWEST: Final = 3
@@ -49,10 +53,10 @@ class PaintedScene(NamedTuple):
 
 
 def paint_scene(
-    planet: Planet,
+    planet: PlanetLike,
     scene: Scene,
     *,
-    wavelengths: Sequence[float] | None = None,
+    wavelengths: Measures | None = None,
     quality: str = "default",
     polarisation: bool = True,
     device: Choice = "cpu",
@@ -71,11 +75,11 @@ def paint_scene(
 
     Parameters
     ----------
-    planet : Planet
-        Planet to solve.
+    planet : Planet, str, Path or Solution
+        Planet to solve, see ``load_planet``.
     scene : Scene
         Observer, star and camera.
-    wavelengths : sequence of float, optional
+    wavelengths : array, shape (nl,), optional
         Wavelengths, at least three. By default sixteen over the visible; on a device the four that
         reproduce colours best, with a matrix fitted to the star. [nm]
     quality : str
@@ -138,10 +142,10 @@ def paint_scene(
 
 
 def paint_solved(
-    planet: Planet,
+    planet: PlanetLike,
     scene: Scene,
     *,
-    wavelengths: Sequence[float] | None = None,
+    wavelengths: Measures | None = None,
     quality: str = "default",
     polarisation: bool = True,
     device: Choice = "cpu",
@@ -179,17 +183,20 @@ def paint_solved(
     ParameterError, ConvergenceError, Cancelled
         As ``paint_scene``.
     """
-    if wavelengths is not None and len(wavelengths) < FEWEST:
-        raise ParameterError("wavelengths", list(wavelengths), f"{FEWEST} or more, or none given")
+    planet = load_planet(planet, progress=progress, cancel=cancel)
+    nm: tuple[float, ...] | None = None
+    if wavelengths is not None:
+        nm = tuple(np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")).tolist())
+        if len(nm) < FEWEST:
+            raise ParameterError("wavelengths", list(nm), f"{FEWEST} or more, or none given")
     if stokes and device != "cpu":
         if device == "gpu" and refused is not None:
             refused("a device draws no Q and U")
         device = "cpu"
     check_drawn(scene.camera.width, scene.camera.height, 3 if stokes else 1)
-    count = LIVE if wavelengths is None else len(wavelengths)
+    count = LIVE if nm is None else len(nm)
     chosen = drawing_device(device, planet, count, scene.camera.width, refused)
     weights, told = None, {}
-    nm = wavelengths
     if nm is None:
         by_default = picture_wavelengths if chosen is None else texel_wavelengths
         nm = tuple(by_default(planet).tolist())

@@ -41,6 +41,7 @@ from airlight.system.body import Body
 from airlight.system.light import Light
 from airlight.system.stars import stars
 from airlight.system.surface_light import surface_factor
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.solvers.moments.solution import MomentsSolution
@@ -163,7 +164,7 @@ class _Picture:
                 tuple(np.linspace(400.0, 700.0, 16)) if first is None
                 else tuple(picture_wavelengths(first).tolist())
             )  # fmt: skip
-        self.wavelengths = np.asarray(wavelengths, float)
+        self.wavelengths = values_in(wavelengths, "nm", "wavelengths")
         solutions = {}
         for body in system.bodies:
             if body.planet is not None:

@@ -25,6 +25,7 @@ from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.settings import Settings, settings_for
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.gpu.device.device import Device
@@ -91,7 +92,7 @@ def solve_planet(
     if wavelengths is None:
         chosen = picture_wavelengths if device is None else texel_wavelengths
         wavelengths = chosen(planet)
-    nm = np.asarray(wavelengths, float)
+    nm = values_in(wavelengths, "nm", "wavelengths")
     if device is not None and not device.software and fits(planet, nm.size):
         from airlight.gpu.solver.solver import ThickAir, solve_on
 

@@ -22,6 +22,7 @@ from airlight.planets.spectral import (
     narrowest,
     power_law_at,
 )
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -250,7 +251,7 @@ class Constituent(Record):
 
         Zero where it does not scatter.
         """
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
             return np.zeros((*np.shape(nu), len(nm)))
         return self.phase_function_at(nm).values(nu, nm)
@@ -260,14 +261,14 @@ class Constituent(Record):
 
         Zero where it does not scatter, or polarises nothing.
         """
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
             return np.zeros((*np.shape(nu), len(nm)))
         return self.phase_function_at(nm).polarising(nu, nm)
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Elements that polarise, see ``PhaseFunction``, shape (nl, 4). [1]"""
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
             return np.zeros((len(nm), 4))
         return self.phase_function_at(nm).polarising_moments(nm)
@@ -284,7 +285,7 @@ class Constituent(Record):
         degree : int
             Highest degree l.
         """
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
             return np.zeros((len(nm), degree + 1))
         return self.phase_function_at(nm).moments(nm, degree)

@@ -12,6 +12,7 @@ from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.planets.matter.gases import GasScattering, density_of_state
 from airlight.spectra.tables import read_spectrum
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.planets.constituent import Constituent
@@ -186,7 +187,7 @@ def _squared_column(constituent: Constituent, thickness: float) -> float:
 
 
 def _left_out(name: str, table: str, column: float, wavelengths: npt.ArrayLike) -> LeftOut:
-    nm = np.asarray(wavelengths, dtype=np.float64)
+    nm = values_in(wavelengths, "nm", "wavelengths")
     if not table:
         return LeftOut(
             name=name, table="", loss=np.full(nm.shape, np.nan), strongest=np.nan, wavelength=np.nan

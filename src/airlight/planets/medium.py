@@ -27,6 +27,7 @@ from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Planet
 from airlight.planets.spectral import check_wavelength_list
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -186,6 +187,8 @@ class Medium:
         Cancelled
             If ``cancel`` returned True.
         """
+        if not isinstance(planet, Planet):
+            raise ParameterError("planet", planet, "a Planet, as load_planet returns it")
         nm = _checked_wavelengths(planet, wavelengths)
         kept: dict[bytes, Medium] = vars(planet).setdefault("_media", {})
         if nm.tobytes() in kept:
@@ -461,10 +464,7 @@ def _row(planet: Planet, index: int) -> Row:
 
 
 def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:
-    try:
-        nm = np.atleast_1d(np.array(wavelengths, dtype=np.float64))
-    except (TypeError, ValueError):
-        raise ParameterError("wavelengths", wavelengths, "a list of numbers in nm") from None
+    nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")).copy()
     if nm.ndim != 1 or nm.size > MOST_WAVELENGTHS:
         raise ParameterError("wavelengths", nm.shape, f"one list of 1 to {MOST_WAVELENGTHS}")
     listed = tuple(nm.tolist())

@@ -13,6 +13,7 @@ from airlight.errors import ParameterError, warn
 from airlight.planets.gas_bands import AIRMASS, bands_left_out, gas_columns
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
+from airlight.units import values_in
 
 #: Bands beyond the tables that come with airlight, by formula: where a gas absorbs strongly enough
 #: to be seen in a spectrum of a planet with some thousandths of it in its air. Goody & Yung (1989),
@@ -72,7 +73,7 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
     ...     print(line.partition(";")[0])
     bands of O2 are left out: up to 41 % of direct light at airmass 1.5, at 764 nm
     """
-    nm = np.asarray(wavelengths, dtype=np.float64)
+    nm = values_in(wavelengths, "nm", "wavelengths")
     lines = []
     for one in bands_left_out(planet, nm):
         loss = np.nan_to_num(one.loss)

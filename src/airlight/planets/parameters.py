@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Callable, Iterable
 from typing import Annotated, Any, TypeVar, dataclass_transform
 
@@ -12,7 +11,8 @@ import pydantic
 import pydantic.dataclasses
 from pydantic import BeforeValidator, ValidationInfo
 
-from airlight.errors import ParameterError
+from airlight.errors import ParameterError, ParameterErrors
+from airlight.units import quantity
 
 Class = TypeVar("Class", bound=type[Any])
 Instance = TypeVar("Instance")
@@ -52,15 +52,18 @@ def parameters(cls: Class) -> Class:
 
 
 def _parameter_error(owner: str, error: pydantic.ValidationError) -> ParameterError:
-    """First error of pydantic, as one line."""
-    first = error.errors(include_url=False)[0]
-    own = first.get("ctx", {}).get("error")
-    if isinstance(own, ParameterError):
-        return own
-    field = str(first["loc"][0]) if first["loc"] else owner
-    if first["type"] == "missing":
-        return ParameterError(field, MISSING, f"a required field of {owner}")
-    return ParameterError(field, first.get("input"), first["msg"])
+    """Errors of pydantic, as one line; of a field's alternative types, the first."""
+    found: dict[str, ParameterError] = {}
+    for one in error.errors(include_url=False):
+        field = str(one["loc"][0]) if one["loc"] else owner
+        own = one.get("ctx", {}).get("error")
+        if not isinstance(own, ParameterError):
+            own = ParameterError(field, one.get("input"), one["msg"])
+            if one["type"] == "missing":
+                own = ParameterError(field, MISSING, f"a required field of {owner}")
+        found.setdefault(field, own)
+    first, *others = found.values()
+    return ParameterErrors([first, *others]) if others else first
 
 
 def replace(instance: Instance, **changes: Any) -> Instance:
@@ -93,17 +96,11 @@ def replace(instance: Instance, **changes: Any) -> Instance:
     return dataclasses.replace(instance, **changes)
 
 
-def finite(value: Any, field: str, allowed: str = "a finite number") -> float:
-    """Convert a number to a float, or raise a ``ParameterError`` with the name of its field."""
-    if isinstance(value, (bool, str, bytes)):
+def finite(value: Any, field: str, allowed: str = "a finite number", unit: str = "") -> float:
+    """Convert a number or a quantity to a float; text is for files, whose reader knows its unit."""
+    if isinstance(value, (str, bytes)):
         raise ParameterError(field, value, allowed)
-    try:
-        number = float(value)
-    except (TypeError, ValueError, OverflowError):
-        raise ParameterError(field, value, allowed) from None
-    if not math.isfinite(number):
-        raise ParameterError(field, value, allowed)
-    return number
+    return quantity(value, unit or "1", field, bare=True, allowed=allowed)
 
 
 def inside(
@@ -113,7 +110,7 @@ def inside(
     lower = f"more than {low:g}" if above else f"{low:g}"
     upper = f"less than {high:g}" if below else f"{high:g}"
     allowed = f"{lower} to {upper} {unit}".rstrip()
-    number = finite(value, field, allowed)
+    number = finite(value, field, allowed, unit)
     if number < low or number > high or (above and number == low) or (below and number == high):
         raise ParameterError(field, value, allowed)
     return number
@@ -142,7 +139,7 @@ def between(
 
 def numbers(value: Any, field: str, low: float, high: float, unit: str = "") -> tuple[float, ...]:
     """Convert a sequence of finite numbers in a range to a tuple of floats."""
-    if isinstance(value, np.ndarray):
+    if type(value) is np.ndarray:  # no subclass that has a unit
         value = value.tolist()
     if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
         raise ParameterError(

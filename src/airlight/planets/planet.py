@@ -25,6 +25,7 @@ from airlight.planets.spectral import (
     narrowest,
 )
 from airlight.planets.star import Star
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -255,7 +256,7 @@ class Planet(Record):
         """
         from airlight.planets.light_source import LightSource
 
-        nm = np.asarray(wavelengths, float)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         star = LightSource(
             name="star",
             angular_radius=math.radians(self.star.angular_radius_degrees),

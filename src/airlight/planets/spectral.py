@@ -17,6 +17,7 @@ from pydantic import BeforeValidator, ValidationInfo
 from airlight.errors import ParameterError
 from airlight.planets.parameters import all_between, finite, inside, numbers, parameters
 from airlight.spectra.power_law import power_law
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 #: Lowest and highest wavelength at which something is known. [nm]
@@ -73,7 +74,7 @@ class PerWavelength:
         """Value at wavelengths within ``limits`` [nm], shape (...); linear between its own."""
         order = np.argsort(self.wavelengths)
         known = np.asarray(self.wavelengths)[order]
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         return np.asarray(np.interp(nm, known, np.asarray(self.values)[order]))
 
     def at_power_law(self, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -81,14 +82,15 @@ class PerWavelength:
 
         See ``spectra.power_law``.
         """
-        return power_law(wavelengths, self.wavelengths, self.values)
+        nm = values_in(wavelengths, "nm", "wavelengths")
+        return power_law(nm, self.wavelengths, self.values)
 
     def at_fourth_power(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Value at any wavelength [nm], shape (...): a power law between its own, λ⁻⁴ beyond.
 
         The law of Rayleigh scattering, which the given values need not follow exactly.
         """
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         factor = np.asarray(self.values) * np.asarray(self.wavelengths) ** 4
         return power_law(nm, self.wavelengths, factor) / nm**4
 

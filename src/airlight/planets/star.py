@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import re
 from collections.abc import Callable
 from functools import partial
 from typing import Annotated, Any, Final
@@ -27,7 +26,7 @@ from airlight.planets.spectral import (
     spectral_limits,
     table_limits,
 )
-from airlight.units import quantity
+from airlight.units import Measure, quantity, with_powers
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -60,7 +59,7 @@ def _spectrum_of_file(section: Section, name: str, field: str) -> PerWavelength:
     spectrum = read_spectrum_file(file)
     if spectrum.values.ndim != 1:
         raise ParameterError(field, spectrum.columns, "a table with one column of values")
-    factor = quantity(f"1 {_with_powers(spectrum.unit)}", IRRADIANCE, f"unit of {file.name}")
+    factor = quantity(f"1 {with_powers(spectrum.unit)}", IRRADIANCE, f"unit of {file.name}")
     if spectrum.distance:
         there = quantity(spectrum.distance, "m", f"distance of {file.name}")
         here = section.optional_number("distance", "m")
@@ -77,11 +76,6 @@ def _spectrum_of_file(section: Section, name: str, field: str) -> PerWavelength:
             wavelengths=tuple(spectrum.wavelengths.tolist()),
             values=tuple((factor * spectrum.values).tolist()),
         )
-
-
-def _with_powers(unit: str) -> str:
-    """Unit with its powers marked: ``W m-2 nm-1`` is ``W m^-2 nm^-1``."""
-    return re.sub(r"([A-Za-zµμÅ])(-?[1-9])", r"\1^\2", unit)
 
 
 @parameters
@@ -263,7 +257,7 @@ class Star(Record):
         assert self.known_distance is not None
         return math.degrees(math.asin(self.known_radius / self.known_distance))
 
-    def at_distance(self, distance: float) -> Star:
+    def at_distance(self, distance: Measure) -> Star:
         """Star at another distance, and of the size that it has there.
 
         Parameters
@@ -285,6 +279,7 @@ class Star(Record):
         """
         if self.known_distance is None or self.known_radius is None or self.irradiance is not None:
             return self
+        distance = quantity(distance, "m", "distance", bare=True)
         angle = math.degrees(math.asin(self.known_radius / distance))
         return dataclasses.replace(self, distance=distance, angular_radius=float(f"{angle:.3g}"))
 

@@ -14,6 +14,7 @@ from airlight.color.xyz import RGB_TO_XYZ, chromaticity, rgb_to_xyz, xyz_to_rgb
 from airlight.plots.figure import GREY, PALETTE, grid, new_figure, wavelength_words
 from airlight.solvers.solution import Solution
 from airlight.spectra.color_matching import cie_1931
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -50,7 +51,7 @@ def sky_chromaticities(solution: Solution, sun_zeniths: Sequence[float]) -> Floa
 
 
 def _sky_rgb(solution: Solution, sun_zeniths: Sequence[float]) -> FloatArray:
-    sun = np.asarray(sun_zeniths, dtype=np.float64)[:, None]
+    sun = values_in(sun_zeniths, "deg", "sun_zeniths")[:, None]
     view = np.concatenate(
         [0.0 * sun, 0.0 * sun + _HORIZON, np.clip(sun - _NEAR, 0.0, _HORIZON)], axis=1
     )

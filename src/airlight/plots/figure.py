@@ -16,6 +16,7 @@ from airlight.color.encoding import srgb_encode
 from airlight.color.spectral_color import wavelength_color
 from airlight.errors import AirlightError
 from airlight.plain_text import plain
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -137,7 +138,7 @@ def wavelength_ink(wavelengths: ArrayLike) -> list[tuple[float, float, float]]:
     (0, 1, 2)
     """
     inks = []
-    for nm in np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)):
+    for nm in np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")):
         if not VISIBLE[0] <= nm <= VISIBLE[1]:
             inks.append((0.45, 0.45, 0.45))
             continue
@@ -189,7 +190,7 @@ def wavelength_words(wavelengths: ArrayLike) -> str:
     >>> wavelength_words([410.0 + 19.0 * k for k in range(16)])
     '16 wavelengths, 410 to 695 nm'
     """
-    nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
     if nm.size > 4:
         return f"{nm.size} wavelengths, {nm.min():.4g} to {nm.max():.4g} nm"
     return ", ".join(f"{value:.4g}" for value in nm) + " nm"

@@ -10,6 +10,7 @@ import numpy as np
 from airlight.observables.limb import limb_radiance
 from airlight.plots.figure import LINE_STYLES, chosen, grid, new_figure
 from airlight.solvers.solution import Solution
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -39,7 +40,7 @@ def limb(solution: Solution, sun_zeniths: Sequence[float] = SUN_ZENITHS) -> Figu
     """
     medium = solution.medium
     height = medium.thickness * np.linspace(_LOWEST, 1.0, _COUNT)
-    suns = np.asarray(sun_zeniths, dtype=np.float64)
+    suns = values_in(sun_zeniths, "deg", "sun_zeniths")
     radiance = limb_radiance(solution, height[None, :], suns[:, None])
     name = solution.planet.name if solution.planet is not None else "planet"
     figure = new_figure(

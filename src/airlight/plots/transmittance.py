@@ -15,6 +15,7 @@ from airlight.planets.planet import Planet
 from airlight.plots.figure import grid, new_figure, wavelength_words
 from airlight.solvers.light_paths import LightPaths
 from airlight.tables.columns import columns
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,8 +56,8 @@ def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLi
     """
     paths = LightPaths.of(medium)
     drawn = paths.medium
-    r = np.minimum(medium.bottom_radius + np.asarray(altitude, float), medium.top_radius)
-    mu = np.cos(np.radians(np.asarray(view_zenith, float)))
+    r = np.minimum(medium.bottom_radius + values_in(altitude, "m", "altitude"), medium.top_radius)
+    mu = np.cos(np.radians(values_in(view_zenith, "deg", "view_zenith")))
     r, mu = (np.array(one) for one in np.broadcast_arrays(paths.optical_radius(r), mu))
     length = vectorized(ray_length)(r, mu, drawn.bottom_radius, drawn.top_radius)
     depth = columns(r, mu, length, drawn.bottom_radius, drawn.density) @ drawn.extinction
@@ -73,7 +74,7 @@ def horizon_zenith(medium: Medium, altitude: ArrayLike) -> FloatArray:
         Altitude of the observer. [m]
     """
     paths = LightPaths.of(medium)
-    r = paths.optical_radius(medium.bottom_radius + np.asarray(altitude, float))
+    r = paths.optical_radius(medium.bottom_radius + values_in(altitude, "m", "altitude"))
     cosine = vectorized(horizon_cosine)(r, paths.medium.bottom_radius)
     return np.asarray(np.degrees(np.arccos(cosine)))
 

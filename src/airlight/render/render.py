@@ -15,9 +15,13 @@ from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.polarising_filter import ALONG, ASLANT
+from airlight.planets.picture_wavelengths import picture_wavelengths
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.drawing import Drawing
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
+from airlight.scene.local_ground import local_ground
+from airlight.solvers import Solution, solve
 from airlight.solvers.moments.solution import MomentsSolution
 
 Float32Array = NDArray[np.float32]
@@ -27,7 +31,7 @@ _BLOCK_PIXELS: Final = 1 << 13
 
 
 def render(
-    solution: MomentsSolution,
+    solution: Solution | PlanetLike,
     scene: Scene,
     *,
     orders: str = "all",
@@ -42,8 +46,9 @@ def render(
 
     Parameters
     ----------
-    solution : MomentsSolution
-        Solution of at least three wavelengths.
+    solution : MomentsSolution, Planet, str or Path
+        Solution of at least three wavelengths; or a planet, the name of a preset or a path, which
+        is solved as by ``paint_scene``: for the ground around the observer, at sixteen wavelengths.
     scene : Scene
         Observer, lights and camera; each light takes as long as the first.
     orders : str
@@ -79,6 +84,10 @@ def render(
     Cancelled
         If ``cancel`` requested it.
     """
+    if not isinstance(scene, Scene):
+        raise ParameterError("scene", scene, "a Scene")
+    if not isinstance(solution, Solution):
+        solution = _solved(solution, scene, progress, cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError(
             "solution", solution.report.solver, "a solution of the moments solver: a picture "
@@ -120,6 +129,17 @@ def render(
         scene=scene,
         star_radius=solution.lights[0].angular_radius,
     )
+
+
+def _solved(
+    given: PlanetLike, scene: Scene, progress: Progress | None, cancel: Cancel | None
+) -> Solution:
+    """Solution of a planet for the ground around an observer."""
+    planet = local_ground(
+        load_planet(given), latitude=scene.latitude, longitude=scene.longitude,
+        altitude=scene.altitude,
+    )  # fmt: skip
+    return solve(planet, picture_wavelengths(planet), progress=progress, cancel=cancel)
 
 
 def _shared(progress: Progress, number: int, count: int) -> Progress:

@@ -13,6 +13,7 @@ from airlight.scene.directions import camera_axes, filter_axis
 from airlight.scene.limits import within
 from airlight.scene.projections import PROJECTIONS, Projection
 from airlight.scene.projections.projected import projected_rays
+from airlight.units import Measured, measured
 
 #: Longest side of a picture: a strip of six 8192² faces fits. [pixel]
 LONGEST_SIDE = 65536
@@ -26,7 +27,8 @@ class Camera:
 
     Angles are in the observer's local frame: the azimuth is 0 on the sun's side and increases
     clockwise seen from above, so that a camera directed at the sun's azimuth has azimuth +90° on
-    the right half of its picture. They are numbers, or text with a unit.
+    the right half of its picture. They are numbers, text with a unit, or
+    quantities.
 
     Parameters
     ----------
@@ -66,11 +68,11 @@ class Camera:
     projection: str = "perspective"
     width: int = 1280
     height: int = 720
-    field_of_view: float | None = None
-    look_zenith: float | None = None
-    look_azimuth: float = 0.0
-    roll: float = 0.0
-    polariser: float | None = None
+    field_of_view: Measured[float | None] = measured(None)
+    look_zenith: Measured[float | None] = measured(None)
+    look_azimuth: Measured[float] = measured(0.0)
+    roll: Measured[float] = measured(0.0)
+    polariser: Measured[float | None] = measured(None)
 
     def __post_init__(self) -> None:
         if self.projection not in PROJECTIONS:

@@ -1,9 +1,15 @@
-"""Compass bearings as text."""
+"""Compass bearings as text, and as numbers and quantities."""
 
 from __future__ import annotations
 
 import re
 from typing import Final
+
+from airlight.errors import ParameterError
+from airlight.planets.schema.key import Wavelengths
+from airlight.planets.schema.section import Section
+from airlight.scene.limits import within
+from airlight.units import Measure
 
 #: Sixteen points of the compass, clockwise from north.
 POINTS: Final = (
@@ -47,3 +53,41 @@ def compass_bearing(text: str) -> tuple[float, float | None] | None:
     if not -360.0 <= bearing <= 360.0 or (elevation is not None and not -90.0 <= elevation <= 90.0):
         return None
     return bearing, elevation
+
+
+def bearing(value: Measure, field: str) -> float:
+    """Compass bearing of any value. [deg]
+
+    Parameters
+    ----------
+    value : float, str or quantity
+        Angle from -360 to 360, 0 north and 90 east, or a point of the compass: ``SW``. [deg]
+    field : str
+        Field named in the error.
+
+    Raises
+    ------
+    ParameterError
+        If it is no bearing.
+
+    Examples
+    --------
+    >>> bearing("SW", "sun_azimuth"), bearing("90 deg", "heading"), bearing(-20.0, "heading")
+    (225.0, 90.0, -20.0)
+    """
+    found = compass_bearing(value) if isinstance(value, str) else None
+    if found is not None and found[1] is None:
+        return found[0]
+    try:
+        return within(field, value, -360.0, 360.0, "deg")
+    except ParameterError as error:
+        allowed = f"{error.allowed}, or a point of the compass such as SW"
+        raise ParameterError(field, value, allowed) from None
+
+
+def read_bearing(section: Section, name: str, wavelengths: Wavelengths) -> float:
+    """Bearing of a key of a file: a point of the compass, or an angle with its unit. [deg]"""
+    value = section.raw(name)
+    if isinstance(value, str) and compass_bearing(value) is not None and value[-1:].isalpha():
+        return bearing(value, section.name_of(name))
+    return section.number(name, "deg", "225 deg or SW")

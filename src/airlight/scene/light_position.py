@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.scene.directions import direction
+from airlight.scene.limits import within
 
 if TYPE_CHECKING:
     from airlight.planets.light_source import LightSource
@@ -30,6 +31,11 @@ class LightPosition:
     index : int
         Index of its source among those of the planet.
 
+    Raises
+    ------
+    ParameterError
+        If an angle is out of range.
+
     Examples
     --------
     >>> LightPosition(zenith=90.0).direction.round(12) + 0.0
@@ -39,6 +45,18 @@ class LightPosition:
     zenith: float
     azimuth: float = 0.0
     index: int = 0
+
+    #: Name of the light in errors.
+    _word = "light"
+
+    def __post_init__(self) -> None:
+        self._check("zenith", 0.0, 180.0)
+        self._check("azimuth", -720.0, 720.0)
+
+    def _check(self, name: str, low: float, high: float) -> None:
+        """Convert an angle of the light, and refuse one out of its range. [deg]"""
+        value = within(f"{self._word}.{name}", getattr(self, name), low, high, "deg")
+        object.__setattr__(self, name, value)
 
     @property
     def direction(self) -> NDArray[np.float64]:

@@ -1,31 +1,24 @@
-"""Range check of the scene's values: a finite number between two limits, or text with a unit."""
+"""Conversion of the scene's values to numbers between two limits."""
 
 from __future__ import annotations
 
-from typing import Final
-
-import numpy as np
-
 from airlight.errors import ParameterError
-from airlight.units import quantity
-
-#: Units in which a text is read.
-_READ: Final = ("m", "deg")
+from airlight.units import Measure, quantity
 
 
-def within(field: str, value: object, low: float, high: float, unit: str) -> float:
-    """Return the value as a float, if it is a number between two limits.
+def within(field: str, value: Measure, low: float, high: float, unit: str) -> float:
+    """Convert a value to a float, and check that it lies between two limits.
 
     Parameters
     ----------
     field : str
         Field named in the error.
-    value : object
-        Value to check, or text with a unit, such as ``"400 km"``; a bool is not a number.
+    value : float, str or quantity
+        Value to check, see ``airlight.units.quantity``; a bool is not a number.
     low, high : float
         Allowed range, both ends included. [unit]
     unit : str
-        Unit named in the error.
+        Unit of the range, and of a number without one.
 
     Returns
     -------
@@ -46,15 +39,11 @@ def within(field: str, value: object, low: float, high: float, unit: str) -> flo
     >>> within("scene.altitude", "400 km", 0.0, 1e12, "m")
     400000.0
     """
-    allowed = f"{low:g} to {high:g} {unit}" if low < high else f"{low:g} {unit}"
-    if isinstance(value, str) and unit in _READ:
-        try:
-            value = quantity(value, unit, field)
-        except ParameterError:
-            expected = f"{allowed}, as a number or as text with a unit"
-            raise ParameterError(field, value, expected) from None
-    if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
+    allowed = f"{low:g} to {high:g}" if low < high else f"{low:g}"
+    allowed += "" if unit == "1" else f" {unit}"
+    text = isinstance(value, str)
+    expected = f"{allowed}, as a number or as text with a unit" if text else allowed
+    number = quantity(value, unit, field, bare=not text, allowed=expected)
+    if not low <= number <= high:
         raise ParameterError(field, value, allowed)
-    if not low <= value <= high:
-        raise ParameterError(field, value, allowed)
-    return float(value)
+    return number

@@ -12,12 +12,14 @@ from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.local_ground import GroundMeans, LocalGround
 from airlight.planets.medium import Medium
 from airlight.planets.parameters import replace
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.ground_weight import ground_distances
 from airlight.scene.limits import within
 from airlight.scene.observer import planet_frame
 from airlight.scene.scene import HIGHEST_ALTITUDE
 from airlight.scene.surface_map import SurfaceMap, surface_map
+from airlight.units import Measure
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -36,7 +38,7 @@ _STEP: Final = 0.002
 
 
 def local_ground(
-    planet: Planet, *, latitude: float, longitude: float, altitude: float = 0.0
+    planet: PlanetLike, *, latitude: Measure, longitude: Measure, altitude: Measure = 0.0
 ) -> Planet:
     """Planet whose mean albedo is that of the ground which lights an observer's sky.
 
@@ -47,8 +49,8 @@ def local_ground(
 
     Parameters
     ----------
-    planet : Planet
-        Planet; it is returned as it is if it has neither map nor clouds.
+    planet : Planet, str, Path or Solution
+        Planet, see ``load_planet``; it is returned as it is if it has neither map nor clouds.
     latitude, longitude : float
         Coordinates of the point below the observer, -90 to 90 and -360 to 360, north and east
         positive. [deg]
@@ -75,6 +77,7 @@ def local_ground(
     >>> sahara.ground.albedos([550.0]) > 2.0 * earth.ground.albedos([550.0])
     array([ True])
     """
+    planet = load_planet(planet)
     lat = within("latitude", latitude, -90.0, 90.0, "deg")
     lon = within("longitude", longitude, -360.0, 360.0, "deg")
     height = within("altitude", altitude, 0.0, HIGHEST_ALTITUDE, "m")

@@ -14,7 +14,7 @@ from airlight.ephemeris.sky import MoonSighting
 from airlight.optics.moon_phase import moon_albedo, moon_brightness
 from airlight.planets.light_source import LightSource
 from airlight.scene.light_position import LightPosition
-from airlight.scene.limits import within
+from airlight.units import Measured, measured
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -59,15 +59,18 @@ class MoonLight(LightPosition):
     '2.5e-06'
     """
 
-    phase: float = 0.0
-    angular_radius: float = MEAN_RADIUS
-    limb: float | None = None
+    phase: Measured[float] = measured(0.0)
+    angular_radius: Measured[float] = measured(MEAN_RADIUS)
+    limb: Measured[float | None] = measured(None)
+
+    _word = "moon"
 
     def __post_init__(self) -> None:
-        within("moon.zenith", self.zenith, 0.0, 180.0, "deg")
-        within("moon.azimuth", self.azimuth, -720.0, 720.0, "deg")
-        within("moon.phase", self.phase, 0.0, 180.0, "deg")
-        within("moon.angular_radius", self.angular_radius, 1e-6, 30.0, "deg")
+        super().__post_init__()
+        self._check("phase", 0.0, 180.0)
+        self._check("angular_radius", 1e-6, 30.0)
+        if self.limb is not None:
+            self._check("limb", -720.0, 720.0)
 
     @classmethod
     def seen(cls, moon: MoonSighting, sun_azimuth: float) -> MoonLight:

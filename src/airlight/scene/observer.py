@@ -8,14 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.scene.compass import compass_bearing
+from airlight.scene.compass import bearing, compass_bearing
+from airlight.scene.limits import within
+from airlight.units import Measure, quantity
 
 #: Targets of a camera.
 TARGETS = ("horizon", "nadir", "zenith", "sun", "moon")
 _RADIAN = math.pi / 180.0
 
 
-def horizon_zenith(altitude: float, bottom_radius: float) -> float:
+def horizon_zenith(altitude: Measure, bottom_radius: Measure) -> float:
     """Zenith angle of the geometric horizon, the direction tangent to the ground.
 
     Parameters
@@ -40,6 +42,8 @@ def horizon_zenith(altitude: float, bottom_radius: float) -> float:
     >>> round(horizon_zenith(6360e3, 6360e3), 6)  # cos(dip) = 1/2
     150.0
     """
+    altitude = within("altitude", altitude, 0.0, math.inf, "m")
+    bottom_radius = within("bottom_radius", bottom_radius, 0.0, math.inf, "m")
     dip = math.atan2(math.sqrt(altitude * (2.0 * bottom_radius + altitude)), bottom_radius)
     return 90.0 + math.degrees(dip)
 
@@ -47,10 +51,10 @@ def horizon_zenith(altitude: float, bottom_radius: float) -> float:
 def look_at(
     target: str,
     *,
-    altitude: float,
-    sun_zenith: float,
-    bottom_radius: float,
-    sun_azimuth: float = 180.0,
+    altitude: Measure,
+    sun_zenith: Measure,
+    bottom_radius: Measure,
+    sun_azimuth: Measure = 180.0,
     moon: tuple[float, float] | None = None,
 ) -> tuple[float, float]:
     """Angles of a target of interest.
@@ -89,6 +93,8 @@ def look_at(
     >>> look_at("W/20", altitude=0.0, sun_zenith=80.0, bottom_radius=6360e3, sun_azimuth=225.0)
     (70.0, 45.0)
     """
+    sun_zenith = quantity(sun_zenith, "deg", "sun_zenith", bare=True)
+    sun_azimuth = bearing(sun_azimuth, "sun_azimuth")
     if target == "horizon":
         return horizon_zenith(altitude, bottom_radius), 0.0
     if target == "nadir":
@@ -99,12 +105,12 @@ def look_at(
         return sun_zenith, 0.0
     if target == "moon" and moon is not None:
         return moon[0], math.remainder(moon[1] - sun_azimuth, 360.0)
-    bearing = None if target == "moon" else compass_bearing(target)
-    if bearing is None:
+    towards = None if target == "moon" else compass_bearing(target)
+    if towards is None:
         words = ", ".join(TARGETS[:-1])
         allowed = f"{words}, moon beside a time, or a bearing such as NE, 315 or 315/20"
         raise ParameterError("look_at", target, allowed)
-    turn, elevation = bearing
+    turn, elevation = towards
     zenith = horizon_zenith(altitude, bottom_radius) if elevation is None else 90.0 - elevation
     return zenith, math.remainder(turn - sun_azimuth, 360.0)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from datetime import datetime
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,24 +13,31 @@ from numpy.typing import NDArray
 from airlight.ephemeris.instant import universal_time
 from airlight.errors import ParameterError
 from airlight.scene.camera import Camera
+from airlight.scene.compass import bearing
 from airlight.scene.ground_detail import GROUNDS
 from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import within
 from airlight.scene.observer import look_at as angles_of
 from airlight.scene.observer import planet_frame
+from airlight.units import Measure, Measured, measured, quantity
 
 if TYPE_CHECKING:
-    from airlight.planets.planet import Planet
+    from airlight.planets.reading.reader import PlanetLike
 
 #: Largest altitude of an observer. [m]
 HIGHEST_ALTITUDE = 1e12
+#: Altitude of an observer who stands on the ground, the default of scenes and commands. [m]
+STANDING: Final = 2.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
     """Observer, camera and direction of the sun; the planet comes with the solution.
 
-    Lengths and angles are numbers, or text with a unit: ``altitude="400 km"``.
+    Its defaults are those of the commands.
+
+    Lengths and angles are numbers, text with a unit such as ``altitude="400 km"``, or quantities of
+    pint, astropy or unyt.
 
     Parameters
     ----------
@@ -44,9 +51,8 @@ class Scene:
         Coordinates of the point below the observer, north and east positive; they position the map
         of the ground. [deg]
     sun_azimuth : float
-        Compass bearing of the sun, 0 north and 90 east; it only rotates the map of the ground.
-        [deg]
-
+        Compass bearing of the sun, 0 north and 90 east, or a point of the compass such as ``SW``;
+        it only rotates the map of the ground. [deg]
     ground : str
         ``plain``, the map or the albedo alone, or ``detailed``: with noise below the map's
         resolution, which is decoration.
@@ -67,11 +73,11 @@ class Scene:
     """
 
     camera: Camera = field(default_factory=Camera)
-    altitude: float = 0.0
-    sun_zenith: float = 60.0
-    latitude: float = 0.0
-    longitude: float = 0.0
-    sun_azimuth: float = 180.0
+    altitude: Measured[float] = measured(STANDING)
+    sun_zenith: Measured[float] = measured(60.0)
+    latitude: Measured[float] = measured(0.0)
+    longitude: Measured[float] = measured(0.0)
+    sun_azimuth: Measured[float] = measured(180.0)
     ground: str = "plain"
     time: datetime | None = None
     others: tuple[LightPosition, ...] = ()
@@ -90,22 +96,23 @@ class Scene:
             ("sun_zenith", 0.0, 180.0, "deg"),
             ("latitude", -90.0, 90.0, "deg"),
             ("longitude", -360.0, 360.0, "deg"),
-            ("sun_azimuth", -360.0, 360.0, "deg"),
         ):
             value = within(f"scene.{name}", getattr(self, name), low, high, unit)
             object.__setattr__(self, name, value)
+        azimuth = bearing(self.sun_azimuth, "scene.sun_azimuth")
+        object.__setattr__(self, "sun_azimuth", azimuth)
 
     @classmethod
     def at(
         cls,
-        planet: Planet,
+        planet: PlanetLike,
         *,
-        latitude: float,
-        longitude: float,
+        latitude: Measure,
+        longitude: Measure,
         time: datetime | str,
         zone: str | None = None,
-        season: float | None = None,
-        altitude: float = 2.0,
+        season: Measure | None = None,
+        altitude: Measure = STANDING,
         look_at: str | None = None,
         camera: Camera | None = None,
         ground: str = "plain",
@@ -114,8 +121,9 @@ class Scene:
 
         Parameters
         ----------
-        planet : Planet
-            Planet whose ``body`` is known. Its light at that time is ``planet.lit_at(scene.time)``.
+        planet : Planet, str, Path or Solution
+            Planet whose ``body`` is known, see ``load_planet``. Its light at that time is
+            ``planet.lit_at(scene.time)``.
         latitude, longitude : float
             Place, north and east positive: on Earth geographic, elsewhere planetocentric. [deg]
         time : datetime or str
@@ -150,11 +158,17 @@ class Scene:
         from airlight.ephemeris.instant import days_of
         from airlight.ephemeris.sky import Place, moon_after, sun_after
         from airlight.ephemeris.time_text import read_time
+        from airlight.planets.reading.reader import load_planet
         from airlight.scene.moon_light import MoonLight
 
+        planet = load_planet(planet)
         place = Place(
-            body=planet.world.name, latitude=latitude, longitude=longitude, altitude=altitude
+            body=planet.world.name,
+            latitude=quantity(latitude, "deg", "latitude", bare=True),
+            longitude=quantity(longitude, "deg", "longitude", bare=True),
+            altitude=altitude,
         )
+        altitude = place.altitude
         moment = read_time(time, place, zone=zone, season=season) if isinstance(time, str) else time
         days = days_of(moment)
         sun = sun_after(place, days)
@@ -175,8 +189,8 @@ class Scene:
             altitude=altitude,
             sun_zenith=sun.zenith,
             sun_azimuth=sun.azimuth,
-            latitude=latitude,
-            longitude=longitude,
+            latitude=place.latitude,
+            longitude=place.longitude,
             ground=ground,
             time=moment,
             others=() if moon is None else (MoonLight.seen(moon, sun.azimuth),),

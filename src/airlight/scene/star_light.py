@@ -11,6 +11,7 @@ from airlight.planets.light_source import LightSource
 from airlight.planets.star import Star
 from airlight.scene.light_position import LightPosition
 from airlight.scene.limits import within
+from airlight.units import Measure, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,15 +41,15 @@ class StarLight(LightPosition):
 
     star: Star
 
+    _word = "star"
+
     def __post_init__(self) -> None:
-        within("star.zenith", self.zenith, 0.0, 180.0, "deg")
-        within("star.azimuth", self.azimuth, -720.0, 720.0, "deg")
+        super().__post_init__()
         if not isinstance(self.star, Star):
             raise ParameterError("star", self.star, "a Star")
 
     @staticmethod
-    @lru_cache(maxsize=64)
-    def black_body(temperature: float, angular_radius: float) -> Star:
+    def black_body(temperature: Measure, angular_radius: Measure) -> Star:
         """Star of a temperature and a size in the sky, which give its irradiance.
 
         Parameters
@@ -58,11 +59,8 @@ class StarLight(LightPosition):
         angular_radius : float
             Angular radius, 1e-6 to 30. [deg]
         """
-        angle = within("star.angular_radius", angular_radius, 1e-6, 30.0, "deg")
-        far = 1e12
-        return Star(
-            temperature=temperature, distance=far, radius=far * math.sin(math.radians(angle))
-        )
+        kelvin = quantity(temperature, "K", "star.temperature", bare=True)
+        return _black_body(kelvin, within("star.angular_radius", angular_radius, 1e-6, 30.0, "deg"))
 
     def radius(self, star: float) -> float:
         """Angular radius of its disc; see ``LightPosition.radius``. [rad]"""
@@ -96,3 +94,11 @@ class StarLight(LightPosition):
             f"second star, zenith {self.zenith:.10g} deg, azimuth {self.azimuth:.10g} deg, {kind}, "
             f"angular radius {star.angular_radius_degrees:.6g} deg"
         )
+
+
+@lru_cache(maxsize=64)
+def _black_body(temperature: float, angular_radius: float) -> Star:
+    """Star of a temperature [K] and an angular radius [deg]; an editor asks for it often."""
+    far = 1e12
+    radius = far * math.sin(math.radians(angular_radius))
+    return Star(temperature=temperature, distance=far, radius=radius)

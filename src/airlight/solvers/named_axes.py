@@ -1,4 +1,4 @@
-"""Arguments of a solution's questions: numbers or text with a unit, as arrays with named axes.
+"""Arguments of a solution's questions: numbers, texts and quantities as arrays with named axes.
 
 Arrays broadcast by the rules of NumPy, and each axis of the result is named for the argument that
 varies along it. Labelled arrays broadcast by the names of their dimensions.
@@ -8,13 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Final, Self
+from typing import TYPE_CHECKING, Any, Final, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.units import quantity
+from airlight.units import values_in
+
+if TYPE_CHECKING:
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 
@@ -30,16 +33,16 @@ class Argument:
 
     Attributes
     ----------
-    value : array or str
-        Numbers in ``unit``, text with a unit such as ``"400 km"``, a list of them, or a labelled
-        array; one whose attribute ``units`` names another unit is converted.
+    value : array
+        Numbers in ``unit``, text with a unit such as ``"400 km"``, a quantity, a labelled array, or
+        a list of these; see ``airlight.units.values_in``.
     low, high : float
         Allowed range. [unit]
     unit : str
         ``"m"`` or ``"deg"``.
     """
 
-    value: ArrayLike
+    value: Measures
     low: float
     high: float
     unit: str
@@ -53,31 +56,11 @@ class Argument:
             If a value is no number, has a unit of another kind, or is out of its range.
         """
         allowed = f"{self.low:g} to {self.high:g} {self.unit}"
-        array = self._converted(field, f"numbers from {allowed}")
+        array = values_in(self.value, self.unit, field, allowed=f"numbers from {allowed}")
         wrong = ~((array >= self.low) & (array <= self.high))
         if wrong.any():
             raise ParameterError(field, float(array[wrong].flat[0]), allowed)
         return array
-
-    def _converted(self, field: str, allowed: str) -> FloatArray:
-        value: Any = self.value
-        many = value if isinstance(value, (list, tuple)) else [value]
-        if any(isinstance(one, str) for one in many):
-            try:
-                read = [quantity(one if isinstance(one, str) else f"{one} {self.unit}", self.unit)
-                        for one in many]  # fmt: skip
-            except ParameterError:
-                raise ParameterError(field, value, f"{allowed}, or text with a unit") from None
-            return np.asarray(read[0] if isinstance(value, str) else read)
-        try:
-            array = np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise ParameterError(field, value, allowed) from None
-        given = value.attrs.get("units") if is_labelled(value) else None
-        same = {self.unit, "degree", "degrees"} if self.unit == "deg" else {self.unit}
-        if given is None or given in same:
-            return array
-        return array * quantity(f"1 {given}", self.unit, f"units of {field}")
 
     @property
     def long_unit(self) -> str:
@@ -224,7 +207,11 @@ def _common_shape(numbers: Mapping[str, FloatArray]) -> tuple[int, ...]:
 
 def _no_shape(shapes: Mapping[str, tuple[int, ...]]) -> ParameterError:
     shown = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
-    return ParameterError("shapes", shown, "shapes that broadcast together")
+    first, *_ = (name for name, shape in shapes.items() if shape)
+    return ParameterError(
+        "shapes", shown, f"shapes that broadcast together: for a grid give {first}[:, None], or "
+        "label each array by xarray.DataArray",
+    )  # fmt: skip
 
 
 def _axis_names(numbers: Mapping[str, FloatArray], count: int) -> list[str]:

@@ -1,7 +1,7 @@
 """Common interface of every solver's result: radiance, transmittance, irradiance, residual.
 
-Public arguments are degrees and metres, or text with a unit, as arrays that broadcast, see
-``named_axes``; observers outside the shell are moved to where their line of sight enters it;
+Public arguments are degrees and metres, texts with a unit or quantities, as arrays that broadcast,
+see ``named_axes``; observers outside the shell are moved to where their line of sight enters it;
 results are labelled arrays.
 """
 
@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.optics.air_mass import air_mass_pickering2002
@@ -29,6 +29,8 @@ from airlight.tables.columns import columns
 
 if TYPE_CHECKING:
     import xarray
+
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 
@@ -194,19 +196,19 @@ class Solution(ABC):
     def radiance(
         self,
         *,
-        altitude: ArrayLike,
-        sun_zenith: ArrayLike,
-        view_zenith: ArrayLike,
-        azimuth: ArrayLike = 0.0,
+        altitude: Measures,
+        sun_zenith: Measures,
+        view_zenith: Measures,
+        azimuth: Measures = 0.0,
         order: int | None = None,
         stokes: bool = False,
     ) -> xarray.DataArray:
         """Radiance of air and ground for an observer, without the star's own disc.
 
-        Each argument is a number, text with a unit such as ``"400 km"``, or an array of numbers.
-        Arrays broadcast by the rules of NumPy, and an axis of the result has the name of the
-        argument that varies along it; ``xarray.DataArray`` broadcast by the names of their
-        dimensions.
+        Each argument is a number, text with a unit such as ``"400 km"`` or ``"0:80:10 deg"``, a
+        quantity of pint, astropy or unyt, or an array of these. Arrays broadcast by the rules of
+        NumPy, and an axis of the result has the name of the argument that varies along it;
+        ``xarray.DataArray`` broadcast by the names of their dimensions.
 
         Parameters
         ----------
@@ -262,10 +264,10 @@ class Solution(ABC):
     def lines_of_sight(
         self,
         *,
-        altitude: ArrayLike,
-        sun_zenith: ArrayLike,
-        view_zenith: ArrayLike,
-        azimuth: ArrayLike = 0.0,
+        altitude: Measures,
+        sun_zenith: Measures,
+        view_zenith: Measures,
+        azimuth: Measures = 0.0,
     ) -> tuple[Sight, NamedAxes]:
         """Lines of sight inside the shell as flat arrays, and the axes of the inputs.
 
@@ -283,10 +285,10 @@ class Solution(ABC):
 
     def _questions(
         self,
-        altitude: ArrayLike,
-        sun_zenith: ArrayLike,
-        view_zenith: ArrayLike,
-        azimuth: ArrayLike,
+        altitude: Measures,
+        sun_zenith: Measures,
+        view_zenith: Measures,
+        azimuth: Measures,
     ) -> tuple[list[FloatArray], Sight, NamedAxes]:
         """Arguments of ``radiance`` as flat arrays, and results of ``lines_of_sight``."""
         arrays, axes = NamedAxes.of(
@@ -305,9 +307,9 @@ class Solution(ABC):
     def transmittance(
         self,
         *,
-        altitude: ArrayLike,
-        view_zenith: ArrayLike,
-        distance: ArrayLike | None = None,
+        altitude: Measures,
+        view_zenith: Measures,
+        distance: Measures | None = None,
         air_mass: str | None = None,
     ) -> xarray.DataArray:
         """Transmittance of the air from an observer along lines of sight, bent if refraction is on.
@@ -368,7 +370,7 @@ class Solution(ABC):
         air_mass: str,
         altitude: FloatArray,
         view_zenith: FloatArray,
-        distance: ArrayLike | None,
+        distance: Measures | None,
     ) -> None:
         """Replace columns of the gases by a formula for the whole path through the Earth's air."""
         if air_mass != "pickering":
@@ -388,7 +390,7 @@ class Solution(ABC):
             if one.refractivities(nm, medium.thickness)[0] > 0.0:
                 depth[:, i] = formula * medium.columns[i]
 
-    def irradiance(self, *, altitude: ArrayLike, sun_zenith: ArrayLike) -> xarray.Dataset:
+    def irradiance(self, *, altitude: Measures, sun_zenith: Measures) -> xarray.Dataset:
         """Downward irradiance of a level surface by the star and by the sky.
 
         Arguments broadcast as those of ``radiance``.
@@ -414,19 +416,21 @@ class Solution(ABC):
         r = np.minimum(self.medium.bottom_radius + arrays[0], self.medium.top_radius)
         mu_s = np.cos(np.radians(arrays[1]))
         parts = {
-            "direct": self.relative_direct_irradiance(r, mu_s),
-            "diffuse": self.relative_sky_irradiance(r, mu_s),
+            "direct": ("direct irradiance", self.relative_direct_irradiance(r, mu_s)),
+            **self._diffuse(r, mu_s),
         }
         import xarray
 
         return xarray.Dataset(
             {
-                name: self._labelled(
-                    values * self.lights[0].irradiance, axes, f"{name} irradiance", "W m-2 nm-1"
-                )
-                for name, values in parts.items()
+                name: self._labelled(values * self.lights[0].irradiance, axes, words, "W m-2 nm-1")
+                for name, (words, values) in parts.items()
             }
         )
+
+    def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
+        """Diffuse irradiance relative to the star's, with its words, and its error if known. [1]"""
+        return {"diffuse": ("diffuse irradiance", self.relative_sky_irradiance(r, mu_s))}
 
     def _labelled(
         self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from airlight.errors import ParameterError
 from airlight.kernel.memory import check_memory
@@ -16,8 +15,9 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.planet import Planet
-from airlight.planets.reading.reader import load_planet
+from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.solvers.solution import Solution
+from airlight.units import values_in
 
 if TYPE_CHECKING:
     from airlight.solvers.direct.settings import Settings as DirectSettings
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from airlight.solvers.moments.solution import MomentsSolution
     from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
     from airlight.solvers.montecarlo.solution import MonteCarloSolution
+    from airlight.units import Measures
 
 #: Packages of the solvers, imported on demand. Each has ``settings.settings_for`` and
 #: ``solution.solve(medium, settings, *, cache, progress, cancel)``.
@@ -38,8 +39,8 @@ SOLVERS: Final = {
 
 @overload
 def solve(
-    planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    planet: PlanetLike,
+    wavelengths: Measures | None = None,
     quality: str | MomentsSettings = "default",
     *,
     solver: Literal["moments"] = "moments",
@@ -52,8 +53,8 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    planet: PlanetLike,
+    wavelengths: Measures | None = None,
     quality: str | DirectSettings = "default",
     *,
     solver: Literal["direct"],
@@ -66,8 +67,8 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    planet: PlanetLike,
+    wavelengths: Measures | None = None,
     quality: str | MonteCarloSettings = "default",
     *,
     solver: Literal["montecarlo"],
@@ -80,8 +81,8 @@ def solve(
 
 @overload
 def solve(
-    planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    planet: PlanetLike,
+    wavelengths: Measures | None = None,
     quality: Any = "default",
     *,
     solver: str,
@@ -93,8 +94,8 @@ def solve(
 
 
 def solve(
-    planet: Planet | str | Path,
-    wavelengths: ArrayLike | None = None,
+    planet: PlanetLike,
+    wavelengths: Measures | None = None,
     quality: Any = "default",
     *,
     solver: str = "moments",
@@ -107,11 +108,12 @@ def solve(
 
     Parameters
     ----------
-    planet : Planet, str or Path
+    planet : Planet, str, Path or Solution
         Planet from ``load_planet``, or made in Python; or what ``load_planet`` takes, the name of a
-        preset or the path of a planet file.
+        preset or the path of a planet file; a solution stands for its planet.
     wavelengths : array, shape (nl,), optional
-        Wavelengths, any number; the planet's own if left out. [nm]
+        Wavelengths, any number; the planet's own if left out. Text (``"0.4:0.7:0.1 um"``) and
+        quantities of another length are converted. [nm]
     quality : str or Settings
         Name ``"preview"``, ``"default"`` or ``"fine"``, or the solver's own settings.
     solver : str
@@ -156,15 +158,13 @@ def solve(
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
-    if isinstance(planet, (str, Path)):
-        planet = load_planet(planet)
-    if not isinstance(planet, Planet):
-        raise ParameterError("planet", planet, "a Planet, the name of a preset, or a path")
+    planet = load_planet(planet)
     package = SOLVERS[solver]
     settings = import_module(f"{package}.settings").settings_for(quality)
     if not polarisation and hasattr(settings, "polarisation"):
         settings = replace(settings, polarisation=False)
-    nm = planet.wavelengths if wavelengths is None else wavelengths
+    given = planet.wavelengths if wavelengths is None else wavelengths
+    nm = values_in(given, "nm", "wavelengths")
     if solver == "moments":
         _check_memory(settings, np.size(nm))
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
@@ -173,6 +173,36 @@ def solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )
     return solution.of(planet)
+
+
+def solution_of(
+    given: Solution | PlanetLike,
+    wavelengths: Callable[[Planet], Measures] | None = None,
+    *,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution:
+    """Solution as it is, or that of a planet at the quality ``default``.
+
+    Parameters
+    ----------
+    given : Solution, Planet, str or Path
+        Solution, or what ``solve`` takes for a planet.
+    wavelengths : callable, optional
+        Function that gives the wavelengths of a planet; by default its own. [nm]
+    progress, cancel : callable, optional
+        See ``solve``.
+
+    Raises
+    ------
+    ParameterError, ConvergenceError
+        As ``solve``.
+    """
+    if isinstance(given, Solution):
+        return given
+    planet = load_planet(given)
+    nm = None if wavelengths is None else wavelengths(planet)
+    return solve(planet, nm, progress=progress, cancel=cancel)
 
 
 def _check_memory(settings: MomentsSettings, wavelengths: int) -> None:

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import math
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from airlight.constants import BOLTZMANN, PLANCK, SPEED_OF_LIGHT
 from airlight.errors import ParameterError
+from airlight.units import Measure, quantity, values_in
+
+if TYPE_CHECKING:
+    from airlight.units import Measures
 
 #: Nanometres in a metre.
 _NM: Final = 1e-9
 
 
-def planck_radiance(wavelengths: ArrayLike, temperature: float) -> NDArray[np.float64]:
+def planck_radiance(wavelengths: Measures, temperature: Measure) -> NDArray[np.float64]:
     r"""Spectral radiance of a black body.
 
     .. math:: B_\lambda = \frac{2 h c^2}{\lambda^5} \frac{1}{e^{h c / (\lambda k T)} - 1}
@@ -46,11 +50,11 @@ def planck_radiance(wavelengths: ArrayLike, temperature: float) -> NDArray[np.fl
     >>> f"{float(planck_radiance(500.0, 5772.0)):.0f}"  # near its peak, 2.8978e6 / 5772 nm
     '26239'
     """
-    at = np.asarray(wavelengths, dtype=np.float64)
+    at = values_in(wavelengths, "nm", "wavelengths")
     refused = ~((at > 0.0) & (at < math.inf))
     if refused.any():
         raise ParameterError("wavelengths", float(at[refused].flat[0]), "above 0 nm, finite")
-    _positive("temperature", temperature, "K")
+    temperature = _positive("temperature", temperature, "K")
     metres = at * _NM
     x = PLANCK * SPEED_OF_LIGHT / (metres * BOLTZMANN * temperature)
     # e^-x / (1 - e^-x): equal to 1 / (e^x - 1), but nothing overflows for a cold star.
@@ -59,7 +63,7 @@ def planck_radiance(wavelengths: ArrayLike, temperature: float) -> NDArray[np.fl
 
 
 def star_irradiance(
-    wavelengths: ArrayLike, temperature: float, radius: float, distance: float
+    wavelengths: Measures, temperature: Measure, radius: Measure, distance: Measure
 ) -> NDArray[np.float64]:
     r"""Spectral irradiance by a black-body star of a plane that faces it.
 
@@ -94,13 +98,15 @@ def star_irradiance(
     >>> f"{float(star_irradiance(550.0, 5772.0, SOLAR_RADIUS, ASTRONOMICAL_UNIT)):.3f}"
     '1.749'
     """
-    _positive("radius", radius, "m")
-    _positive("distance", distance, "m")
+    radius, distance = _positive("radius", radius, "m"), _positive("distance", distance, "m")
     if distance < radius:
         raise ParameterError("distance", distance, f"at least the star's radius, {radius:g} m")
     return math.pi * (radius / distance) ** 2 * planck_radiance(wavelengths, temperature)
 
 
-def _positive(field: str, value: float, unit: str) -> None:
-    if not 0.0 < value < math.inf:
-        raise ParameterError(field, value, f"above 0 {unit}, finite")
+def _positive(field: str, value: Measure, unit: str) -> float:
+    allowed = f"above 0 {unit}, finite"
+    number = quantity(value, unit, field, bare=True, allowed=allowed)
+    if not number > 0.0:
+        raise ParameterError(field, value, allowed)
+    return number

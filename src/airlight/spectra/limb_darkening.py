@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.constants import BOLTZMANN, PLANCK, SPEED_OF_LIGHT
 from airlight.errors import ParameterError
+from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
 
@@ -73,7 +74,8 @@ def solar_darkening(wavelengths: ArrayLike) -> FloatArray:
     >>> (law[:, 0] / law.sum(axis=1)).round(3)  # the rim over the centre: darker in blue
     array([0.149, 0.362])
     """
-    microns = np.clip(np.atleast_1d(np.asarray(wavelengths, float)) * 1e-3, 0.300, 1.100)
+    nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
+    microns = np.clip(nm * 1e-3, 0.300, 1.100)
     knots = [end for first, last, _ in _NECKEL for end in (first, last)]
     out = np.empty((microns.size, COEFFICIENTS))
     for k, at in enumerate(microns):
@@ -123,7 +125,7 @@ def black_body_darkening(wavelengths: ArrayLike, temperature: float) -> FloatArr
     >>> (law[:, 0] / law.sum(axis=1)).round(2)
     array([0.1])
     """
-    nm = np.atleast_1d(np.asarray(wavelengths, float))
+    nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
     if not 0.0 < temperature < np.inf:
         raise ParameterError("temperature", temperature, "above 0 K, finite")
     temperature = max(temperature, _COOLEST)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.units import values_in
 
 #: Range beyond a table's ends over which its end value is used. [nm]
 ALLOWANCE: Final = 10.0
@@ -78,7 +79,7 @@ class Spectrum:
         >>> float(read_spectrum("astm-g173").at(550.0))  # as printed in the standard
         1.863
         """
-        at = np.asarray(wavelengths, dtype=np.float64)
+        at = values_in(wavelengths, "nm", "wavelengths")
         first, last = float(self.wavelengths[0]), float(self.wavelengths[-1])
         outside = ~((at >= first - ALLOWANCE) & (at <= last + ALLOWANCE))
         if outside.any():

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any, Final, TypeAlias
 
 import numpy as np
@@ -15,9 +17,13 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.planets.parameters import numbers
 from airlight.planets.planet import Planet
-from airlight.planets.reading.reader import load_planet
+from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.units import values_in
 
 FloatArray: TypeAlias = NDArray[np.float64]
+
+#: Range of numbers with the same unit: ``0.1:0.5:0.1``, ``1:5:2 km``.
+_RANGE: Final = re.compile(r"([^:]+:[^:]+:\s*[-+.\deE]+)\s*(.*)")
 
 #: Angles and altitude, with range and unit.
 AXES: Final[dict[str, tuple[float, float, str]]] = {
@@ -40,15 +46,17 @@ class Grid:
 
     Parameters
     ----------
-    planets : sequence of str
-        Presets or planet files.
+    planets : sequence of str, Path, Planet or Solution
+        Presets, planet files or planets, of different names; or one of them.
     vary : mapping
-        Values of keys of the planet files, by their path: each path is an axis.
-    altitude : sequence of float
-        Altitudes of the observer. [m]
-    sun_zenith, view_zenith, azimuth : sequence of float
+        Values of keys of the planet files, by their path: each path is an axis. A text is a list or
+        a range, see ``varied``. Planets without a file do not vary.
+    altitude : array
+        Altitudes of the observer: numbers, text with a unit (also a range, ``"0:10:2 km"``) or
+        quantities. [m]
+    sun_zenith, view_zenith, azimuth : array
         Zenith angles of sun and view, and the azimuth between them. [deg]
-    wavelengths : sequence of float, optional
+    wavelengths : array, optional
         Wavelengths; the first planet's own by default. [nm]
 
     Raises
@@ -65,7 +73,7 @@ class Grid:
     (1, 1, 2, 3, 1, 3)
     """
 
-    planets: Sequence[str]
+    planets: Sequence[PlanetLike]
     vary: Mapping[str, Sequence[Any]] = field(default_factory=dict)
     altitude: Sequence[float] = (0.0,)
     sun_zenith: Sequence[float]
@@ -74,18 +82,25 @@ class Grid:
     wavelengths: Sequence[float] | None = None
 
     def __post_init__(self) -> None:
+        if isinstance(self.planets, (str, Path)) or not isinstance(self.planets, Sequence):
+            object.__setattr__(self, "planets", (self.planets,))
+        vary = {path: varied(values, path) for path, values in self.vary.items()}
+        object.__setattr__(self, "vary", vary)
+        if self.wavelengths is not None:
+            nm = np.atleast_1d(values_in(self.wavelengths, "nm", "wavelengths"))
+            object.__setattr__(self, "wavelengths", tuple(nm.tolist()))
         for name, (low, high, unit) in AXES.items():
-            given = getattr(self, name)
+            given = np.atleast_1d(values_in(getattr(self, name), unit, name)).tolist()
             if not 1 <= len(given) <= MOST_VALUES:
                 raise ParameterError(name, f"{len(given)} values", f"1 to {MOST_VALUES}")
-            values = numbers(tuple(given), name, low, high, unit)
+            values = numbers(given, name, low, high, unit)
             if any(b <= a for a, b in itertools.pairwise(values)):
                 raise ParameterError(name, given, "ascending values")
             object.__setattr__(self, name, values)
         count = len(self.planets) * math.prod(len(values) for values in self.vary.values())
         if not 1 <= count <= MOST_PLANETS:
             raise ParameterError("planets", count, f"1 to {MOST_PLANETS} with all that varies")
-        for names in (self.planets, *self.vary.values()):
+        for names in (self.names, *self.vary.values()):
             texts = [str(one) for one in names]
             for text in texts:
                 if texts.count(text) > 1:
@@ -93,6 +108,14 @@ class Grid:
         total = math.prod(self.shape)
         if total > MOST_RADIANCES:
             raise ParameterError("size", total, f"at most {MOST_RADIANCES} radiances in all")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Planets by preset, path or name."""
+        return tuple(
+            str(one) if isinstance(one, (str, Path)) else load_planet(one).name
+            for one in self.planets
+        )
 
     @cached_property
     def nm(self) -> tuple[float, ...]:
@@ -155,3 +178,42 @@ class Grid:
             slice(view * views, min((view + 1) * views, len(self.view_zenith))),
             slice(None), slice(None),
         )  # fmt: skip
+
+
+def varied(values: Any, path: str) -> list[Any]:
+    """Values of a key that varies: of a text a list with commas or a range, with their unit.
+
+    Parameters
+    ----------
+    values : str, or sequence
+        Text, or values as a planet file takes them, quantities included.
+    path : str
+        Path of the key, for errors.
+
+    Raises
+    ------
+    ParameterError
+        If there is no value, or the range cannot be read.
+
+    Examples
+    --------
+    >>> varied("0.1:0.3:0.1", "ground.albedo"), varied("1:5:2 km", "dust.profile.scale_height")
+    ([0.1, 0.2, 0.3], ['1 km', '3 km', '5 km'])
+    """
+    if not isinstance(values, str):
+        return list(values)
+    match = _RANGE.fullmatch(values.strip())
+    if match is None:
+        items = [item.strip() for item in values.split(",")]
+        if not all(items):
+            raise ParameterError(path, values, "A,B,C or FROM:TO:STEP, such as 0.1,0.3")
+        return [_plain(item) for item in items]
+    numbers = values_in(match[1], "1", path).tolist()
+    return [f"{one:.12g} {match[2]}" for one in numbers] if match[2] else numbers
+
+
+def _plain(item: str) -> float | str:
+    try:
+        return float(item)
+    except ValueError:
+        return item

@@ -112,7 +112,7 @@ class SweepStore:
 def _axes(grid: Grid) -> dict[str, Any]:
     vary = {path: [str(value) for value in values] for path, values in grid.vary.items()}
     angles = {name: list(getattr(grid, name)) for name in AXES}
-    return {"planet": list(grid.planets), "vary": vary, **angles, "wavelength": list(grid.nm)}
+    return {"planet": list(grid.names), "vary": vary, **angles, "wavelength": list(grid.nm)}
 
 
 def _made(path: Path, grid: Grid, axes: str, title: str, *, stokes: bool) -> None:
@@ -120,7 +120,7 @@ def _made(path: Path, grid: Grid, axes: str, title: str, *, stokes: bool) -> Non
     import xarray
     import zarr
 
-    coordinates: dict[str, Any] = {"planet": ("planet", np.array(grid.planets))}
+    coordinates: dict[str, Any] = {"planet": ("planet", np.array(grid.names))}
     for name, values in grid.vary.items():
         plain = all(isinstance(value, (int, float)) for value in values)
         coordinates[name] = (name, np.array(values if plain else [str(v) for v in values]))

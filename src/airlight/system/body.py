@@ -20,6 +20,7 @@ from airlight.planets.schema.key import Key
 from airlight.planets.schema.record import Record
 from airlight.planets.spectral import Spectral, spectral_at
 from airlight.system.vectors import POSITION, frame_of, unit
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -168,7 +169,7 @@ class Body(Record):
 
     def albedos(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Albedo at each wavelength, shape (nl,). [1]"""
-        nm = np.asarray(wavelengths, float)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         if self.albedo is not None:
             return spectral_at(self.albedo, nm)
         if self.reflection == "moon":

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.constants import BOLTZMANN, PLANCK, SPEED_OF_LIGHT
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -62,7 +63,7 @@ class Stars:
         A black body of the star's colour, scaled to its magnitude at 550 nm. The sun's own
         magnitude, -26.74, gives 1.80 W m⁻² nm⁻¹; measured are 1.86.
         """
-        nm = np.asarray(wavelengths, float)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         x = PLANCK * SPEED_OF_LIGHT / (BOLTZMANN * 1e-9 * self.temperatures[:, None])
         shape = (_GREEN / nm) ** 5 * np.expm1(x / _GREEN) / np.expm1(x / nm)
         return np.asarray(ZERO_MAGNITUDE * 10.0 ** (-0.4 * self.magnitudes[:, None]) * shape)

@@ -8,6 +8,7 @@ from airlight.errors import ParameterError
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.key import Key
 from airlight.planets.schema.record import Record
+from airlight.scene.compass import read_bearing
 from airlight.scene.projections import PROJECTIONS
 from airlight.system.vectors import POSITION, unit
 
@@ -120,7 +121,7 @@ class View(Record):
         Annotated[
             float,
             Key(label="bearing", help="Compass bearing of the line of sight, 90 east.",
-                unit="deg", range=(-360.0, 360.0), example="225 deg"),
+                unit="deg", range=(-360.0, 360.0), example="225 deg or SW", read=read_bearing),
         ]
         | None
     ) = None  # fmt: skip

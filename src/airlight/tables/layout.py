@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.errors import ParameterError
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
+from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
 
@@ -86,7 +87,9 @@ class Positions:
         to_ground: ArrayLike | None = None,
     ) -> Positions:
         """Make points from arrays that broadcast; without ``to_ground`` the geometry decides."""
-        arrays = np.broadcast_arrays(*(np.asarray(x, float) for x in (r, mu, mu_s, nu)))
+        cosines = [values_in(one, "1", name) for one, name in
+                   ((mu, "mu"), (mu_s, "mu_s"), (nu, "nu"))]  # fmt: skip
+        arrays = np.broadcast_arrays(values_in(r, "m", "r"), *cosines)
         flat = [np.ascontiguousarray(array).ravel() for array in arrays]
         if to_ground is None:
             ends = np.asarray(vectorized(meets_ground)(flat[0], flat[1], bottom_radius), bool)

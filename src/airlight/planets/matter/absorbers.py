@@ -62,7 +62,8 @@ class OzoneAbsorption(Absorber):
             "All the ozone above the ground.",
             1e25,
             name="ozone",
-            note="Spread over the profile, times the cross-section at 293 K.",
+            note="In DU, atm-cm, mol/m^2 or molecules over an area. Spread over the profile, times"
+            " the cross-section at 293 K.",
         ),
     ]
 

@@ -36,6 +36,7 @@ from airlight.planets.spectral import (
     spectral_at,
     spectral_limits,
 )
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -316,7 +317,7 @@ class GasMixture(Matter):
 
     def _composed_refractivities(self, wavelengths: npt.ArrayLike, density: float) -> FloatArray:
         """Refractivity n - 1 of the composition at a number density [m⁻³], shape (nl,). [1]"""
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         refraction = np.zeros(nm.shape)
         for name, fraction in self.composition:
             gas = MOLECULES[name]
@@ -346,7 +347,7 @@ class GasMixture(Matter):
 
     def _sums(self, wavelengths: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Cross-sections of the composition, and of isotropic molecules of the same size. [m²]"""
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         total, round_part = np.zeros(nm.shape), np.zeros(nm.shape)
         for name, fraction in self.composition:
             sigma = fraction * MOLECULES[name].cross_sections(nm)

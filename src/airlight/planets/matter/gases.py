@@ -32,6 +32,7 @@ from airlight.planets.spectral import (
     power_law_at,
     spectral_at,
 )
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -102,7 +103,7 @@ def density_of_state(
 
 def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayleigh:
     """Phase function of molecules with depolarisation factors [1], shape (nl,), per wavelength."""
-    nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+    nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
     values = tuple(np.broadcast_to(depolarisations, nm.shape).tolist())
     return Rayleigh(depolarisation=PerWavelength(wavelengths=tuple(nm.tolist()), values=values))
 

@@ -33,6 +33,7 @@ from airlight.optics.size_distribution import Sizes
 from airlight.planets.matter.particle_index import ParticleIndex
 from airlight.planets.matter.particle_sizes import ParticleSizes
 from airlight.planets.spectral import Limits
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -113,7 +114,7 @@ def bracketing(nodes: tuple[float, ...], wavelengths: npt.ArrayLike) -> tuple[fl
     A wavelength that is a node needs no other node.
     """
     known = np.asarray(nodes)
-    nm = np.clip(np.atleast_1d(np.asarray(wavelengths, dtype=np.float64)), known[0], known[-1])
+    nm = np.clip(np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")), known[0], known[-1])
     above = np.searchsorted(known, nm, side="left")
     below = np.where(known[above] == nm, above, above - 1)
     return tuple(known[np.union1d(above, below)].tolist())

@@ -30,6 +30,7 @@ from airlight.planets.parameters import MISSING, instance_of, parameters
 from airlight.planets.schema.key import Key, Wavelengths, always
 from airlight.planets.schema.section import Section
 from airlight.planets.spectral import Limits, narrowest
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -197,7 +198,7 @@ class Particles(Matter):
     ) -> None:
         """Compute the nodes for these wavelengths [nm]; kept in memory and on disk."""
         if self.method == "mie":
-            wanted = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+            wanted = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
             if self.optical_depth is not None:
                 wanted = np.append(wanted, self.at)
             needed = bracketing(self._nodes, wanted)
@@ -216,7 +217,7 @@ class Particles(Matter):
         wavelengths : array, shape (nl,)
             Wavelengths. [nm]
         """
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if self.method == "anomalous-diffraction":
             sizes = self.sizes.sizes(_RADII)
             pairs = [
@@ -292,7 +293,7 @@ class Particles(Matter):
 
     def asymmetries(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Mean cosine of the scattering angle, shape (nl,). [1]"""
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         nodes = bracketing(self._nodes, nm)
         found = mie_nodes(self.index, self.sizes, nodes)
         return np.asarray(np.interp(nm, nodes, [one.asymmetry for one in found]))

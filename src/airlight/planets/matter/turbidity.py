@@ -14,6 +14,7 @@ from airlight.planets.matter.state_keys import albedo_key, depth_key
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.key import Key, always
 from airlight.planets.spectral import EVERYWHERE, Limits
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -168,7 +169,7 @@ class Turbidity(_Haze):
             assert self.rayleigh_optical_depth is not None
             depth = (self.turbidity - 1.0) * self.rayleigh_optical_depth
         exponent = self.angstrom if self.angstrom is not None else (self.junge or 2.0) - 2.0
-        ratio = np.asarray(wavelengths, dtype=np.float64) / AT
+        ratio = values_in(wavelengths, "nm", "wavelengths") / AT
         return np.asarray(depth / vertical_column * ratio**-exponent)
 
     def scattering_coefficients(
@@ -264,7 +265,7 @@ class LiteralTurbidity(_Haze):
         vertical_column : float
             Not used.
         """
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         concentration = (0.65 * self.turbidity - 0.65) * 1e-16
         k = np.interp(nm, _K_AT, _K)
         return np.asarray(0.434 * concentration * np.pi * (2.0 * np.pi / (1e-9 * nm)) ** 2 * k)

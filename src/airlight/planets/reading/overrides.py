@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import copy
 import difflib
+import functools
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -17,7 +18,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from airlight.errors import ParameterError
+from airlight.errors import Collector, ParameterError, ParameterErrors
+from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import joined
 from airlight.planets.reading.shell_edit import BOTTOM, TOP, lifted
 
@@ -51,7 +53,7 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
     Raises
     ------
     ParameterError
-        If a path leads nowhere: the nearest existing path is suggested.
+        If paths lead nowhere: for each the nearest existing path is suggested.
 
     Examples
     --------
@@ -64,8 +66,11 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
         raise ParameterError(f"{FIELD}s", overrides, allowed)
     changed = copy.deepcopy(dict(values))
     edited = []
+    collector = Collector()
     for path, value in overrides.items():
-        edited.append(_change(changed, path, _plain(value)))
+        with collector:
+            edited.append(_change(changed, path, _plain(value)))
+    collector.raise_all()
     if BOTTOM in edited and TOP not in edited and "shell" not in edited:
         return lifted(changed, dict(values))
     return changed
@@ -107,6 +112,8 @@ def with_hint(
 ) -> ParameterError:
     """Add to the reader's error the path in the file that an added key may have meant.
 
+    A key that planet files may have, and this one has not, meant itself.
+
     Parameters
     ----------
     error : ParameterError
@@ -116,7 +123,8 @@ def with_hint(
     overrides : mapping
         Map from path to value.
     """
-    if error.field.startswith(FIELD) or error.field in overrides:
+    said = "did you mean" in error.allowed or isinstance(error, ParameterErrors)
+    if error.field.startswith(FIELD) or error.field in overrides or said:
         return error
     if error.field == "refraction" and BOTTOM in overrides:  # bent around another ground
         reason = error.allowed.partition(": ")[2]
@@ -124,11 +132,22 @@ def with_hint(
         return ParameterError(BOTTOM, overrides[BOTTOM], allowed, error.file)
     known = _paths(values)
     for path in overrides:
-        near = _nearest(path, known)
-        if path not in known and near and "did you mean" not in error.allowed:
+        if path in known or _is_declared(values, path):
+            continue
+        near = _nearest(path, known, least=0.75)
+        if near:
             allowed = f"{error.allowed} (for {path!r} did you mean {near!r}?)"
             return ParameterError(error.field, error.value, allowed, error.file)
     return error
+
+
+def _is_declared(values: Mapping[str, Any], path: str) -> bool:
+    """Whether planet files may have a key at a path."""
+    try:
+        key_at(dict(values), functools.reduce(joined, _steps(values, path), ""))
+    except ParameterError:
+        return False
+    return True
 
 
 def _value(text: str) -> Any:
@@ -142,9 +161,14 @@ def _value(text: str) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    """Value as a TOML parser returns it: numbers and lists of Python, tables as dicts."""
-    if isinstance(value, (np.ndarray, np.generic)):
+    """Value as a TOML parser returns it: numbers and lists of Python, tables as dicts.
+
+    Quantities stay, since only the reader knows the unit that it needs.
+    """
+    if type(value) is np.ndarray or isinstance(value, np.generic):
         return value.tolist()
+    if getattr(value, "ndim", 0) == 1:
+        return list(value)
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
@@ -227,11 +251,11 @@ def _nowhere(root: Mapping[str, Any], path: str) -> ParameterError:
     return ParameterError(FIELD, path, allowed)
 
 
-def _nearest(path: str, known: list[str]) -> str | None:
-    """Path most similar to this path; with the same last key, if possible."""
+def _nearest(path: str, known: list[str], least: float = 0.5) -> str | None:
+    """Path most similar to this path, or with the same last key; None below a similarity."""
     last = path.rpartition(".")[2]
     same = [one for one in known if one.rpartition(".")[2] == last]
-    for options, cutoff in ((known, 0.75), (same, 0.0), (known, 0.5)):
+    for options, cutoff in ((known, 0.75), (same, 0.0), (known, least)):
         near = difflib.get_close_matches(path[:200], options, n=1, cutoff=cutoff)
         if near:
             return near[0]

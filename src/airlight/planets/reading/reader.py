@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from importlib import resources
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import Collector, FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
@@ -24,6 +24,18 @@ from airlight.planets.star import Star
 
 #: Largest size of a planet file. [byte]
 LARGEST_FILE: Final = 4_000_000
+
+
+class HasPlanet(Protocol):
+    """Solution, of which only the planet is asked."""
+
+    @property
+    def planet(self) -> Planet | None:
+        """Planet that was solved."""
+
+
+#: What functions take for a planet.
+PlanetLike: TypeAlias = Planet | str | Path | HasPlanet
 
 
 @cache
@@ -41,7 +53,7 @@ def planet_names() -> tuple[str, ...]:
 
 
 def load_planet(
-    name_or_path: str | Path,
+    name_or_path: PlanetLike,
     overrides: Mapping[str, Any] | None = None,
     *,
     progress: Progress | None = None,
@@ -51,9 +63,9 @@ def load_planet(
 
     Parameters
     ----------
-    name_or_path : str or Path
+    name_or_path : str, Path, Planet or Solution
         One of ``planet_names()``, or the path to a TOML file; its format is described in
-        ``docs/planet-files.md``.
+        ``docs/planet-files.md``. A planet is returned as it is, and of a solution its planet.
     overrides : mapping, optional
         Keys of the file that are changed before it is read, from path to value: constituents by
         name, values as in the file, None to remove a key.
@@ -70,7 +82,7 @@ def load_planet(
         If the file does not exist, cannot be read, or is not TOML.
     ParameterError
         If the name is unknown, or the file is invalid: the error names file, field, value and the
-        allowed values.
+        allowed values. If overrides are given for a planet, which has no file.
 
     Examples
     --------
@@ -79,6 +91,16 @@ def load_planet(
     >>> load_planet("earth", {"ground.albedo": 0.3, "shell.top_radius": "6500 km"}).ground.albedo
     0.3
     """
+    made = name_or_path if isinstance(name_or_path, Planet) else None
+    made = getattr(name_or_path, "planet", None) if made is None else made
+    if isinstance(made, Planet):
+        if overrides:
+            allowed = "none for a Planet, which has no file: a preset or a path, or replace()"
+            raise ParameterError("overrides", dict(overrides), allowed)
+        return made
+    if not isinstance(name_or_path, (str, Path)):
+        allowed = "a Planet, a solution, the name of a preset, or the path to a TOML file"
+        raise ParameterError("planet", name_or_path, allowed)
     text, file, folder = planet_text(name_or_path)
     return read_planet(text, file, folder, overrides, progress=progress, cancel=cancel)
 
@@ -282,28 +304,43 @@ def nested_tables(text: str, file: str) -> dict[str, Any]:
 
 def _planet(root: Section) -> Planet:
     keys = fields_of(Planet)
-    wavelengths = root.wavelengths()
-    own = {
-        field: key.read_from(root, wavelengths)
-        for field, key in keys.items()
-        if key.kind != "table" and not key.within
-    }
-    shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
-    own |= {
-        field: key.read_from(shell, None) for field, key in keys.items() if key.within == "shell"
-    }
-    shell.finish()
-    _check_shell(own["bottom_radius"], own["top_radius"])
-    ground = Ground.read(root.section("ground", "a table [ground] with an albedo"))
-    star = Star.read(root.section("star", "a table [star] with a spectrum and an angular_radius"))
-    thickness = own["top_radius"] - own["bottom_radius"]
-    constituents = tuple(
-        read_constituent(section, thickness)
-        for section in root.sections("constituents", "a list of tables [[constituents]]")
-    )
-    root.finish()
-    given = {field: value for field, value in own.items() if value is not None}
-    return Planet(ground=ground, star=star, constituents=constituents, **given)
+    collector = Collector()
+    own: dict[str, Any] = {}
+    wavelengths = None
+    with collector:
+        wavelengths = root.wavelengths()
+    for field, key in keys.items():
+        if key.kind != "table" and not key.within:
+            with collector:
+                own[field] = key.read_from(root, wavelengths)
+    with collector:
+        shell = root.section("shell", "a table [shell] with bottom_radius and top_radius")
+        for field, key in keys.items():
+            if key.within == "shell":
+                with collector:
+                    own[field] = key.read_from(shell, None)
+        shell.finish()
+    with collector:
+        own["ground"] = Ground.read(root.section("ground", "a table [ground] with an albedo"))
+    with collector:
+        allowed = "a table [star] with a spectrum and an angular_radius"
+        own["star"] = Star.read(root.section("star", allowed))
+    sections: list[Section] = []
+    with collector:
+        sections = root.sections("constituents", "a list of tables [[constituents]]")
+    if {"bottom_radius", "top_radius"} <= set(own):
+        with collector:
+            _check_shell(own["bottom_radius"], own["top_radius"])
+            thickness = own["top_radius"] - own["bottom_radius"]
+            constituents = []
+            for section in sections:
+                with collector:
+                    constituents.append(read_constituent(section, thickness))
+            own["constituents"] = tuple(constituents)
+    with collector:
+        root.finish()
+    collector.raise_all()
+    return Planet(**{field: value for field, value in own.items() if value is not None})
 
 
 def _check_shell(bottom: float, top: float) -> None:

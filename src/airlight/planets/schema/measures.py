@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import Any
+from typing import Any, Final
 
+from airlight.constants import AVOGADRO
+from airlight.errors import ParameterError
 from airlight.units import quantities, quantity
 
 #: Unit of columns of gas.
@@ -32,21 +34,47 @@ def converted(number: float, unit: str, shown: str) -> float:
     return float(f"{number / _factor(shown, unit):.14g}")
 
 
-def column_of_gas(value: Any, field: str, *, bare: bool = False) -> float:
-    """Molecules above an area, from a text such as ``345 DU`` or ``9.3e22 /m^2``. [m⁻²]
+#: Units of columns in words, with an example.
+COLUMN_UNITS: Final = "'DU', 'atm-cm', 'mol/m^2' or '1/m^2': '300 DU'"
+#: Thickness of a column at 0 °C and 1 atm, in Dobson units of 10 µm: factor of each unit's name.
+_THICKNESS: Final = {"DU": 1.0, "atm-cm": 1e3, "atm cm": 1e3, "atmcm": 1e3, "matm-cm": 1.0}
+_COLUMN: Final = re.compile(rf"\s*(\S{{1,40}}?)\s*({'|'.join(_THICKNESS)})\s*")
 
-    ``bare`` as for ``airlight.units.quantity``.
+
+def column_of_gas(value: Any, field: str, *, bare: bool = False) -> float:
+    """Molecules above an area, from text such as ``345 DU``, ``0.345 atm-cm``. [m⁻²]
+
+    Parameters
+    ----------
+    value : float, str or quantity
+        Column by thickness (1 atm-cm is 1000 DU), in moles or in molecules over an area.
+    field : str
+        Name in the error.
+    bare : bool
+        As for ``airlight.units.quantity``.
 
     Examples
     --------
-    >>> f"{column_of_gas('345 DU', 'ozone'):.3e}"
-    '9.269e+22'
+    >>> f"{column_of_gas('345 DU', 'ozone'):.3e}", f"{column_of_gas('0.345 atm-cm', 'ozone'):.3e}"
+    ('9.269e+22', '9.269e+22')
+    >>> f"{column_of_gas('1 mol/m^2', 'ozone'):.8e}"
+    '6.02214076e+23'
     """
-    if isinstance(value, str) and (match := re.fullmatch(r"\s*(\S{1,40}?)\s*DU\s*", value)):
+    allowed = f"a column with a unit such as {COLUMN_UNITS}"
+    if isinstance(value, str) and (match := _COLUMN.fullmatch(value)):
         from airlight.optics.gas_absorption import column_from_dobson
 
-        return column_from_dobson(quantity(match[1], "1", field))
-    return quantity(value, "1/m^2", field, bare=bare)
+        thickness = quantity(match[1], "1", field, allowed=allowed)
+        return column_from_dobson(_THICKNESS[match[2]] * thickness)
+    try:
+        return quantity(value, "1/m^2", field, bare=bare, allowed=allowed)
+    except ParameterError as error:
+        if isinstance(value, (int, float)):
+            raise
+        try:
+            return AVOGADRO * quantity(value, "mol/m^2", field, allowed=allowed)
+        except ParameterError:
+            raise error from None
 
 
 def number_in(value: Any, unit: str, bare: str, field: str) -> float:

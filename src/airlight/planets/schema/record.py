@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Final, Self, get_args, get_origin
 
-from airlight.errors import ParameterError
+from airlight.errors import Collector, ParameterError, changed
 from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key, Made, Wavelengths
 from airlight.planets.schema.measures import converted, text_of
 from airlight.planets.schema.section import Section
@@ -50,18 +50,32 @@ class Record(Made):
         ParameterError
             If a value is invalid, or an unknown key remains.
         """
-        values = cls.read_values(section, wavelengths)
-        section.finish()
-        return cls.made(section, values)
+        collector = Collector()
+        values: dict[str, Any] | None = None
+        with collector:
+            values = cls.read_values(section, wavelengths)
+        if values is None:  # what was not reached is no unknown key
+            section.note(key.name for key in cls.declared())
+        with collector:
+            section.finish()
+        made: Self | None = None
+        with collector:
+            made = None if values is None else cls.made(section, values)
+        collector.raise_all()
+        assert made is not None
+        return made
 
     @classmethod
     def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
         """Values of the table, by field; keys that it leaves out are absent."""
         if cls.has_wavelengths:
             wavelengths = section.wavelengths()
-        found = {
-            field: key.read_from(section, wavelengths) for field, key in fields_of(cls).items()
-        }
+        found: dict[str, Any] = {}
+        collector = Collector()
+        for field, key in fields_of(cls).items():
+            with collector:
+                found[field] = key.read_from(section, wavelengths)
+        collector.raise_all()
         return {field: value for field, value in found.items() if value is not None}
 
     @classmethod
@@ -72,8 +86,7 @@ class Record(Made):
             try:
                 return cls(**values)
             except ParameterError as error:
-                field = names.get(error.field, error.field)
-                raise ParameterError(field, error.value, error.allowed) from None
+                raise changed(error, lambda one: _renamed(one, names)) from None
 
     @classmethod
     def fresh(cls, old: FileTable, thickness: float) -> dict[str, Any]:
@@ -99,6 +112,11 @@ class Record(Made):
             elif key.fresh is not None:
                 table[key.name] = key.fresh
         return table
+
+
+def _renamed(error: ParameterError, names: Mapping[str, str]) -> ParameterError:
+    """Error of a field by the name of its key."""
+    return ParameterError(names.get(error.field, error.field), error.value, error.allowed)
 
 
 _FIELDS: Final[dict[type[Any], dict[str, Key]]] = {}

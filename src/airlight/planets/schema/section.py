@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import difflib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from airlight.errors import ParameterError
+from airlight.errors import Collector, ParameterError, changed
 from airlight.planets.parameters import MISSING, numbers
 from airlight.planets.spectral import (
     LONGEST,
@@ -49,12 +49,12 @@ class Section:
         return f"{self.path}.{key}" if self.path else key
 
     def __contains__(self, key: str) -> bool:
-        self._note(key)
+        self.note((key,))
         return key in self._values
 
-    def _note(self, key: str) -> None:
-        if key not in self._read:
-            self._read.append(key)
+    def note(self, keys: Iterable[str]) -> None:
+        """Count keys as read."""
+        self._read += [key for key in keys if key not in self._read]
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -63,7 +63,7 @@ class Section:
 
     def raw(self, key: str) -> Any:
         """Value as the TOML parser returned it, or None."""
-        self._note(key)
+        self.note((key,))
         return self._values.get(key)
 
     def required(self, key: str, allowed: str) -> Any:
@@ -139,11 +139,14 @@ class Section:
         return Path(file) if self.folder is None else self.folder / file
 
     def finish(self) -> None:
-        """Refuse a key that was not read, and suggest the nearest that exists."""
+        """Refuse keys that were not read, and suggest for each the nearest that exists."""
+        collector = Collector()
         for key in self._values:
-            if key not in self._read:
-                where = f"a key of {self.path}" if self.path else "a key of the file"
-                raise ParameterError(where, key, suggestion(key, tuple(self._read)))
+            with collector:
+                if key not in self._read:
+                    where = f"a key of {self.path}" if self.path else "a key of the file"
+                    raise ParameterError(where, key, suggestion(key, tuple(self._read)))
+        collector.raise_all()
 
     @contextlib.contextmanager
     def blamed(self) -> Iterator[None]:
@@ -151,9 +154,12 @@ class Section:
         try:
             yield
         except ParameterError as error:
-            if error.file is not None or (self.path and error.field.startswith(self.path)):
-                raise
-            raise ParameterError(self.name_of(error.field), error.value, error.allowed) from None
+            raise changed(error, self._blamed) from None
+
+    def _blamed(self, error: ParameterError) -> ParameterError:
+        if error.file is not None or (self.path and error.field.startswith(self.path)):
+            return error
+        return ParameterError(self.name_of(error.field), error.value, error.allowed)
 
 
 def quantity_list(value: Any, unit: str, field: str, *, bare: bool = False) -> tuple[float, ...]:

@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
@@ -28,6 +28,8 @@ from airlight.solvers.stokes_frame import STOKES, star_planes, to_meridian
 
 if TYPE_CHECKING:
     import xarray
+
+    from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 
@@ -202,13 +204,58 @@ class MonteCarloSolution(Solution):
     def _integrates_first_order(self) -> bool:
         return self.settings.exact_first_order and self.paths.shell is None
 
+    def radiance(
+        self,
+        *,
+        altitude: Measures,
+        sun_zenith: Measures,
+        view_zenith: Measures,
+        azimuth: Measures = 0.0,
+        order: int | None = None,
+        stokes: bool = False,
+    ) -> xarray.DataArray:
+        """See ``Solution``; the coordinate ``standard_error`` has the result's shape and unit.
+
+        ``estimate`` returns the contributions of the orders too.
+        """
+        if stokes and order is not None:  # the first, by quadrature
+            return super().radiance(
+                altitude=altitude, sun_zenith=sun_zenith, view_zenith=view_zenith,
+                azimuth=azimuth, order=order, stokes=stokes,
+            )  # fmt: skip
+        if stokes:
+            self.check_polarised()
+        self.check_order(order)
+        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        got = self.trace(sight, order=order)
+        values, errors = got.total, got.total_error
+        if order is not None:
+            values, errors = got.parts[:, order - 1], got.part_errors[:, order - 1]
+        if stokes:
+            values = _turned(got.total, got.polarised, *arrays[2:])
+            errors, axes = _turned_errors(got, *arrays[2:]), axes.beside("stokes", STOKES)
+        sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
+        found = self._labelled(values * sun, axes, "radiance", unit)
+        spread = self._labelled(errors * sun, axes, "standard error", unit)
+        return found.assign_coords(standard_error=spread)
+
+    def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
+        got = self._sky(r, mu_s)
+        return {
+            "diffuse": ("diffuse irradiance", got.total),
+            "diffuse_standard_error": ("standard error of the diffuse irradiance", got.total_error),
+        }
+
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; sampled over directions, the first order too."""
+        return self._sky(r, mu_s).total
+
+    def _sky(self, r: FloatArray, mu_s: FloatArray) -> Estimate:
         up = np.ones_like(r)
         r = self.paths.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, up, self.paths.medium.top_radius)
         question = Question(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
-        return self.answer(question, perf_counter()).total
+        return self.answer(question, perf_counter())
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; by quadrature."""
@@ -220,10 +267,10 @@ class MonteCarloSolution(Solution):
     def estimate(
         self,
         *,
-        altitude: ArrayLike,
-        sun_zenith: ArrayLike,
-        view_zenith: ArrayLike,
-        azimuth: ArrayLike = 0.0,
+        altitude: Measures,
+        sun_zenith: Measures,
+        view_zenith: Measures,
+        azimuth: Measures = 0.0,
         stokes: bool = False,
     ) -> xarray.Dataset:
         """Radiance with its standard error, and the contribution of each order of scattering.

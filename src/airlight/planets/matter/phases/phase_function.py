@@ -16,6 +16,7 @@ from airlight.optics.phase_matrix import unpolarising_ratio
 from airlight.optics.phase_table import interpolated
 from airlight.planets.schema.record import Record, fields_of
 from airlight.planets.spectral import Limits, PerWavelength, spectral_at, spectral_limits
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -107,7 +108,7 @@ class PhaseFunction(Record, ABC):
 
     def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments as ``optics.legendre`` defines them, shape (nl, degree + 1). [1]"""
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         return legendre_moments(lambda nu: np.moveaxis(self.values(nu, nm), 0, -1), degree)
 
     def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:
@@ -185,7 +186,7 @@ class FormulaPhase(PhaseFunction):
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """See ``PhaseFunction``: once for all wavelengths of the same parameters."""
-        nm = np.atleast_1d(np.asarray(wavelengths, dtype=np.float64))
+        nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         given = self.parameters_at(nm).reshape(-1, nm.size).T
         formula = type(self).formula
         return np.array([_formula_moments(formula, *row) for row in given.tolist()])

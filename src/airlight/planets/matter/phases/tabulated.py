@@ -31,6 +31,7 @@ from airlight.planets.spectral import (
     PerWavelength,
     check_wavelength_list,
 )
+from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -300,7 +301,7 @@ class TabulatedPhase(PhaseFunction):
 
     def _weights(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Share of each row in the values at each wavelength, shape (nr, nl). [1]"""
-        nm = np.asarray(wavelengths, dtype=np.float64)
+        nm = values_in(wavelengths, "nm", "wavelengths")
         weights = np.ones((1, len(nm)))
         if self.wavelengths:
             order = np.argsort(self.wavelengths)
