@@ -136,7 +136,7 @@ def write_picture(
     from airlight.scene.frame import Frame
 
     frame = picture if isinstance(picture, Frame) else Frame(rgb=picture, pixel_angle=pixel_angle)
-    rgb, pixel_angle = frame.rgb, frame.pixel_angle
+    rgb = frame.rgb
     metadata = {**frame.metadata, **(metadata or {})}
     used: float | None = None
     if suffix == ".exr":
@@ -151,7 +151,7 @@ def write_picture(
         eye = exposure == "auto" if eye is None else eye
         pixels = to_display(
             rgb, used, tone_map, encoding, eye=eye, primaries=primaries, bits=bits, glare=glare,
-            pixel_angle=pixel_angle,
+            **frame.lens,
         )  # fmt: skip
         display = {
             "exposure": f"{used:.10g} EV",
@@ -160,7 +160,7 @@ def write_picture(
             "encoding": encoding,
             "primaries": primaries,
         }
-        display |= {"glare": f"{glare:g}"} if pixel_angle > 0.0 else {}
+        display |= {"glare": f"{glare:g}"} if frame.pixel_angle > 0.0 else {}
         texts = {**metadata, **display}
         write_png(path, pixels, texts, encoding=encoding, primaries=primaries)
     return Written(path=Path(path), size=Path(path).stat().st_size, exposure=used)

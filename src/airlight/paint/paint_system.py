@@ -290,6 +290,7 @@ class _Picture:
                 "device": "processor",
             },
             pixel_angle=self.camera.glare_angle,
+            circle=self.camera.circular,
         )
 
     def _rays(self, first: int, last: int, across: float, down: float) -> FloatArray:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, Final
 
-from airlight.color.exposure import eased, exposure_of
+from airlight.color.exposure import eased, exposure_with_stars
 from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
 from airlight.ephemeris import moon_formula, sun_formula
@@ -40,6 +40,8 @@ from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.vertical_coupling import sideways_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
+#: Tables of a metered picture.
+_STARS: Final = ("bright", "weight", "near", "light")
 #: Formulas with the types of their arguments, by default all numbers. An array that a formula
 #: writes to may have any length.
 FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
@@ -50,7 +52,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     observer_numbers: (),
     raised_star: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
-    exposure_of: (Table("bright"), Table("weight"), F32),
+    exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
     eased: (),
     left_out: (),
     metering_weight: (I32, *(F32 for _ in range(9))),
@@ -123,9 +125,11 @@ def formulas_text() -> str:
     angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     connected = [name for name, form in PROJECTIONS.items() if form.connected]
+    circular = [name for name, form in PROJECTIONS.items() if form.circular]
     tables = (
         f"export const PIXEL_ANGLES = {{ {angles} }};\n"
         f"export const CONNECTED = {json.dumps(connected)};\n"
+        f"export const CIRCULAR = {json.dumps(circular)};\n"
         f"export const ASPECTS = {json.dumps(aspects)};\n"
         f"export const SHADING = {json.dumps(SHADING)};\n"
         f"export const WORLDS = {json.dumps(sun_formula.NUMBERED)};\n"
