@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 import airlight
 from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
+from airlight.paint.paint_scene import paint_scene
 from airlight.paint.paint_system import paint_system
 from airlight.paint.scene_lights import SceneLights
 from airlight.scene import Camera, Scene
@@ -262,3 +263,28 @@ def test_a_star_is_lifted_dimmed_and_hidden() -> None:
 def direction_to(ascension: float, declination: float) -> np.ndarray:
     a, d = np.radians([ascension, declination])
     return np.array([np.cos(d) * np.cos(a), np.cos(d) * np.sin(a), np.sin(d)])
+
+
+@pytest.mark.parametrize(("altitude", "zenith"), [(2.0, 90.1), (400e3, 109.95)])
+def test_a_low_light_looked_at_is_in_the_middle_of_the_picture(
+    altitude: float, zenith: float
+) -> None:
+    # a second method: the disc as drawn, bent by the air line by line. 0.05°, two pixels, for its
+    # flattening and the loss of light towards its lower rim; without refraction it is 0.4° off
+    turn = np.radians(zenith)
+    lights = (Light(star=SUN, direction=(np.cos(turn), np.sin(turn), 0.0)),)
+    observer = Observer(body="earth", altitude=altitude)
+    view = View(look_at="sun", field_of_view=1.5)
+    bright = luminance(drawn(system(EARTH, lights=lights, observer=observer, view=view)))
+    planet = airlight.load_planet("earth")
+    angle, _ = airlight.look_at(
+        "sun", altitude=altitude, sun_zenith=zenith, bottom_radius=planet.bottom_radius,
+        planet=planet,
+    )  # fmt: skip
+    camera = Camera(**SIZE, look_zenith=angle, field_of_view=1.5)
+    scene = Scene(altitude=altitude, sun_zenith=zenith, camera=camera)
+    alone = paint_scene(planet, scene, wavelengths=NM, quality="preview").rgb
+    for found in (bright, luminance(alone)):
+        row, column = np.nonzero(found > 0.3 * found.max())
+        assert abs(0.5 * (row.min() + row.max()) - 19.5) <= 2.0
+        assert abs(0.5 * (column.min() + column.max()) - 29.5) <= 1.0

@@ -33,7 +33,8 @@ EPILOG = examples(
     "airlight render earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
     "-o stockholm.png",
     "airlight render earth --at 46.5N,8E,2km --time '2026-12-21 civil-dusk' --look-at W -o a.png",
-    "airlight render earth --at 54.5N,11E --time '2026-10-26 moonrise' --look-at moon -o rise.png",
+    "airlight render earth --at 54.5N,11E --time 2026-10-26T16:00Z --look-at moon --fov 20 "
+    "-o rise.png",
     "airlight render earth --altitude 2m --sun-zenith 75 --look-at sun "
     "--second-star 80,12,3500K,0.4deg -o two.png",
     "airlight render lunar-eclipse --size 800x600 -o moon.png",
@@ -75,8 +76,8 @@ def render(
         str | None,
         typer.Option(
             metavar="WORD|BEARING",
-            help="Instead: horizon, nadir, zenith, sun, with --time moon; or a compass bearing, "
-            "NE or 315, with an elevation 315/20, without on the horizon.",
+            help="Instead: horizon, nadir, zenith; sun or, with --time, moon where they are seen; "
+            "or a compass bearing, NE or 315, with an elevation 315/20, without on the horizon.",
         ),
     ] = None,
     roll: Annotated[
@@ -365,6 +366,7 @@ def _target(
             bottom_radius=planet.bottom_radius,
             sun_azimuth=placed.sun_azimuth,
             moon=None if placed.moon is None else (placed.moon.zenith, placed.moon.azimuth),
+            planet=planet,
         )
     except ParameterError as error:
         raise ParameterError("--look-at", error.value, error.allowed) from None
