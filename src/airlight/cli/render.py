@@ -38,6 +38,8 @@ EPILOG = examples(
     "airlight render earth --altitude 2m --sun-zenith 75 --look-at sun "
     "--second-star 80,12,3500K,0.4deg -o two.png",
     "airlight render lunar-eclipse --size 800x600 -o moon.png",
+    "airlight render solar-eclipse-2017 --at 43.3N,3W --time 2026-08-12T18:27:30Z --look-at sun "
+    "--fov 30 -o totality.png",
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
     "airlight render earth --altitude 2m --look 60,90 --polariser 90deg -o dark.png",
     "airlight render earth --altitude 2m --projection fisheye --show dolp -o degree.png",
@@ -199,17 +201,18 @@ def render(
         for option, value in (("--show", show), ("--stokes", stokes or None)):
             if value is not None:
                 raise ParameterError(option, value, "none of a scene file: a planet's picture")
+        given = scene_file.SceneOptions(
+            at=at, time=time_, zone=zone, altitude=altitude, latitude=latitude,
+            longitude=longitude, look_at=look_at, fov=fov, polariser=polariser, changes=set_,
+            roll=roll if roll != "0deg" else None,
+            projection=projection if projection != "perspective" else None,
+        )  # fmt: skip
         frame = scene_file.painted(
-            planet, size, wavelengths, quality, samples if samples > 1 else None,
+            planet, given, size, wavelengths, quality, samples if samples > 1 else None,
             cache=not no_cache,
             beside={
-                "--at": at, "--time": time_, "--altitude": altitude, "--look": look,
-                "--look-at": look_at, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
-                "--latitude": latitude, "--longitude": longitude, "--fov": fov,
-                "--ground-albedo": ground_albedo, "--set": set_, "--ls": season,
-                "--zone": zone, "--exact": exact,
-                "--projection": projection if projection != "perspective" else None,
-                "--roll": roll if roll != "0deg" else None, "--polariser": polariser,
+                "--look": look, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
+                "--ground-albedo": ground_albedo, "--ls": season, "--exact": exact,
                 "--no-polarisation": no_polarisation,
                 "--device": device if device == "gpu" else None,
                 "--ground": ground if ground != "detailed" else None,

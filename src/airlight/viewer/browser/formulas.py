@@ -16,9 +16,10 @@ from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
 from airlight.optics.moon_phase import moon_share
-from airlight.pixels.disc_shading import SHADING, phase_shading
+from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
 from airlight.pixels.light_shown import light_shown
 from airlight.pixels.observer_numbers import observer_numbers
+from airlight.pixels.occulted_light import light_left
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, filter_axis
 from airlight.scene.metering import left_out, metering_weight
@@ -77,6 +78,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     moon_share: (),
     phase_shading: (),
     light_shown: (),
+    light_left: (),
     change_at: (),
     count_at: (),
     rest_after: (F32, F32, I32),
@@ -132,6 +134,7 @@ def formulas_text() -> str:
         f"export const CIRCULAR = {json.dumps(circular)};\n"
         f"export const ASPECTS = {json.dumps(aspects)};\n"
         f"export const SHADING = {json.dumps(SHADING)};\n"
+        f"export const OCCULTER = {json.dumps(OCCULTER)};\n"
         f"export const WORLDS = {json.dumps(sun_formula.NUMBERED)};\n"
     )
     return f"{emitted_formulas().functions_text()}\n{tables}"

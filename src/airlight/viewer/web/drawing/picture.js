@@ -151,6 +151,7 @@ export class Picture {
     return lightsOf(values, planet, fixed.projections).map((light) => {
       const seen = { ...planet, star: light.star };
       const numbers = observerNumbers(seen, values["view.altitude"], light.camera.sun);
+      numbers.disc /= light.left;
       return { ...light, numbers: { ...light.numbers, ...numbers, orders } };
     });
   }
