@@ -77,6 +77,21 @@ def test_behind_the_moon_there_is_nothing_and_beside_it_nothing_changes(
     assert np.count_nonzero(found) > 1000
 
 
+@pytest.mark.parametrize("width", [12, 40, 120])
+def test_the_last_crescent_has_no_ring(width: int, earth: MomentsSolution) -> None:
+    # a law: where the moon's rim is just outside the sun's, by less than a pixel, nothing is left;
+    # in totality there is no light at all, whatever the size of the pixels
+    star = earth.lights[0]
+    alpha = np.degrees(star.angular_radius)
+    view = {"width": width, "height": width, "field_of_view": 4.0}
+    whole = discs(dataclasses.replace(eclipse(0.0, **view), others=()), earth)
+    assert_array_equal(discs(eclipse(0.0, alpha + 0.005, **view), earth), 0.0)
+    thin = discs(eclipse(0.012, alpha + 0.005, **view), earth)
+    left = visible_light(alpha, [0.012], [alpha + 0.005], darkening=star.darkenings)
+    assert 0.0 < left.min() < left.max() < 0.01
+    assert thin.sum() / whole.sum() < 0.04  # of it without the moon's rim, 0.19
+
+
 def test_air_is_lit_by_what_is_left(earth: MomentsSolution) -> None:
     # a law: light is linear in that of the sun
     away = {"field_of_view": 40.0, "look_zenith": 60.0, "look_azimuth": 120.0, "width": 24}

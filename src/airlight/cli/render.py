@@ -38,8 +38,8 @@ EPILOG = examples(
     "airlight render earth --altitude 2m --sun-zenith 75 --look-at sun "
     "--second-star 80,12,3500K,0.4deg -o two.png",
     "airlight render lunar-eclipse --size 800x600 -o moon.png",
-    "airlight render solar-eclipse-2017 --at 43.3N,3W --time 2026-08-12T18:27:30Z --look-at sun "
-    "--fov 30 -o totality.png",
+    "airlight render solar-eclipse-2017 --at 42.35N,3.7W --time 2026-08-12T18:29:20Z --look-at sun "
+    "--fov 40 -o burgos.png",
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
     "airlight render earth --altitude 2m --look 60,90 --polariser 90deg -o dark.png",
     "airlight render earth --altitude 2m --projection fisheye --show dolp -o degree.png",

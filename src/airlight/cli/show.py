@@ -48,7 +48,7 @@ def show(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Show a planet: its parameters, optical depths, phase functions and sky colour; or a scene.
+    """Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.
 
     Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
     """

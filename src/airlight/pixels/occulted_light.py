@@ -62,6 +62,18 @@ def light_left(star_radius, separation, radius):
     return max(left / whole, DARKEST)
 
 
+@kernel
+def disc_factor(left):
+    """Radiance of a disc over its irradiance behind a moon, over that without; 0 if all is hidden.
+
+    Parameters
+    ----------
+    left : float
+        Share of the light that the moon leaves, at least ``DARKEST``. [1]
+    """
+    return 1.0 / left if left > DARKEST else 0.0
+
+
 def occulted_light(
     source: LightSource, light: LightPosition, lights: Sequence[LightPosition]
 ) -> LightSource:

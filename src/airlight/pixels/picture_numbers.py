@@ -17,6 +17,7 @@ from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
 from airlight.pixels.disc_shading import OCCULTER, shading_numbers
 from airlight.pixels.observer_numbers import observer_numbers
+from airlight.pixels.occulted_light import disc_factor
 from airlight.pixels.pixel import Screen
 from airlight.pixels.polarising_filter import CAMERA, NONE
 from airlight.pixels.sky_by_processor import SkyLayers
@@ -91,7 +92,7 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     numbers |= {f"filter_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
     numbers |= _occulter_numbers(source.occulter)
     if source.occulter is not None:
-        numbers["disc"] /= source.occulter.left
+        numbers["disc"] *= disc_factor(source.occulter.left)
     numbers |= shading_numbers(source.phase, source.limb, sun_level, float(sun[2]))
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}

@@ -184,7 +184,8 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
     if screen.occulter_radius > 0.0:
         dx, dy, dz = lx - screen.occulter_x, ly - screen.occulter_y, lz - screen.occulter_z
         beside = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
-        part *= 1.0 - covered(beside, screen.occulter_radius, pixel)
+        # Where both rims run through a pixel, the moon's hides what the disc's leaves of it.
+        part = max(part - covered(beside, screen.occulter_radius, pixel) * screen.disc, 0.0)
     along = 0.0
     if screen.phased:
         toward = (lx - observer.sun_x) * screen.limb_x + ly * screen.limb_y

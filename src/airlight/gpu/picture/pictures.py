@@ -457,9 +457,7 @@ class Pictures:
             "width": size[0],
             "height": size[1],
             "orders": order_number(orders),
-            "draws_disc": float(
-                disc and orders == "all" and solution.lights[0].angular_radius > 0.0
-            ),
+            "draws_disc": float(disc and orders == "all" and numbers["disc"] > 0.0),
             "sky_columns": self._sky_shape[0],
             "sky_rows": self._sky_shape[1],
             "keeps_peaks": peaks,

@@ -19,7 +19,7 @@ from airlight.optics.moon_phase import moon_share
 from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
 from airlight.pixels.light_shown import light_shown
 from airlight.pixels.observer_numbers import observer_numbers
-from airlight.pixels.occulted_light import light_left
+from airlight.pixels.occulted_light import disc_factor, light_left
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, filter_axis
 from airlight.scene.metering import left_out, metering_weight
@@ -79,6 +79,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     phase_shading: (),
     light_shown: (),
     light_left: (),
+    disc_factor: (),
     change_at: (),
     count_at: (),
     rest_after: (F32, F32, I32),

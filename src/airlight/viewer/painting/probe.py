@@ -19,6 +19,7 @@ from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.pixels.disc_shading import disc_powers, shading_numbers
 from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.occulted_light import DARKEST
 from airlight.render.drawing import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
@@ -319,7 +320,7 @@ def _star(
             math.sin(azimuth) * x + math.cos(azimuth) * y,
             z,
         ])  # fmt: skip
-        if np.linalg.norm(outside - moon) < 2.0 * math.sin(0.5 * radius):
+        if left <= DARKEST or np.linalg.norm(outside - moon) < 2.0 * math.sin(0.5 * radius):
             return nothing
     numbers = shading_numbers(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
     across = math.cos(azimuth) * numbers["limb_x"] - math.sin(azimuth) * numbers["limb_y"]

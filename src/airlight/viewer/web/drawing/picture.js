@@ -20,6 +20,7 @@ import {
   CIRCULAR,
   CONNECTED,
   PIXEL_ANGLES,
+  disc_factor,
   glare_levels,
   glare_share,
 } from "../generated/formulas.js";
@@ -151,7 +152,8 @@ export class Picture {
     return lightsOf(values, planet, fixed.projections).map((light) => {
       const seen = { ...planet, star: light.star };
       const numbers = observerNumbers(seen, values["view.altitude"], light.camera.sun);
-      numbers.disc /= light.left;
+      numbers.disc *= disc_factor(light.left);
+      numbers.draws_disc = Number(numbers.disc > 0);
       return { ...light, numbers: { ...light.numbers, ...numbers, orders } };
     });
   }
