@@ -98,6 +98,27 @@ def test_the_sun_s_side_is_at_the_bottom_of_a_dome(tmp_path: Path) -> None:
     assert rgb[24:].sum() > 1.2 * rgb[:8].sum()
 
 
+@pytest.mark.parametrize(
+    ("words", "white"),
+    [
+        (["--projection", "fisheye", "--size", "128"], 0.02),  # a dome in space: the sun, its glow
+        (["--look-at", "sun", "--fov", "1", "--size", "96x54"], 0.0),  # its disc, darker at the rim
+        (["--altitude", "2m", "--look-at", "sun", "--fov", "3", "--size", "96x54"], 0.06),
+        (["--altitude", "2m", "--sun-zenith", "120", "--moon", "60,10,20", "--look", "60,10",
+          "--fov", "1", "--size", "96x54"], 0.0),
+    ],
+)  # fmt: skip
+def test_no_picture_of_a_star_or_moon_is_blank(
+    words: list[str], white: float, tmp_path: Path
+) -> None:
+    # a law of photographs: something is seen, and what is white is no more than a disc of 0.53°
+    # in the picture, or its glow on a 25th of it
+    pixels = rendered(tmp_path / "a.png", *words)
+    assert pixels.max() > 100
+    assert np.mean(pixels.min(axis=2) >= 253) <= white
+    assert np.mean(pixels.max(axis=2) < 60) > 0.3  # space, or the night
+
+
 def test_the_same_command_gives_the_same_pixels(tmp_path: Path) -> None:
     # results must not depend on the order in which threads finish, nor on the cache
     first, second, third = (tmp_path / name for name in ("1", "2", "3"))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from airlight.cli import main
 from airlight.exports.png import read_png_metadata
@@ -35,18 +37,38 @@ def test_picture_of_a_place_and_time_says_both(
     assert texts["look"].split(",")[1] == "0 deg"
 
 
-def test_an_eclipse_that_is_not_drawn_is_said(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_eclipse_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     # totality over Oregon, and two hours later, when the Moon has left the sun
     oregon = ["--at", "44.507N,121.12W", "--time"]
     rendered(tmp_path / "a.png", *oregon, "2017-08-21T17:20:35Z")
     said = capsys.readouterr().out
     apart = float(said.partition("in front of the sun, ")[2].partition("°")[0])
     assert apart < 0.02
-    assert "this picture has no shadow of it" in said
+    assert "total; the sky of totality is that of a scene" in said
     rendered(tmp_path / "b.png", *oregon, "2017-08-21T19:20:35Z")
     assert "in front of the sun" not in capsys.readouterr().out
+
+
+def test_a_partial_eclipse_over_london_shows_its_crescent(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # 12 August 2026, London: largest at 18:13 UT, 91 % of the area and 0.926 of the diameter
+    # covered (NASA, Besselian elements of F. Espenak); the crescent is to the upper right, which
+    # the sun's light fills more than half of the limb but less than a tenth of the disc
+    words = ["--at", "51.5N,0.1W", "--time", "2026-08-12T18:13Z", "--look-at", "sun", "--fov", "3"]
+    out = tmp_path / "a.png"
+    quick = ["--quality", "preview", "--wavelengths", "rgb", "--size", "320x180"]
+    assert main(["render", "earth", "-o", str(out), *quick, *words]) == 0
+    said = capsys.readouterr().out
+    # the limb is darker than the middle: of 9 % of the area 6 to 8 % of the light is left
+    left = float(said.partition("from its middle: ")[2].partition(" %")[0])
+    assert 6.0 < left < 8.5
+    bright = np.asarray(Image.open(out).convert("L")) > 200
+    disc = np.pi * (0.5 * 0.5264 / 3.0 * 320) ** 2
+    assert 0.06 < bright.sum() / disc < 0.13
+    row, column = np.nonzero(bright)
+    assert row.mean() < 90.0 - 5.0  # above the middle of the picture, where the sun's middle is
+    assert np.ptp(column) > 0.6 * 0.5264 / 3.0 * 320
 
 
 def test_sun_distance_of_the_file_is_said(

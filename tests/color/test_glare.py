@@ -133,6 +133,20 @@ def test_glare_hardly_depends_on_the_resolution() -> None:
     assert_allclose(found[1], found[2], rtol=0.06)
 
 
+def test_beyond_the_circle_of_a_dome_there_is_no_glare() -> None:
+    # a law: where the picture shows nothing nothing is added; within it glare is as without circle
+    picture = np.zeros((30, 40, 3), np.float32)
+    picture[15, 5] = 1e6
+    across = 2 * np.arange(40) + 1 - 40
+    down = 2 * np.arange(30) + 1 - 30
+    beyond = across**2 + down[:, None] ** 2 > 30**2
+    free = Glare(picture, 0.02).rows(0, 30)
+    assert free[beyond].max() > 0.0
+    dome = np.concatenate([Glare(picture, 0.02, 1.0, True).rows(*one) for one in ((0, 7), (7, 30))])
+    assert_array_equal(dome[beyond], picture[beyond])
+    assert_array_equal(dome[~beyond], free[~beyond])
+
+
 def test_shares_add_up_to_the_total() -> None:
     # the integral over all octaves: ln(θ₁/θ₀) / ln 2 of them
     for angle in (1e-4, 1.37e-4, 1.9e-4):

@@ -58,6 +58,19 @@ def test_glare_of_a_device_is_the_processor_s(
     assert_allclose(shown(pictures, seen, glare=amount), wanted, rtol=0.0, atol=1.0)
 
 
+def test_beyond_the_circle_of_a_dome_a_device_shows_no_glare(pictures: Pictures) -> None:
+    # a law: no light is shown where the picture has no direction; within, the processor's glare
+    seen = towards_the_sun(72, 64, "fisheye")
+    frame = pictures.frame(seen)
+    got = shown(pictures, seen, glare=10.0)
+    beyond = ~seen.camera.directions().any(axis=-1)
+    assert np.count_nonzero(beyond) > 1000
+    assert_array_equal(got[beyond], 0.0)
+    wanted = to_display(frame.rgb, -5.0, glare=10.0, **frame.lens).astype(float)
+    assert np.abs(wanted - to_display(frame.rgb, -5.0)).max() > 20.0
+    assert_allclose(got, wanted, rtol=0.0, atol=1.0)
+
+
 def test_glare_follows_what_is_drawn(pictures: Pictures) -> None:
     # Levels are kept, as is the picture: after other sizes, lights and amounts each has to be as
     # it was, bit for bit.

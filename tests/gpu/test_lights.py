@@ -35,7 +35,7 @@ def test_lights_by_night_are_those_of_the_processor(device: Device) -> None:
         assert_allclose(pictures.frame(scene).rgb, wanted, rtol=5e-3, atol=2e-3 * wanted.max())
 
 
-@pytest.mark.parametrize("name", ["night", "day", "two suns"])
+@pytest.mark.parametrize("name", ["night", "day", "two suns", "eclipse"])
 def test_several_lights_are_shown_as_by_the_processor(name: str, device: Device) -> None:
     # Each light has its table of the sky, its disc and its colours; the moon's phase and the second
     # star's darkening included. Discs of fifty pixels, so that the rim is little of the picture.
@@ -44,6 +44,7 @@ def test_several_lights_are_shown_as_by_the_processor(name: str, device: Device)
     red = StarLight(zenith=78.0, azimuth=5.0, star=StarLight.black_body(3500.0, 4.0))
     zenith, others = {
         "night": (106.0, (moon,)), "day": (60.0, (moon,)), "two suns": (80.0, (red, moon)),
+        "eclipse": (80.0, (red, replace(moon, zenith=77.0, azimuth=9.0, phase=150.0))),
     }[name]  # fmt: skip
     camera = Camera(width=96, height=54, look_zenith=80.0, look_azimuth=20.0)
     scene = Scene(camera=camera, altitude=100.0, sun_zenith=zenith, others=others)

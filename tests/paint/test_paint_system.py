@@ -9,8 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 import airlight
+from airlight.color.glare import Glare
 from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
+from airlight.paint.paint_scene import paint_scene
 from airlight.paint.paint_system import paint_system
 from airlight.paint.scene_lights import SceneLights
 from airlight.scene import Camera, Scene
@@ -262,3 +264,47 @@ def test_a_star_is_lifted_dimmed_and_hidden() -> None:
 def direction_to(ascension: float, declination: float) -> np.ndarray:
     a, d = np.radians([ascension, declination])
     return np.array([np.cos(d) * np.cos(a), np.cos(d) * np.sin(a), np.sin(d)])
+
+
+@pytest.mark.parametrize(("altitude", "zenith"), [(2.0, 90.1), (400e3, 109.95)])
+def test_a_low_light_looked_at_is_in_the_middle_of_the_picture(
+    altitude: float, zenith: float
+) -> None:
+    # a second method: the disc as drawn, bent by the air line by line. 0.05°, two pixels, for its
+    # flattening and the loss of light towards its lower rim; without refraction it is 0.4° off
+    turn = np.radians(zenith)
+    lights = (Light(star=SUN, direction=(np.cos(turn), np.sin(turn), 0.0)),)
+    observer = Observer(body="earth", altitude=altitude)
+    view = View(look_at="sun", field_of_view=1.5)
+    bright = luminance(drawn(system(EARTH, lights=lights, observer=observer, view=view)))
+    planet = airlight.load_planet("earth")
+    angle, _ = airlight.look_at(
+        "sun", altitude=altitude, sun_zenith=zenith, bottom_radius=planet.bottom_radius,
+        planet=planet,
+    )  # fmt: skip
+    camera = Camera(**SIZE, look_zenith=angle, field_of_view=1.5)
+    scene = Scene(altitude=altitude, sun_zenith=zenith, camera=camera)
+    alone = paint_scene(planet, scene, wavelengths=NM, quality="preview").rgb
+    for found in (bright, luminance(alone)):
+        row, column = np.nonzero(found > 0.3 * found.max())
+        assert abs(0.5 * (row.min() + row.max()) - 19.5) <= 2.0
+        assert abs(0.5 * (column.min() + column.max()) - 29.5) <= 1.0
+
+
+@pytest.mark.parametrize("field_of_view", [1.0, 3.0, 12.0, 60.0])
+def test_a_star_limits_the_exposure_of_a_scene(field_of_view: float) -> None:
+    # in front of black space: the disc is seen, and its glare whitens less than a 25th of the
+    # picture; without the sun in view the exposure is that of what is there, a moon in its light
+    scene = system(
+        MOON, lights=(Light(star=SUN, direction=(0.0, 1.0, 0.0)),),
+        observer=Observer(position=(0.0, 0.0, 0.0)),
+        view=View(look_at="sun", field_of_view=field_of_view),
+    )  # fmt: skip
+    frame = paint_system(scene, **SIZE, wavelengths=NM, quality="preview")
+    bright = luminance(frame.rgb.astype(float))
+    shown = 2.0**frame.exposure * luminance(Glare(frame.rgb, frame.pixel_angle).rows(0, 40))
+    of_disc = bright > 0.01 * bright.max()
+    assert shown.max() > 0.5
+    assert np.mean((shown > 1.5) & ~of_disc) < 0.06
+    away = replace(scene, view=View(look_at="moon", field_of_view=field_of_view))
+    assert paint_system(away, **SIZE, wavelengths=NM, quality="preview").scene is None

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from airlight.color.exposure import camera_exposure
+from airlight.color.glare import Glare
 from airlight.scene import Camera, Scene
 from airlight.scene.metering import metering_weights, scene_exposure
 from airlight.scene.moon_light import MoonLight
@@ -18,17 +20,16 @@ RADIUS = 0.00465
 
 def weights_of(projection: str, **size: float) -> np.ndarray:
     camera = Camera(projection=projection, look_zenith=90.0, look_azimuth=180.0, **size)
-    # the sun is behind the camera, or of no consequence
-    return metering_weights(Scene(camera=camera, sun_zenith=60.0), RADIUS)
+    weights, _ = metering_weights(Scene(camera=camera, sun_zenith=60.0), RADIUS)
+    return np.abs(weights)
 
 
 def test_weights_are_solid_angles():
     # of the sphere, of half a sphere seen by a fisheye of 180°, of a pyramid of 90° by 90°, a sixth
     sphere = 4.0 * np.pi
-    lost = 2.0 * np.pi * (1.0 - np.cos(RADIUS + np.radians(0.75 + 360.0 / 256)))
     found = weights_of("equirectangular", width=256, height=128).sum()
-    assert_allclose(found, sphere - lost, rtol=1e-3)
-    assert_allclose(weights_of("cubemap", width=768, height=128).sum(), sphere - lost, rtol=1e-3)
+    assert_allclose(found, sphere, rtol=1e-3)
+    assert_allclose(weights_of("cubemap", width=768, height=128).sum(), sphere, rtol=1e-3)
     fisheye = weights_of("fisheye", width=256, height=256, field_of_view=180.0).sum()
     assert_allclose(fisheye, sphere / 2.0, rtol=5e-3)
     square = weights_of("perspective", width=256, height=256, field_of_view=90.0).sum()
@@ -36,27 +37,90 @@ def test_weights_are_solid_angles():
 
 
 @pytest.mark.parametrize("projection", PROJECTIONS)
-def test_the_star_s_neighbourhood_is_left_out(projection):
+def test_the_star_s_neighbourhood_is_told_apart(projection):
     size = {"equirectangular": (256, 128), "cubemap": (768, 128)}.get(projection, (128, 128))
     camera = Camera(projection=projection, width=size[0], height=size[1], look_zenith=60.0)
     scene = Scene(camera=camera, sun_zenith=60.0)
-    weights = metering_weights(scene, RADIUS)
+    weights, _ = metering_weights(scene, RADIUS)
     angle = np.arccos(np.clip(camera.directions() @ scene.sun_direction, -1.0, 1.0))
     seen = np.linalg.norm(camera.directions(), axis=-1) > 0.5
     assert weights[seen & (angle < np.radians(1.0))].size > 0
-    assert np.all(weights[seen & (angle < np.radians(1.0))] == 0.0)
+    assert np.all(weights[seen & (angle < np.radians(1.0))] < 0.0)
     far = seen & (angle > np.radians(1.1) + 1.01 * camera.pixel_angle)
     assert np.all(weights[far] > 0.0)
 
 
-def test_a_star_of_any_brightness_in_the_picture_changes_nothing():
-    camera = Camera(width=320, height=180, look_zenith=60.0)
-    scene = Scene(camera=camera, sun_zenith=60.0)
-    sky = np.full((180, 320, 3), 5.0)
-    angle = np.arccos(np.clip(camera.directions() @ scene.sun_direction, -1.0, 1.0))
-    lit = np.where(angle[..., None] < RADIUS, 1e7, sky)
-    assert lit.max() == 1e7
-    assert scene_exposure(lit, scene, RADIUS) == scene_exposure(sky, scene, RADIUS)
+def lit_picture(
+    field_of_view: float, sky: float, disc: float, moon: MoonLight | None = None, width: int = 240
+) -> tuple[np.ndarray, Scene]:
+    """Even sky with an even disc of the sun, or of the moon by night, in the middle."""
+    camera = Camera(
+        width=width, height=width * 9 // 16, look_zenith=60.0, field_of_view=field_of_view
+    )
+    others = () if moon is None else (moon,)
+    scene = Scene(camera=camera, sun_zenith=60.0 if moon is None else 140.0, others=others)
+    towards = scene.lights[-1].direction
+    angle = np.arccos(np.clip(camera.directions() @ towards, -1.0, 1.0))
+    rgb = np.where(angle[..., None] < scene.lights[-1].radius(RADIUS), disc, sky)
+    return np.repeat(rgb, 3, axis=2), scene
+
+
+def test_a_day_s_sun_in_a_wide_picture_changes_nothing():
+    # a sun 250 000 times as bright as its sky, as in clear air: its glare whitens 3 % of 60°
+    sunny, scene = lit_picture(60.0, 7.0, 1.8e6)
+    sky, _ = lit_picture(60.0, 7.0, 7.0)
+    assert sunny.max() == 1.8e6
+    wanted = scene_exposure(sky, scene, RADIUS)
+    assert_allclose(scene_exposure(sunny, scene, RADIUS), wanted, rtol=1e-12)
+
+
+@pytest.mark.parametrize("sky", [7.0, 1e-3, 0.0])
+@pytest.mark.parametrize("field_of_view", [0.4, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 60.0, 120.0])
+@pytest.mark.parametrize("disc", [1.8e6, 20.0, 1e10])
+def test_a_star_in_view_leaves_a_picture_neither_white_nor_black(sky, field_of_view, disc):
+    # a second method: glare itself, drawn. Its white may be a 25th of the picture, and the disc
+    rgb, scene = lit_picture(field_of_view, min(sky, disc), disc)
+    factor = 2.0 ** scene_exposure(rgb, scene, RADIUS)
+    shown = factor * Glare(rgb.astype(np.float32), scene.camera.glare_angle).rows(0, 135)[..., 0]
+    of_disc = rgb[..., 0] == disc
+    assert np.mean((shown > 1.5) & ~of_disc) < 0.06
+    assert factor * disc > 0.3
+    if of_disc.mean() > 0.1:  # the subject: its shape is not drowned in white
+        assert factor * disc < 1.0
+
+
+def test_through_a_telescope_the_moon_is_exposed_as_in_photographs():
+    # 2500 cd/m²: "looney 11", f/11 at 1/ISO, makes 0.17 of what saturates; pictures are shown
+    # brighter than sensors are exposed, a sunlit scene too
+    moon = MoonLight(zenith=60.0, azimuth=20.0)
+    camera = {"look_azimuth": 20.0}
+    rgb, scene = lit_picture(1.0, 0.0, 2500.0 / 683.0, moon)
+    scene = dataclasses.replace(scene, camera=dataclasses.replace(scene.camera, **camera))
+    angle = np.arccos(np.clip(scene.camera.directions() @ moon.direction, -1.0, 1.0))
+    rgb[:] = np.where(angle[..., None] < moon.radius(RADIUS), 2500.0 / 683.0, 0.0)
+    looney = camera_exposure(iso=100.0, aperture=11.0, shutter=1.0 / 100.0)
+    assert abs(scene_exposure(rgb, scene, RADIUS) - looney) < 2.5
+
+
+def test_a_zoom_to_the_sun_darkens_without_a_leap():
+    # a law: a factor of 1.1 in the field of view is 0.28 EV of the picture's solid angle, by which
+    # the glow changes, and what is taken away for the disc again; the pixels of the rim add to that
+    views = 0.8 * 1.1 ** np.arange(39)
+    found = [scene_exposure(*lit_picture(one, 7.0, 1.8e6, width=640), RADIUS) for one in views]
+    assert found[-1] - found[0] > 10.0
+    assert np.all(np.diff(found) > -0.1)
+    assert np.max(np.diff(found)) < 2.0 * 0.28 + 0.2
+
+
+def test_a_flight_to_space_ends_at_the_glow_of_the_sun():
+    # where the sky is black its darkness no longer matters
+    found = []
+    for sky in np.geomspace(7.0, 1e-12, 40):
+        rgb, scene = lit_picture(120.0, sky, 1.8e6)
+        found.append(scene_exposure(rgb, scene, RADIUS))
+    rgb, scene = lit_picture(120.0, 0.0, 1.8e6)
+    assert_allclose(found[-1], scene_exposure(rgb, scene, RADIUS), atol=0.01)
+    assert np.max(np.abs(np.diff(found))) < 1.3  # the sky itself falls by 1.1 EV a step
 
 
 def test_pictures_of_all_sizes_are_exposed_alike():
@@ -74,17 +138,17 @@ def test_pictures_of_all_sizes_are_exposed_alike():
 
 def test_other_sampling_measures_the_same_pixels():
     scene = Scene(camera=dataclasses.replace(Camera(), width=40, height=30))
-    whole = metering_weights(scene, 0.0)
-    assert_allclose(metering_weights(scene, 0.0, 3)[2, 5], whole[6, 15], rtol=1e-12)
+    whole, _ = metering_weights(scene, 0.0)
+    assert_allclose(metering_weights(scene, 0.0, 3)[0][2, 5], whole[6, 15], rtol=1e-12)
 
 
 def test_the_disc_of_a_second_light_does_not_count_by_its_own_size() -> None:
-    # Pixels within the moon's own radius and the margin of 0.75° have no weight, those beyond do.
+    # Pixels within the moon's own radius and the margin of 0.75° are its own, those beyond are not.
     camera = Camera(width=200, height=100, field_of_view=40.0, look_zenith=70.0)
     moon = MoonLight(zenith=70.0, azimuth=5.0, angular_radius=3.0)
     scene = Scene(camera=camera, sun_zenith=120.0, others=(moon,))
-    weights = metering_weights(scene, 0.005)
+    weights, light = metering_weights(scene, 0.005)
     apart = np.degrees(np.arccos(np.clip(camera.directions() @ moon.direction, -1.0, 1.0)))
     margin = np.degrees(camera.pixel_angle)
-    assert not weights[apart < 3.75].any()
+    assert np.all((weights[apart < 3.75] < 0.0) & (light[apart < 3.75] == 1))
     assert (weights[apart > 3.75 + 1.01 * margin] > 0.0).all()

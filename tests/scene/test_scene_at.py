@@ -14,7 +14,9 @@ from airlight.ephemeris.instant import days_of
 from airlight.ephemeris.sky import Place, moon_seen
 from airlight.ephemeris.sun_vector import solar_point
 from airlight.errors import ParameterError
-from airlight.scene.apparent_sun import apparent_altitude
+from airlight.planets.medium import Medium
+from airlight.scene.apparent_sun import apparent_altitude, apparent_zenith
+from airlight.solvers.light_paths import LightPaths
 
 TIME = datetime(2026, 6, 21, 14, 10, tzinfo=UTC)
 
@@ -37,7 +39,9 @@ def test_camera_looks_where_it_is_told() -> None:
     where = {"latitude": 59.33, "longitude": 18.07, "time": TIME}
     sun = Scene.at(earth, **where, look_at="sun")
     assert sun.camera.look_azimuth == 0.0
-    assert sun.camera.look_zenith == sun.sun_zenith
+    # a law, far from the horizon: (n - 1)(1 - H/R) tan z, with 2.777e-4 (Peck & Reeder 1972)
+    lift = 57.2 / 3600.0 * np.tan(np.radians(sun.sun_zenith))
+    assert sun.camera.look_zenith == pytest.approx(sun.sun_zenith - lift, abs=1.0 / 3600.0)
     moon = Scene.at(earth, **where, look_at="moon", camera=Camera(width=8, height=6))
     seen = moon_seen(Place(latitude=59.33, longitude=18.07, altitude=2.0), TIME)
     north, west, up = moon.ground_frame.T @ moon.ground_frame @ moon.camera.axes[2]
@@ -46,7 +50,9 @@ def test_camera_looks_where_it_is_told() -> None:
     turn = np.radians(moon.sun_azimuth)
     along = east_north_up[1] * np.cos(turn) + east_north_up[0] * np.sin(turn)
     left = east_north_up[1] * np.sin(turn) - east_north_up[0] * np.cos(turn)
-    assert_allclose([north, west, up], [along, left, east_north_up[2]], rtol=0, atol=1e-9)
+    assert np.arctan2(west, north) == pytest.approx(np.arctan2(left, along), abs=1e-9)
+    lift = np.degrees(np.arcsin(up) - np.arcsin(east_north_up[2]))
+    assert lift == pytest.approx(57.2 / 3600.0 * np.sqrt(1.0 - up**2) / up, abs=2.0 / 3600.0)
     assert moon.camera.width == 8
 
 
@@ -83,3 +89,49 @@ def test_sun_on_the_horizon_is_lifted_as_in_almanacs() -> None:
     assert apparent_altitude(earth, 0.0, 95.0) is None
     assert apparent_altitude(earth, 200e3, 60.0) is None
     assert apparent_altitude(load_planet("mars-rayleigh"), 0.0, 60.0) is None
+
+
+def test_apparent_zenith_angles_are_those_of_almanacs() -> None:
+    # Bennett (1982), J. Inst. Navigation 35, 255, for 10 °C and 1010 hPa, accurate to 0.07'; this
+    # air of 15 °C has 2 % less
+    earth = load_planet("earth")
+    for altitude in (0.5, 2.0, 5.0, 10.0, 30.0, 60.0):
+        minutes = 1.0 / np.tan(np.radians(altitude + 7.31 / (altitude + 4.4)))
+        seen = 90.0 - apparent_zenith(earth, 0.0, 90.0 - altitude + minutes / 60.0)
+        assert seen == pytest.approx(altitude, abs=(0.04 * minutes + 0.1) / 60.0)
+    assert apparent_zenith(load_planet("mars-rayleigh"), 0.0, 60.0) == 60.0
+
+
+@pytest.mark.parametrize("altitude", [0.0, 12e3, 90e3, 110e3, 400e3, 3.84e8])
+def test_a_body_behind_the_limb_is_seen_where_its_ray_leads(altitude: float) -> None:
+    # a second method: the star's table inside the air; outside, a ray that grazes the ground is
+    # bent as much as two from the ground to space, and one that misses the air goes straight
+    earth = load_planet("earth")
+    paths = LightPaths.of(Medium.from_planet(earth, [550.0]))
+    assert paths.shell is not None
+    r = earth.bottom_radius + altitude
+    x = float(paths.optical_radius(np.array(r)))
+    horizon = 180.0 - np.degrees(np.arcsin(paths.shell.bottom / x))
+    if altitude > earth.thickness:
+        lift = np.degrees(paths.largest_bend)
+        above = 180.0 - np.degrees(np.arcsin(earth.top_radius / r))
+        assert_allclose(apparent_zenith(earth, altitude, above), above, atol=1e-4)
+    else:
+        lift = np.degrees(
+            float(
+                paths.bent(
+                    np.array([x]), np.array([-np.sqrt(1.0 - (paths.shell.bottom / x) ** 2) + 1e-12])
+                )[0]
+            )
+        )
+        for one in (20.0, 85.0, horizon - 0.02):
+            seen = apparent_altitude(earth, altitude, one)
+            assert seen is not None
+            assert_allclose(apparent_zenith(earth, altitude, one), 90.0 - seen, atol=2e-3)
+    assert_allclose(apparent_zenith(earth, altitude, horizon + 0.999999 * lift), horizon, atol=2e-3)
+    # no leap as it sets, and its true place once it is far below
+    near = np.array([apparent_zenith(earth, altitude, horizon + lift + d) for d in (-1e-4, 1e-4)])
+    assert abs(np.diff(near)[0]) < 2e-3
+    assert (
+        apparent_zenith(earth, altitude, horizon + 5.0 * lift + 0.01) == horizon + 5.0 * lift + 0.01
+    )

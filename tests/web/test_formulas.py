@@ -70,9 +70,18 @@ CASES: dict[str, tuple[Any, ...]] = {
     "exposure_of": (
         np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0)
     ),
+    "exposure_with_stars": (
+        np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500) * (np.arange(500) < 400),
+        RNG.uniform(0.0, 1.0, 500) * (np.arange(500) >= 400), RNG.integers(0, 2, 500),
+        RNG.integers(0, 3, COUNT), numbers(0.0, 900.0), numbers(250.0, 1000.0),
+    ),
+    "star_limited": (numbers(-20.0, 20.0), POSITIVE, POSITIVE[::-1], numbers(0.1, 10.0)),
     "weighted_index": (RNG.uniform(0.0, 1.0, 500), RNG.integers(0, 90, COUNT), numbers(0.0, 1.0)),
     "adapted_key": (np.geomspace(1e-6, 1e5, COUNT),),
     "eased": (*SPEEDS, numbers(0.0, 1.0), numbers(-0.1, 0.5)),
+    "disc_factor": (numbers(1e-5, 1.0),),
+    "light_left": (numbers(1e-3, 0.1), numbers(0.0, 0.3), numbers(1e-3, 0.1)),
+    "covered_half_arc": (numbers(1e-3, 0.1), numbers(1e-3, 0.3), numbers(1e-3, 0.1)),
     "left_out": (numbers(0.0, 0.1), numbers(0.0, 0.1)),
     "metering_weight": (RNG.integers(0, 4, COUNT), *POINTS, *SUN, 0.9),
     "projected_ray": (RNG.integers(0, 4, COUNT), *POINTS),

@@ -76,6 +76,13 @@ VIEWS = {
          "view.second_light": "moon", "view.second_zenith": 74.0, "view.second_azimuth": 190.0,
          "view.moon_phase": 70.0, "view.second_radius": 5.0, "display.exposure": 3.0},
     ),
+    "earth, eclipse": (
+        "earth",
+        {"view.altitude": 2.0, "view.sun_zenith": 70.0, "view.look_zenith": 70.0,
+         "view.field_of_view": 1.2, "view.second_light": "moon", "view.second_zenith": 70.1,
+         "view.second_azimuth": 180.15, "view.moon_phase": 180.0, "view.second_radius": 0.26,
+         "display.exposure": -18.0},
+    ),
     "earth, two suns": (
         "earth",
         {"view.altitude": 2.0, "view.sun_zenith": 75.0, "view.look_zenith": 80.0,

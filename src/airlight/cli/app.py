@@ -27,7 +27,7 @@ ERROR = 2
 #: this name in the module of this name, which is not imported for it.
 COMMANDS: Final = {
     "planets": "List the planets that ship with airlight.",
-    "show": "Show a planet: its parameters, optical depths, phase functions and sky colour.",
+    "show": "Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.",
     "render": "Compute a picture of a planet's air, or of a scene with several bodies and lights.",
     "animate": "Draw the frames of a film: only those that are missing or have changed.",
     "sky": "Write an observer's sky as an environment map, with a JSON that says where its sun "

@@ -34,10 +34,13 @@ EPILOG = examples(
     "airlight render earth --at 59.33N,18.07E --time 2026-06-21T22:10+02:00 --look-at sun "
     "-o stockholm.png",
     "airlight render earth --at 46.5N,8E,2km --time '2026-12-21 civil-dusk' --look-at W -o a.png",
-    "airlight render earth --at 54.5N,11E --time '2026-10-26 moonrise' --look-at moon -o rise.png",
+    "airlight render earth --at 54.5N,11E --time 2026-10-26T16:00Z --look-at moon --fov 20 "
+    "-o rise.png",
     "airlight render earth --altitude 2m --sun-zenith 75 --look-at sun "
     "--second-star 80,12,3500K,0.4deg -o two.png",
     "airlight render lunar-eclipse --size 800x600 -o moon.png",
+    "airlight render solar-eclipse-2017 --at 42.35N,3.7W --time 2026-08-12T18:29:20Z --look-at sun "
+    "--fov 40 -o burgos.png",
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
     "airlight render earth --altitude 2m --look 60,90 --polariser 90deg -o dark.png",
     "airlight render earth --altitude 2m --projection fisheye --show dolp -o degree.png",
@@ -76,8 +79,8 @@ def render(
         str | None,
         typer.Option(
             metavar="WORD|BEARING",
-            help="Instead: horizon, nadir, zenith, sun, with --time moon; or a compass bearing, "
-            "NE or 315, with an elevation 315/20, without on the horizon.",
+            help="Instead: horizon, nadir, zenith; sun or, with --time, moon where they are seen; "
+            "or a compass bearing, NE or 315, with an elevation 315/20, without on the horizon.",
         ),
     ] = None,
     roll: Annotated[
@@ -199,17 +202,18 @@ def render(
         for option, value in (("--show", show), ("--stokes", stokes or None)):
             if value is not None:
                 raise ParameterError(option, value, "none of a scene file: a planet's picture")
+        given = scene_file.SceneOptions(
+            at=at, time=time_, zone=zone, altitude=altitude, latitude=latitude,
+            longitude=longitude, look_at=look_at, fov=fov, polariser=polariser, changes=set_,
+            roll=roll if roll != "0deg" else None,
+            projection=projection if projection != "perspective" else None,
+        )  # fmt: skip
         frame = scene_file.painted(
-            planet, size, wavelengths, quality, samples if samples > 1 else None,
+            planet, given, size, wavelengths, quality, samples if samples > 1 else None,
             cache=not no_cache,
             beside={
-                "--at": at, "--time": time_, "--altitude": altitude, "--look": look,
-                "--look-at": look_at, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
-                "--latitude": latitude, "--longitude": longitude, "--fov": fov,
-                "--ground-albedo": ground_albedo, "--set": set_, "--ls": season,
-                "--zone": zone, "--exact": exact,
-                "--projection": projection if projection != "perspective" else None,
-                "--roll": roll if roll != "0deg" else None, "--polariser": polariser,
+                "--look": look, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
+                "--ground-albedo": ground_albedo, "--ls": season, "--exact": exact,
                 "--no-polarisation": no_polarisation,
                 "--device": device if device == "gpu" else None,
                 "--ground": ground if ground != "detailed" else None,
@@ -366,6 +370,7 @@ def _target(
             bottom_radius=planet.bottom_radius,
             sun_azimuth=placed.sun_azimuth,
             moon=None if placed.moon is None else (placed.moon.zenith, placed.moon.azimuth),
+            planet=planet,
         )
     except ParameterError as error:
         raise ParameterError("--look-at", error.value, error.allowed) from None

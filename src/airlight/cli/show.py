@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli import options
+from airlight.cli import options, scene_file
 from airlight.cli.comparison import print_comparison
 from airlight.cli.console import console
 from airlight.cli.examples import examples
+from airlight.cli.scene_description import print_scene
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ EPILOG = examples(
     "airlight show my-planet.toml",
     "airlight show earth --latitude 72 --longitude -40",
     "airlight show earth-openspace --compare earth",
+    "airlight show solar-eclipse-2017",
     "airlight show earth --set 'ozone.absorption.ozone=200 DU' --compare earth",
 )
 
@@ -46,13 +48,22 @@ def show(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Show a planet: its parameters, optical depths, phase functions and sky colour.
+    """Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.
 
     Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
     """
     from airlight.planets import Medium
     from airlight.planets.parameter_values import made_of
+    from airlight.system import is_scene_file
 
+    if is_scene_file(planet):
+        given = {"--compare": compare, "--latitude": latitude, "--longitude": longitude,
+                 "--ground-albedo": ground_albedo}  # fmt: skip
+        for option, value in given.items():
+            if value is not None:
+                raise ParameterError(option, value, "none of a scene, which is described alone")
+        print_scene(scene_file.changed(planet, scene_file.SceneOptions(changes=set_)))
+        return
     world = options.planet(planet, set_)
     world = options.with_solved_ground(world, ground_albedo, latitude, longitude)
     if compare is not None:

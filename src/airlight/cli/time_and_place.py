@@ -62,6 +62,9 @@ SunDistance = Annotated[
     ),
 ]
 
+#: Wavelength of what an eclipse leaves of the sun. [nm]
+_MIDDLE = 550.0
+
 
 @dataclass(frozen=True, kw_only=True)
 class Placed:
@@ -215,7 +218,7 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
     seen = apparent_altitude(planet, placed.altitude, placed.sun_zenith)
     text = sky_line(place, placed.time, seen=seen)
     if placed.moon is not None:
-        text += _eclipse(place, placed.time, placed.moon)
+        text += _eclipse(planet, place, placed.time, placed.moon)
     if sun_distance == "file":
         return f"{text}  lit as in the planet's file"
     if planet.star.irradiance is not None:
@@ -223,15 +226,21 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
     return text
 
 
-def _eclipse(place: Place, time: datetime, moon: MoonSighting) -> str:
-    """Words about a Moon in front of the sun, which a picture of the planet alone has not."""
+def _eclipse(planet: Planet, place: Place, time: datetime, moon: MoonSighting) -> str:
+    """Words about a Moon in front of the sun, and what it leaves of its light."""
     from airlight.ephemeris.sky import sun_seen
+    from airlight.geometry.disc_overlap import visible_light
 
     sun = sun_seen(place, time)
     apart = math.degrees(2.0 * math.asin(0.5 * math.dist(sun.direction, moon.direction)))
     if sun.altitude < -1.0 or apart >= sun.angular_radius + moon.angular_radius:
         return ""
-    return (
-        f"  in front of the sun, {apart:.2f}° from its middle: this picture has no shadow of it, a "
-        "scene of both has (solar-eclipse-2017, docs/scenes.md)"
-    )
+    darkening = planet.lights([_MIDDLE])[0].darkenings
+    part = visible_light(sun.angular_radius, [apart], [moon.angular_radius], darkening=darkening)[0]
+    left = f"{100.0 * part:.2g} % of its light is left"
+    if part <= 0.0:
+        left = (
+            "total; the sky of totality is that of a scene: airlight render solar-eclipse-2017 "
+            "--at … --time …"
+        )
+    return f"  in front of the sun, {apart:.2f}° from its middle: {left}"

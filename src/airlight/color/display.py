@@ -141,6 +141,7 @@ def to_display(
     dither: bool = True,
     glare: float = 1.0,
     pixel_angle: float = 0.0,
+    circle: bool = False,
 ) -> NDArray[Any]:
     """Convert a frame of linear light to a picture of whole numbers.
 
@@ -172,6 +173,8 @@ def to_display(
         Amount of glare, 0 to 10: 1 is that of a lens. [1]
     pixel_angle : float
         Angle of a pixel, ``Frame.pixel_angle``; without it there is no glare. [rad]
+    circle : bool
+        Whether the picture is that of a dome, ``Frame.circle``: black beyond its circle.
 
     Returns
     -------
@@ -201,7 +204,7 @@ def to_display(
         primaries=primaries,
         step=1.0 / most if dither else 0.0,
     )
-    lens = Glare(rgb, pixel_angle, glare)
+    lens = Glare(rgb, pixel_angle, glare, circle)
     height, width = rgb.shape[:2]
     picture = zeros((height, width, 3), _TYPES[bits])
     rows = max(1, _BLOCK // max(1, width))

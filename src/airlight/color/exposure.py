@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.color.glare import COARSEST, FINEST, TOTAL
 from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
@@ -41,6 +42,14 @@ _LOW_KEY: Final = 0.6
 _LIT: Final = 1.0 / 3.0
 #: Exponent of brightness as a function of luminance. [Stevens & Stevens 1963]
 _BRIGHTNESS: Final = 1.0 / 3.0
+#: Share of the picture that the glare of a star may fill with light of ``_HIGHLIGHT``. [1]
+_GLOW: Final = 0.04
+#: Stops that are taken away once more, at most, where that makes the surroundings darker. [EV]
+_SUBJECT: Final = 8.0
+#: Light as which the brightest of a disc is shown that is the subject. [1]
+_DISC: Final = 0.8
+#: Radiance that glare spreads at an angle, times its square, per irradiance, see ``glare``. [1]
+_SPREAD: Final = TOTAL / (2.0 * math.pi * math.log(COARSEST / FINEST))
 #: Luminance of a night without moon or stars; nothing makes a picture of less brighter. [cd m⁻²]
 _NIGHT: Final = 1e-4
 #: Approximate number of pixels sampled, every k-th row and column.
@@ -187,6 +196,84 @@ def exposure_of(bright, weight, black):
     return min(max(log2(factor), -MOST_EXPOSURE), MOST_EXPOSURE)
 
 
+@kernel
+def star_limited(exposure, brightest, irradiance, picture):
+    r"""Exposure of a picture with a star in view. [EV]
+
+    The star's glare, a E / θ², may have 1.5 times white on a 25th of the picture,
+
+    .. math:: 2^\mathrm{EV} \le \frac{1.5 \cdot 0.04\, Ω}{π a E}.
+
+    Where that makes the surroundings darker by some stops, they are lost, and the star becomes the
+    subject: as many stops again are taken away, at most eight, until its disc is 0.8 of white.
+
+    Parameters
+    ----------
+    exposure : float
+        Exposure of what is away from the star. [EV]
+    brightest : float
+        Largest luminance near the star. [W m⁻² sr⁻¹]
+    irradiance : float
+        Light E of the star and of what is near it, above 0. [W m⁻²]
+    picture : float
+        Solid angle Ω of the picture. [sr]
+
+    Examples
+    --------
+    >>> f"{2.0 ** star_limited(100.0, 2e6, 136.0, 1e-4) * 2e6:.2f}"  # the sun through a telescope
+    '0.80'
+    """
+    glow = log2(_HIGHLIGHT * _GLOW * picture / (math.pi * _SPREAD * irradiance))
+    lost = exposure - glow
+    if lost <= 0.0:
+        return exposure
+    return min(glow, max(glow - min(lost, _SUBJECT), log2(_DISC / brightest)))
+
+
+@compiled_loop
+def exposure_with_stars(bright, weight, near, light, lights, black, picture):
+    """Exposure of a picture with stars in view. [EV]
+
+    What is away from them is exposed as ``exposure_of`` says, and each star limits that, see
+    ``star_limited``. Where no light is away from them, as in space, that limit is the exposure;
+    where nothing is away from them, through a telescope, their neighbourhood is the picture.
+
+    Parameters
+    ----------
+    bright : array, shape (n,)
+        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
+    weight, near : array, shape (n,)
+        Solid angles of these pixels, one of the two 0: the second near a star. [sr]
+    light : array, shape (n,)
+        Number of the star, where there is one. [1]
+    lights : int
+        Number of stars.
+    black : float
+        Solid angle of all others that are not near a star. [sr]
+    picture : float
+        Solid angle of the picture. [sr]
+    """
+    away, around = 0.0, 0.0
+    for i in range(bright.size):
+        away += weight[i]
+        around += near[i]
+    exposure = MOST_EXPOSURE
+    if away > 0.0:
+        exposure = exposure_of(bright, weight, black)
+    elif black <= 0.0 or around <= 0.0:
+        exposure = max(exposure_of(bright, near, 0.0), log2(_DISC / bright[bright.size - 1]))
+    limit = exposure
+    for k in range(lights):
+        brightest, irradiance = 0.0, 0.0
+        for i in range(bright.size):
+            if near[i] > 0.0 and abs(light[i] - k) < 0.5:
+                brightest = bright[i]
+                irradiance += near[i] * bright[i]
+        if irradiance > 0.0:
+            limit = min(limit, star_limited(exposure, brightest, irradiance, picture))
+    return min(max(limit, -MOST_EXPOSURE), MOST_EXPOSURE)
+
+
 def sampling_step(height: int, width: int) -> int:
     """Step between the rows and columns of a picture that are measured. [pixel]"""
     return max(1, math.isqrt(height * width // SAMPLE))
@@ -269,9 +356,14 @@ def automatic_exposure(
     black = float(weight[np.isfinite(bright) & ~counted].sum())
     bright, weight = bright[counted], np.asarray(weight[counted], dtype=np.float64)
     if bright.size == 0:
-        bright, weight, black = np.full(1, _NIGHT / LUMINOUS_EFFICACY), np.ones(1), 0.0
+        return night_exposure()
     order = np.argsort(bright)
     return float(exposure_of(bright[order], weight[order], black))
+
+
+def night_exposure() -> float:
+    """Exposure of a picture without any light: that of a night without moon or stars. [EV]"""
+    return float(exposure_of(np.full(1, _NIGHT / LUMINOUS_EFFICACY), np.ones(1), 0.0))
 
 
 @kernel

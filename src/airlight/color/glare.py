@@ -205,7 +205,7 @@ def spread_texel(level, coarser, row, column, share, more):
 
 
 @inlined
-def glared_texel(picture, coarser, row, column, amount, total):
+def glared_texel(picture, coarser, row, column, amount, total, circle):
     """Light of a pixel behind the lens.
 
     Parameters
@@ -218,8 +218,15 @@ def glared_texel(picture, coarser, row, column, amount, total):
         Amount of glare, 1 for that of a lens. [1]
     total : float
         Sum of the shares of all levels. [1]
+    circle : bool
+        Whether the picture ends at the largest circle that fits, beyond which it stays as it is.
     """
-    if amount > 0.0 and total > 0.0:
+    beyond = False
+    if circle:
+        height, width = picture.shape[0], picture.shape[1]
+        across, up, diameter = 2 * column + 1 - width, 2 * row + 1 - height, min(width, height)
+        beyond = across * across + up * up > diameter * diameter
+    if amount > 0.0 and total > 0.0 and not beyond:
         kept = np.float32(1.0 - amount * total)
         return kept * picture[row, column] + np.float32(amount) * finer_texel(coarser, row, column)
     return picture[row, column]
@@ -244,12 +251,14 @@ def _spread(first, last, level, coarser, share, more, out):
 
 
 @compiled_loop
-def _glare(first, last, picture, coarser, amount, total, out):
+def _glare(first, last, picture, coarser, amount, total, circle, out):
     for row in range(first, last):
         for c in range(3):
             own, others = picture[:, :, c], coarser[:, :, c]
             for column in range(out.shape[1]):
-                out[row - first, column, c] = glared_texel(own, others, row, column, amount, total)
+                out[row - first, column, c] = glared_texel(
+                    own, others, row, column, amount, total, circle
+                )
 
 
 class Glare:
@@ -263,6 +272,8 @@ class Glare:
         Angle of a pixel in the middle of the picture; 0 for no glare. [rad]
     amount : float
         Amount, 0 to 10: 1 is that of a lens, 0 none. [1]
+    circle : bool
+        Whether the picture ends at the largest circle that fits: no light is spread beyond it.
 
     Raises
     ------
@@ -277,9 +288,13 @@ class Glare:
     """
 
     def __init__(
-        self, rgb: NDArray[np.floating[Any]], pixel_angle: float, amount: float = 1.0
+        self,
+        rgb: NDArray[np.floating[Any]],
+        pixel_angle: float,
+        amount: float = 1.0,
+        circle: bool = False,
     ) -> None:
-        self._picture, self._amount = rgb, checked_amount(amount)
+        self._picture, self._amount, self._circle = rgb, checked_amount(amount), circle
         shorter = float(min(rgb.shape[:2]))
         count = glare_levels(pixel_angle, shorter) if amount > 0.0 else 0
         shares = [glare_share(level, pixel_angle, shorter) for level in range(1, count + 1)]
@@ -309,7 +324,9 @@ class Glare:
         if self.none:
             return self._picture[first:last]
         out = np.empty_like(self._picture[first:last])
-        _glare(first, last, self._picture, self._coarser, self._amount, self._total, out)
+        _glare(
+            first, last, self._picture, self._coarser, self._amount, self._total, self._circle, out
+        )
         release(self._picture[first:last])
         release(self._coarser[first // 2 : last // 2])
         return out

@@ -141,7 +141,7 @@ def write_picture(
     else:
         angle = quantity(pixel_angle, "rad", "pixel_angle", bare=True)
         frame = Frame(rgb=without_unit(picture, "picture"), pixel_angle=angle)
-    rgb, pixel_angle = frame.rgb, frame.pixel_angle
+    rgb = frame.rgb
     metadata = {**frame.metadata, **(metadata or {})}
     used: float | None = None
     if suffix == ".exr":
@@ -156,7 +156,7 @@ def write_picture(
         eye = exposure == "auto" if eye is None else eye
         pixels = to_display(
             rgb, used, tone_map, encoding, eye=eye, primaries=primaries, bits=bits, glare=glare,
-            pixel_angle=pixel_angle,
+            **frame.lens,
         )  # fmt: skip
         display = {
             "exposure": f"{used:.10g} EV",
@@ -165,7 +165,7 @@ def write_picture(
             "encoding": encoding,
             "primaries": primaries,
         }
-        display |= {"glare": f"{glare:g}"} if pixel_angle > 0.0 else {}
+        display |= {"glare": f"{glare:g}"} if frame.pixel_angle > 0.0 else {}
         texts = {**metadata, **display}
         write_png(path, pixels, texts, encoding=encoding, primaries=primaries)
     return Written(path=Path(path), size=Path(path).stat().st_size, exposure=used)

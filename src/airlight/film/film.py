@@ -14,12 +14,11 @@ from airlight.film.plan import FilmPlan
 from airlight.film.still import PlanetStill, Quality, Still, SystemStill
 from airlight.film.view import PlanetView
 from airlight.planets.planet import Planet
-from airlight.planets.reading.overrides import FIELD, overridden
+from airlight.planets.reading.overrides import FIELD
 from airlight.planets.reading.reader import read_tables
 from airlight.planets.schema.record import fields_of
 from airlight.planets.schema.section import Section
-from airlight.system.body import Body
-from airlight.system.reading import read_system_tables
+from airlight.system.reading import changed_system
 from airlight.system.system import System
 
 Tables = Mapping[str, Any]
@@ -119,34 +118,12 @@ class Film:
     # --- a scene ------------------------------------------------------------------------------
 
     def _system_at(self, changes: Tables, time: datetime | None) -> System:
-        own, of_planets = self._sorted(changes)
         if time is not None:
-            own = {**own, "time": time.isoformat()}
+            changes = {**changes, "time": time.isoformat()}
         try:
-            tables = overridden(self.tables, own) if own else self.tables
-            return read_system_tables(tables, self.file, self.folder, of_planets)
+            return changed_system(self.tables, self.file, self.folder, changes)
         except ParameterError as error:
             raise _of_a_key(error) from None
-
-    def _sorted(self, changes: Tables) -> tuple[dict[str, Any], dict[str, dict[str, Any]]]:
-        """Changes of the scene file, and of the planet file of each body."""
-        bodies = self.tables.get("bodies", [])
-        names = [one.get("name") if isinstance(one, dict) else None for one in bodies]
-        own: dict[str, Any] = {}
-        of_planets: dict[str, dict[str, Any]] = {}
-        for path, value in changes.items():
-            first, _, rest = path.partition(".")
-            if first not in names:
-                own[path] = value
-            elif rest.partition("[")[0] in fields_of(Body):
-                own[f"bodies[{names.index(first)}].{rest}"] = value
-            else:
-                of_planets.setdefault(first, {})[rest] = value
-        for name, some in of_planets.items():
-            if "planet" not in bodies[names.index(name)]:
-                path = f"{name}.{next(iter(some))}"
-                raise ParameterError("film.keys", path, f"a key of the body {name}")
-        return own, of_planets
 
     # --- the clock ----------------------------------------------------------------------------
 

@@ -55,7 +55,7 @@ def finished(
     """
     told = {name: text for name, text in frame.metadata.items() if name != "solver"}
     plain = Frame(
-        rgb=frame.rgb, pixel_angle=frame.pixel_angle, scene=frame.scene,
+        rgb=frame.rgb, **frame.lens, scene=frame.scene,
         star_radius=frame.star_radius,
     )  # fmt: skip
     with tempfile.TemporaryDirectory(prefix="airlight-") as folder:

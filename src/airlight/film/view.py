@@ -149,7 +149,7 @@ class PlanetView(Record):
         if target is not None:
             zenith, azimuth = look_at(
                 target, altitude=self.altitude, sun_zenith=sun_zenith,
-                bottom_radius=planet.bottom_radius, sun_azimuth=sun_azimuth,
+                bottom_radius=planet.bottom_radius, sun_azimuth=sun_azimuth, planet=planet,
             )  # fmt: skip
             camera = replace(camera, look_zenith=zenith, look_azimuth=azimuth)
         return Scene(

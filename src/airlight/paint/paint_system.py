@@ -23,14 +23,15 @@ from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.paint.corona import OUTERMOST, corona
 from airlight.paint.eclipsed_air import planet_drawing
+from airlight.paint.local_frame import camera_angles, level_axes, metered_scene
 from airlight.paint.scene_lights import SceneLights
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_points, raised_points
+from airlight.planets.light_source import LightSource
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.render.drawing import Drawing
 from airlight.render.through_air import through_air
 from airlight.scene import Camera, Scene
-from airlight.scene.directions import camera_axes
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
 from airlight.scene.pixel_position import pixel_positions
@@ -170,6 +171,8 @@ class _Picture:
             if body.planet is not None:
                 solutions[body.name] = self._solved(body, quality, cache, progress, cancel)
         self.lights = SceneLights(system, self.wavelengths, solutions)
+        #: Stars of whose discs something is drawn, by name.
+        self._seen: dict[str, LightSource] = {}
         self.colors = self.lights.source(self.lights.stars[0], self.eye).colors()
         bodies = sorted(system.bodies, key=self._power)
         self.items: list[_Air | Body] = [
@@ -221,14 +224,14 @@ class _Picture:
             if source.irradiance.max() <= _FAINTEST * brightest:
                 continue
             lit = solution.lit_by(source, beside=number > 0)
-            local = _level_axes(up, self.lights.towards(light, body.centre[None])[0])
+            local = level_axes(up, self.lights.towards(light, body.centre[None])[0])
             scene = self._scene(body, light, up, local, latitude, longitude, altitude)
             drawing = planet_drawing(
                 self.lights, light, body, lit, scene, local, cache=self.cache, progress=progress,
                 cancel=cancel,
             )  # fmt: skip
             layer += self._drawn(drawing, progress, cancel)
-        return _Air(body, solution, altitude, _level_axes(up), layer)
+        return _Air(body, solution, altitude, level_axes(up), layer)
 
     def _scene(
         self, body: Body, light: Light, up: FloatArray, local: FloatArray, latitude: float,
@@ -243,7 +246,7 @@ class _Picture:
         if flat > 1e-12:
             east = east / flat
             bearing = math.degrees(math.atan2(local[0] @ east, local[0] @ np.cross(up, east)))
-        zenith, azimuth, roll = _camera_angles(self.axes @ local.T)
+        zenith, azimuth, roll = camera_angles(self.axes @ local.T)
         return Scene(
             camera=replace(self.camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
             altitude=altitude,
@@ -291,7 +294,15 @@ class _Picture:
                 "device": "processor",
             },
             pixel_angle=self.camera.glare_angle,
+            circle=self.camera.circular,
+            scene=self._metered(),
+            star_radius=max((one.angular_radius for one in self._seen.values()), default=0.0),
         )
+
+    def _metered(self) -> Scene | None:
+        """Camera and the stars whose discs are in view, for the exposure; None without one."""
+        seen = [one.towards(self.eye) for one in self.lights.stars if one.name in self._seen]
+        return metered_scene(self.camera, self.axes, seen) if seen else None
 
     def _rays(self, first: int, last: int, across: float, down: float) -> FloatArray:
         """Unit vectors in the frame of the scene, shape (rows, width, 3). [1]"""
@@ -500,6 +511,7 @@ class _Picture:
         met = np.flatnonzero((angle < alpha) & open_)
         if met.size == 0:
             return
+        self._seen[light.name] = source
         mu = np.sqrt(np.maximum(1.0 - (np.sin(angle[met]) / math.sin(alpha)) ** 2, 0.0))
         shape = (mu[:, None] ** np.arange(coefficients.shape[1])) @ coefficients.T
         radiance = shape / (math.pi * math.sin(alpha) ** 2)
@@ -509,29 +521,3 @@ class _Picture:
 def _angle_between(rays: FloatArray, towards: FloatArray) -> FloatArray:
     """Angles between unit vectors, accurate when small, shape (n,). [rad]"""
     return np.asarray(np.arctan2(np.linalg.norm(np.cross(rays, towards), axis=-1), rays @ towards))
-
-
-def _level_axes(up: FloatArray, towards: FloatArray | None = None) -> FloatArray:
-    """Axes of an observer's local frame as rows: x to the side of a light, z to the zenith. [1]"""
-    flat = np.zeros(3)
-    if towards is not None:
-        flat = towards - (towards @ up) * up
-    if np.linalg.norm(flat) < 1e-12:
-        flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])
-    x = flat / np.linalg.norm(flat)
-    return np.stack([x, np.cross(up, x), up])
-
-
-def _camera_angles(axes: FloatArray) -> tuple[float, float, float]:
-    """Zenith angle, azimuth and roll of a camera of known axes, as ``camera_axes`` takes them.
-
-    Parameters
-    ----------
-    axes : array, shape (3, 3)
-        Right, up and forward in the local frame, as rows. [1]
-    """
-    right, _, forward = axes
-    zenith = math.degrees(math.atan2(math.hypot(forward[0], forward[1]), forward[2]))
-    azimuth = math.degrees(math.atan2(-forward[1], forward[0]))
-    level, upright, _ = camera_axes(zenith, azimuth, 0.0)
-    return zenith, azimuth, math.degrees(math.atan2(-right @ upright, right @ level))

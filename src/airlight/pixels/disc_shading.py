@@ -24,6 +24,8 @@ _GAUSS: Final = 3.0**-0.5
 
 #: Uniforms of a moon's disc: its phase, and the direction towards its bright limb.
 SHADING: Final = ("phase_sine", "phase_cosine", "phase_share", "limb_x", "limb_y", "limb_z")
+#: Uniforms of a moon in front of the disc: direction of its middle, and angular radius.
+OCCULTER: Final = ("occulter_x", "occulter_y", "occulter_z", "occulter_radius")
 
 
 def shading_numbers(

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from airlight.pixels.light_shown import light_shown
+from airlight.pixels.occulted_light import occulted_light
 from airlight.planets.light_source import LightSource
 from airlight.scene import Scene
 from airlight.scene.light_position import LightPosition
@@ -42,6 +43,8 @@ def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
     place, with its own irradiance, spectrum and disc. No light costs another solve. The lamps of
     towns shine in the first.
 
+    A moon in front of a star hides its disc and dims its light, see ``occulted_light``.
+
     Lights beside the first that cannot be seen are left out, see ``light_shown``.
 
     Parameters
@@ -59,7 +62,7 @@ def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
     sources = solution.lights
     pictures: list[LitScene] = []
     for number, light in enumerate(scene.lights):
-        source = light.source(sources)
+        source = occulted_light(light.source(sources), light, scene.lights)
         first = pictures[0].solution.lights[0] if pictures else source
         shown = 2.0 if number == 0 else _shown(scene, solution, light, source, first)
         if shown == 0.0:

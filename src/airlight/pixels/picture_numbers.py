@@ -15,12 +15,14 @@ from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.geometry.bending import seen_star
-from airlight.pixels.disc_shading import shading_numbers
+from airlight.pixels.disc_shading import OCCULTER, shading_numbers
 from airlight.pixels.observer_numbers import observer_numbers
+from airlight.pixels.occulted_light import disc_factor
 from airlight.pixels.pixel import Screen
 from airlight.pixels.polarising_filter import CAMERA, NONE
 from airlight.pixels.sky_by_processor import SkyLayers
 from airlight.pixels.sky_table import Observer
+from airlight.planets.light_source import Occulter
 from airlight.scene import Camera, Scene
 from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin
 from airlight.scene.ground_overlay import LAMP_TEMPERATURE, TOWN_LUMINANCE
@@ -88,6 +90,9 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     numbers["filter"] = NONE if camera.polariser is None else CAMERA
     axis = camera.filter_axis
     numbers |= {f"filter_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    numbers |= _occulter_numbers(source.occulter)
+    if source.occulter is not None:
+        numbers["disc"] *= disc_factor(source.occulter.left)
     numbers |= shading_numbers(source.phase, source.limb, sun_level, float(sun[2]))
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
@@ -100,6 +105,12 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         whole, part = lattice_origin(float(row[2]), bottom, cell)
         numbers |= {f"whole_{name}": whole, f"part_{name}": part}
     return numbers
+
+
+def _occulter_numbers(occulter: Occulter | None) -> dict[str, float]:
+    """Uniforms of a moon in front of the light; without one its radius is 0."""
+    values = (0.0, 0.0, 0.0, 0.0) if occulter is None else occulter[:4]
+    return dict(zip(OCCULTER, values, strict=True))
 
 
 def observer_from(numbers: Mapping[str, float]) -> Observer:

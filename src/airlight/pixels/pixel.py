@@ -49,6 +49,10 @@ class Screen(NamedTuple):
     limb_x: float
     limb_y: float
     limb_z: float
+    occulter_x: float
+    occulter_y: float
+    occulter_z: float
+    occulter_radius: float
     samples: Annotated[int, CHOICE]
     edges: bool
     mapped: bool

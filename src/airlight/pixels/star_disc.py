@@ -1,5 +1,6 @@
 """Star's own disc in a pixel: its light through the air, for any apparent size.
 
+A moon in front of it hides a disc of several pixels pixel by pixel; a smaller one is dimmed.
 A disc of several pixels has a smooth rim and the shape of ``disc_shading``; a smaller one is a few
 points, each of them distributed over the four pixels around it. Both conserve the light.
 """
@@ -189,6 +190,11 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
     if light.star_radius < SMALL * pixel:
         part = _point_like(px, py, part, observer, screen, light, columns)
         return whole_powers(part)
+    if screen.occulter_radius > 0.0:
+        dx, dy, dz = lx - screen.occulter_x, ly - screen.occulter_y, lz - screen.occulter_z
+        beside = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
+        # Where both rims run through a pixel, the moon's hides what the disc's leaves of it.
+        part = max(part - covered(beside, screen.occulter_radius, pixel) * screen.disc, 0.0)
     along = 0.0
     if screen.phased:
         toward = (lx - observer.sun_x) * screen.limb_x + ly * screen.limb_y

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +20,26 @@ from airlight.color.four_wavelengths import picture_weights
 from airlight.spectra.limb_darkening import UNIFORM
 
 FloatArray = npt.NDArray[np.float64]
+
+
+class Occulter(NamedTuple):
+    """Moon in front of a source.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Direction of its middle, in the observer's frame with x to the source's side. [1]
+    radius : float
+        Angular radius. [rad]
+    left : float
+        Share of the source's light that it leaves, above 0. [1]
+    """
+
+    x: float
+    y: float
+    z: float
+    radius: float
+    left: float
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -47,6 +67,11 @@ class LightSource:
         Phase angle of a body that reflects, 0 full, below 180; None for a star. [deg]
     limb : float
         Direction from that body's middle to its bright limb, clockwise from the zenith's. [deg]
+    occulter : Occulter or None
+        Moon in front of it; ``irradiance`` is then what it leaves.
+    hidden : array, shape (nl,)
+        Share of the light that the moon leaves as a whole over that at each wavelength; 1 without
+        a moon. [1]
     """
 
     name: str
@@ -57,13 +82,22 @@ class LightSource:
     darkening: Callable[[Any], FloatArray] | None = None
     phase: float | None = None
     limb: float = 0.0
+    occulter: Occulter | None = None
+    hidden: FloatArray | float = 1.0
 
     @property
     def darkenings(self) -> FloatArray:
-        """Coefficients of the darkening at the wavelengths, shape (nl, 6); even without a law."""
-        if self.darkening is None:
-            return np.tile(UNIFORM, (self.wavelengths.size, 1))
-        return self.darkening(self.wavelengths)
+        """Coefficients of the darkening at the wavelengths, shape (nl, 6); even without a law.
+
+        Behind a moon the colour is that of the whole disc, whose mean over what the moon leaves of
+        the light is then not 1 at each wavelength.
+        """
+        count = self.wavelengths.size
+        law = (
+            np.tile(UNIFORM, (count, 1)) if self.darkening is None
+            else self.darkening(self.wavelengths)
+        )  # fmt: skip
+        return np.asarray(law * np.broadcast_to(self.hidden, count)[:, None])
 
     def colors(self, weights: npt.ArrayLike | None = None) -> FloatArray:
         """Linear sRGB of light that is known per irradiance of this source, shape (nl, 3).

@@ -126,6 +126,7 @@ def render(
             "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
         },
         pixel_angle=scene.camera.glare_angle,
+        circle=scene.camera.circular,
         scene=scene,
         star_radius=solution.lights[0].angular_radius,
     )

@@ -1,4 +1,4 @@
-"""Altitude at which the sun is seen through a planet's air."""
+"""Altitude at which sun and moon are seen through a planet's air."""
 
 from __future__ import annotations
 
@@ -16,6 +16,10 @@ if TYPE_CHECKING:
 
 #: Wavelength whose bending is meant. [nm]
 _WAVELENGTH = 550.0
+#: Halvings of the interval of apparent zenith angles.
+_HALVINGS = 50
+#: Depth below the horizon, over the refraction there, at which no more is added for refraction.
+_FADED = 4.0
 
 
 def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> float | None:
@@ -41,9 +45,7 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
     >>> f"{apparent_altitude(load_planet('earth'), 0.0, 90.0):.2f}"  # refraction lifts the low sun
     '0.47'
     """
-    low, high = planet.wavelength_limits
-    medium = Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)])
-    paths = LightPaths.of(medium)
+    paths = _paths(planet)
     if paths.shell is None or altitude > planet.thickness:
         return None
     x = float(paths.optical_radius(np.array(planet.bottom_radius + altitude)))
@@ -52,3 +54,63 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
     seen = float(raised_star(x, true, shell.bottom, shell.top, paths.lift))
     lowest = -math.sqrt(max(1.0 - (shell.bottom / x) ** 2, 0.0))
     return None if seen < lowest else math.degrees(math.asin(seen))
+
+
+def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
+    """Zenith angle at which a far body is seen, from inside the air or through it from outside.
+
+    Of a body behind the horizon the angle is the true one, less the refraction on the horizon,
+    which fades out with depth: a camera that follows a setting sun does not leap.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet.
+    altitude : float
+        Altitude of the observer. [m]
+    zenith : float
+        True zenith angle. [deg]
+
+    Returns
+    -------
+    float
+        Apparent zenith angle. [deg]
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> f"{apparent_zenith(load_planet('earth'), 0.0, 90.0):.2f}"
+    '89.53'
+    """
+    paths = _paths(planet)
+    if paths.shell is None:
+        return zenith
+    shell, r = paths.shell, planet.bottom_radius + altitude
+    outside = altitude > planet.thickness
+    x = r if outside else float(paths.optical_radius(np.array(r)))
+
+    def true(seen: float) -> float:
+        at, mu = x, math.cos(math.radians(seen))
+        if outside:
+            sine = x * math.sin(math.radians(seen)) / shell.top
+            if mu >= 0.0 or sine >= 1.0:
+                return seen
+            at, mu = shell.top, -math.sqrt(1.0 - sine * sine)
+        return seen + math.degrees(float(paths.bent(np.array([at]), np.array([mu]))[0]))
+
+    # slightly above the horizon, so that rounding does not send the ray into the ground
+    horizon = 180.0 - math.degrees(math.asin(min(shell.bottom / x * (1.0 + 1e-12), 1.0)))
+    lift = true(horizon) - horizon
+    hidden = zenith - horizon - lift
+    if hidden >= 0.0:
+        return zenith - lift * max(1.0 - hidden / max(_FADED * lift, 1e-12), 0.0)
+    low, high = 0.0, horizon
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if true(middle) < zenith else (low, middle)
+    return 0.5 * (low + high)
+
+
+def _paths(planet: Planet) -> LightPaths:
+    low, high = planet.wavelength_limits
+    return LightPaths.of(Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)]))

@@ -124,6 +124,11 @@ class Camera:
         return self.pixel_angle if self._form.connected else 0.0
 
     @property
+    def circular(self) -> bool:
+        """Whether the picture ends at the largest circle that fits."""
+        return self._form.circular
+
+    @property
     def filter_axis(self) -> NDArray[np.float64]:
         """Axis of the polarising filter in the local frame, shape (3,); 0 without one. [1]"""
         if self.polariser is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +33,8 @@ class Frame:
     pixel_angle : float
         Angle of a pixel where the camera looks straight ahead, as glare takes it: 0 for the faces
         of a cube. [rad]
+    circle : bool
+        Whether the picture ends at the largest circle that fits, as a dome's.
     scene : Scene or None
         Scene that it shows.
     star_radius : float
@@ -42,6 +45,7 @@ class Frame:
     polarised: NDArray[np.float32] | None = None
     metadata: dict[str, str] = field(default_factory=dict)
     pixel_angle: float = 0.0
+    circle: bool = False
     scene: Scene | None = None
     star_radius: float = 0.0
 
@@ -49,6 +53,11 @@ class Frame:
         height, width = self.rgb.shape[:2]
         of = f" of {self.metadata['planet']}" if "planet" in self.metadata else ""
         return f"<Frame{of}: {width} x {height} pixels of linear sRGB, W m⁻² sr⁻¹>"
+
+    @property
+    def lens(self) -> dict[str, Any]:
+        """Arguments of ``airlight.color.to_display`` for the glare of a lens."""
+        return {"pixel_angle": self.pixel_angle, "circle": self.circle}
 
     @property
     def stokes(self) -> NDArray[np.float64]:
@@ -65,7 +74,7 @@ class Frame:
 
     @cached_property
     def exposure(self) -> float:
-        """Automatic exposure: by solid angles and without the star, where the scene is known. [EV]
+        """Automatic exposure, see ``scene_exposure`` where the scene is known. [EV]
 
         Examples
         --------

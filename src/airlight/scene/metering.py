@@ -1,4 +1,4 @@
-"""Metering: which pixels of a scene count for its exposure, and how much."""
+"""Metering: which pixels of a scene count for its exposure, how much, and how a star limits it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.color.exposure import automatic_exposure, sampled, sampling_step
+from airlight.color.exposure import exposure_with_stars, night_exposure, sampled, sampling_step
+from airlight.color.xyz import luminance
 from airlight.kernel import compiled_loop, kernel
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.projected import projected_ray
@@ -45,7 +46,7 @@ def left_out(angular_radius, pixel_angle):
 def metering_weight(
     projection, x, y, width, height, field_of_view, sun_right, sun_up, sun_forward, cosine
 ):
-    """Weight of a pixel: its solid angle, or 0 near the star's disc and outside the picture.
+    """Solid angle of a pixel, below 0 near the star's disc; 0 outside the picture. [sr]
 
     Parameters
     ----------
@@ -65,13 +66,14 @@ def metering_weight(
     Returns
     -------
     float
-        Solid angle. [sr]
+        Solid angle, with its sign. [sr]
     """
     right, up, forward = projected_ray(projection, x, y, width, height, field_of_view)
     if right * right + up * up + forward * forward < 0.5:
         return 0.0
+    sign = 1.0
     if right * sun_right + up * sun_up + forward * sun_forward > cosine:
-        return 0.0
+        sign = -1.0
     a, b, c = projected_ray(projection, x - _NEAR, y, width, height, field_of_view)
     d, e, f = projected_ray(projection, x + _NEAR, y, width, height, field_of_view)
     across_right, across_up, across_forward = d - a, e - b, f - c
@@ -83,25 +85,29 @@ def metering_weight(
         + up * (across_forward * down_right - across_right * down_forward)
         + forward * (across_right * down_up - across_up * down_right)
     )
-    return abs(area) / (4.0 * _NEAR * _NEAR)
+    return sign * abs(area) / (4.0 * _NEAR * _NEAR)
 
 
 @compiled_loop
-def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out):
+def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out, light):
     for row in range(y.size):
         for column in range(x.size):
-            least = math.inf
             for sun in range(suns.shape[0]):
                 weight = metering_weight(
                     projection, x[column], y[row], width, height, field_of_view,
                     suns[sun, 0], suns[sun, 1], suns[sun, 2], cosines[sun],
                 )  # fmt: skip
-                least = min(least, weight)
-            out[row, column] = least
+                if sun == 0 or weight < 0.0:
+                    out[row, column] = weight
+                if weight < 0.0:
+                    light[row, column] = sun
+                    break
 
 
-def metering_weights(scene: Scene, angular_radius: float, step: int = 1) -> FloatArray:
-    """Weights of the pixels of a scene's picture for its exposure.
+def metering_weights(
+    scene: Scene, angular_radius: float, step: int = 1
+) -> tuple[FloatArray, FloatArray]:
+    """Solid angles of the pixels of a scene's picture, and the stars that they are near.
 
     Parameters
     ----------
@@ -114,14 +120,16 @@ def metering_weights(scene: Scene, angular_radius: float, step: int = 1) -> Floa
 
     Returns
     -------
-    array, shape (ceil(height / step), ceil(width / step))
-        Solid angles, 0 near the discs of the lights and outside the picture. [sr]
+    weights : array, shape (ceil(height / step), ceil(width / step))
+        Solid angles, below 0 near the discs of the lights, 0 outside the picture. [sr]
+    light : array, shape (ceil(height / step), ceil(width / step))
+        Number of the light near a pixel, of several the first. [1]
 
     Examples
     --------
     >>> from airlight.scene import Camera
     >>> sphere = Scene(camera=Camera(projection="equirectangular", width=64, height=32))
-    >>> f"{metering_weights(sphere, 0.0).sum() / (4.0 * np.pi):.2f}"
+    >>> f"{abs(metering_weights(sphere, 0.0)[0]).sum() / (4.0 * np.pi):.2f}"
     '1.00'
     """
     camera = scene.camera
@@ -131,16 +139,20 @@ def metering_weights(scene: Scene, angular_radius: float, step: int = 1) -> Floa
     suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
     pixel = step * camera.pixel_angle
     cosines = np.array([left_out(one.radius(angular_radius), pixel) for one in scene.lights])
-    out = np.empty((y.size, x.size))
+    out, light = np.zeros((2, y.size, x.size))
     _fill(
         list(PROJECTIONS).index(camera.projection), x, y, float(camera.width),
-        float(camera.height), math.radians(camera.field_of_view), suns, cosines, out,
+        float(camera.height), math.radians(camera.field_of_view), suns, cosines, out, light,
     )  # fmt: skip
-    return out
+    return out, light
 
 
 def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: float) -> float:
-    """Automatic exposure of a scene's picture, which its size and the star's disc do not change.
+    """Automatic exposure of a scene's picture, which its size does not change.
+
+    What is away from the discs of the lights is exposed as ``automatic_exposure`` does. A disc in
+    view limits that, see ``airlight.color.exposure.star_limited``; in a picture of space, or of a
+    disc alone, it decides.
 
     Parameters
     ----------
@@ -154,7 +166,21 @@ def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: floa
     Returns
     -------
     float
-        Exposure, see ``automatic_exposure``. [EV]
+        Exposure, -100 to 100; the night's for a black picture. [EV]
     """
     step = sampling_step(*rgb.shape[:2])
-    return automatic_exposure(sampled(rgb, step), metering_weights(scene, angular_radius, step))
+    bright = luminance(sampled(rgb, step))
+    weights, light = metering_weights(scene, angular_radius, step)
+    seen = np.isfinite(bright) & (weights != 0.0)
+    lit = seen & (bright > 0.0)
+    if not lit.any():
+        return night_exposure()
+    black = float(weights[seen & ~lit & (weights > 0.0)].sum())
+    order = np.argsort(bright[lit])
+    values, own = bright[lit][order], weights[lit][order]
+    whole = float(np.abs(weights[seen]).sum())
+    exposure = exposure_with_stars(
+        values, np.maximum(own, 0.0), np.maximum(-own, 0.0), light[lit][order],
+        len(scene.lights), black, whole,
+    )  # fmt: skip
+    return float(exposure)

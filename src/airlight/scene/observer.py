@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,9 @@ from airlight.errors import ParameterError
 from airlight.scene.compass import bearing, compass_bearing
 from airlight.scene.limits import within
 from airlight.units import Measure, quantity
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 #: Targets of a camera.
 TARGETS = ("horizon", "nadir", "zenith", "sun", "moon")
@@ -56,6 +60,7 @@ def look_at(
     bottom_radius: Measure,
     sun_azimuth: Measure = 180.0,
     moon: tuple[float, float] | None = None,
+    planet: Planet | None = None,
 ) -> tuple[float, float]:
     """Angles of a target of interest.
 
@@ -68,13 +73,15 @@ def look_at(
     altitude : float
         Altitude of the observer. [m]
     sun_zenith : float
-        Zenith angle of the sun at the observer. [deg]
+        True zenith angle of the sun at the observer. [deg]
     bottom_radius : float
         Radius of the ground. [m]
     sun_azimuth : float
         Compass bearing of the sun, for bearings and the moon. [deg]
     moon : (float, float), optional
-        Zenith angle and compass bearing of the moon, where they are known. [deg]
+        True zenith angle and compass bearing of the moon, where they are known. [deg]
+    planet : Planet, optional
+        Planet through whose air sun and moon are seen; their true places count without it.
 
     Returns
     -------
@@ -102,9 +109,9 @@ def look_at(
     if target == "zenith":
         return 0.0, 0.0
     if target == "sun":
-        return sun_zenith, 0.0
+        return _seen(planet, altitude, sun_zenith), 0.0
     if target == "moon" and moon is not None:
-        return moon[0], math.remainder(moon[1] - sun_azimuth, 360.0)
+        return _seen(planet, altitude, moon[0]), math.remainder(moon[1] - sun_azimuth, 360.0)
     towards = None if target == "moon" else compass_bearing(target)
     if towards is None:
         words = ", ".join(TARGETS[:-1])
@@ -113,6 +120,15 @@ def look_at(
     turn, elevation = towards
     zenith = horizon_zenith(altitude, bottom_radius) if elevation is None else 90.0 - elevation
     return zenith, math.remainder(turn - sun_azimuth, 360.0)
+
+
+def _seen(planet: Planet | None, altitude: Measure, zenith: float) -> float:
+    """Zenith angle at which a body is seen; the true one without a planet. [deg]"""
+    if planet is None:
+        return zenith
+    from airlight.scene.apparent_sun import apparent_zenith
+
+    return apparent_zenith(planet, quantity(altitude, "m", "altitude", bare=True), zenith)
 
 
 def ground_axes(

@@ -134,8 +134,9 @@ class Scene:
         altitude : float
             Altitude of the observer. [m]
         look_at : str, optional
-            Target of the camera: ``sun``, ``moon``, a compass bearing, or another of ``look_at``;
-            if left out, the camera's own angles count, with azimuth 0 on the sun's side.
+            Target of the camera: ``sun`` or ``moon`` where they are seen, a compass bearing, or
+            another of ``look_at``; if left out, the camera's own angles count, with azimuth 0
+            on the sun's side.
         camera : Camera, optional
             Camera.
         ground : str
@@ -182,6 +183,7 @@ class Scene:
                 bottom_radius=planet.bottom_radius,
                 sun_azimuth=sun.azimuth,
                 moon=None if moon is None else (moon.zenith, moon.azimuth),
+                planet=planet,
             )
             shown = replace(shown, look_zenith=zenith, look_azimuth=azimuth)
         return cls(

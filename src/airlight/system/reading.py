@@ -12,7 +12,9 @@ from typing import Any
 from airlight.ephemeris.positions import position_of
 from airlight.errors import ParameterError
 from airlight.planets.parameters import replace
+from airlight.planets.reading.overrides import FIELD, overridden
 from airlight.planets.reading.reader import file_text, nested_tables
+from airlight.planets.schema.record import fields_of
 from airlight.planets.schema.section import Section, suggestion
 from airlight.system.body import Body
 from airlight.system.light import Light
@@ -55,13 +57,15 @@ def is_scene_file(name_or_path: str | Path) -> bool:
     return "bodies" in nested_tables(file_text(path), str(path))
 
 
-def load_system(name_or_path: str | Path) -> System:
+def load_system(name_or_path: str | Path, changes: Mapping[str, Any] | None = None) -> System:
     """Load a scene by the name of a preset, or from a scene file.
 
     Parameters
     ----------
     name_or_path : str or Path
         One of ``system_names()``, or the path to a TOML file; docs/scenes.md describes its keys.
+    changes : mapping, optional
+        Keys that are changed first, from path to value, see ``changed_system``.
 
     Returns
     -------
@@ -80,7 +84,45 @@ def load_system(name_or_path: str | Path) -> System:
     >>> [body.name for body in load_system("earth-moon").bodies]
     ['earth', 'moon']
     """
-    return read_system(*system_text(name_or_path))
+    text, file, folder = system_text(name_or_path)
+    return changed_system(nested_tables(text, file), file, folder, changes or {})
+
+
+def changed_system(
+    tables: Mapping[str, Any], file: str, folder: Path | None, changes: Mapping[str, Any]
+) -> System:
+    """Read a scene from its tables with some keys changed.
+
+    Parameters
+    ----------
+    tables, file, folder :
+        Arguments of ``read_system_tables``.
+    changes : mapping
+        From path to value, as in a file: ``observer.altitude``; ``moon.position``, a key of the
+        body of that name; or ``earth.ground.albedo``, a path in its planet file. None removes a
+        key.
+
+    Raises
+    ------
+    ParameterError
+        If a path leads nowhere, or the tables are invalid.
+    """
+    bodies = tables.get("bodies", [])
+    names = [one.get("name") if isinstance(one, dict) else None for one in bodies]
+    own: dict[str, Any] = {}
+    of_planets: dict[str, dict[str, Any]] = {}
+    for path, value in changes.items():
+        first, _, rest = path.partition(".")
+        if first not in names:
+            own[path] = value
+        elif rest.partition("[")[0] in fields_of(Body):
+            own[f"bodies[{names.index(first)}].{rest}"] = value
+        elif "planet" in bodies[names.index(first)]:
+            of_planets.setdefault(first, {})[rest] = value
+        else:
+            raise ParameterError(FIELD, path, f"a key of the body {first}")
+    changed = overridden(tables, own) if own else tables
+    return read_system_tables(changed, file, folder, of_planets)
 
 
 def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -15,6 +16,7 @@ import numpy.typing as npt
 from airlight.errors import ParameterError
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import load_planet
+from airlight.scene.apparent_sun import apparent_zenith
 from airlight.system.body import Body
 from airlight.system.light import Light
 from airlight.system.vectors import unit
@@ -187,7 +189,7 @@ class System:
         if view.direction is not None:
             forward = unit(view.direction, "camera.direction")
         elif view.look_at is not None:
-            forward = self._towards(view.look_at)
+            forward = self._seen(self._towards(view.look_at), zenith)
         else:
             assert north is not None
             assert view.look_zenith is not None
@@ -216,6 +218,20 @@ class System:
             np.cos(roll) * above + np.sin(roll) * right,
             forward,
         ])  # fmt: skip
+
+    def _seen(self, towards: FloatArray, zenith: FloatArray) -> FloatArray:
+        """Direction in which what is behind the air of the observer's planet is seen. [1]"""
+        name, target = self.observer.body, self.view.look_at
+        if name is None or name == target or name not in self.planets:
+            return towards
+        true = math.degrees(math.atan2(np.linalg.norm(np.cross(zenith, towards)), zenith @ towards))
+        seen = apparent_zenith(self.planets[name], self.observer.altitude, true)
+        level = towards - (towards @ zenith) * zenith
+        length = float(np.linalg.norm(level))
+        if length < 1e-12:
+            return towards
+        turn = math.radians(seen)
+        return np.asarray(math.cos(turn) * zenith + math.sin(turn) / length * level)
 
     def _towards(self, name: str) -> FloatArray:
         for light in self.lights:

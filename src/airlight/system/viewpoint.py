@@ -111,7 +111,8 @@ class View(Record):
     look_at: (
         Annotated[
             str,
-            Key(label="look at", help="Body or star at which the camera looks.", kind="text",
+            Key(label="look at", help="Body or star at which the camera looks, where it is seen.",
+                kind="text",
                 range=(1, 60), example="moon"),
         ]
         | None

@@ -106,7 +106,7 @@ def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
     emitter = Emitter(dialect)
     light = _called(
         emitter, glared_texel, FRAME.bundle(Lens), ("picture", "coarser"),
-        ("glare", "glare_total"),
+        ("glare", "glare_total", "circle"),
     )  # fmt: skip
     display = FRAME.bundle(Display, fixed)
     shown = emitter.add(displayed, F32, F32, F32, F32, F32, display, name="displayed")

@@ -334,6 +334,7 @@ class Pictures:
                 "device": self.device.name,
             },
             pixel_angle=scene.camera.glare_angle,
+            circle=scene.camera.circular,
             scene=scene,
             star_radius=solution.lights[0].angular_radius,
         )
@@ -403,7 +404,7 @@ class Pictures:
             kept.drawn = drawn
         shown = {
             **display_numbers(exposure, tone_map, encoding), "glare": checked_amount(glare),
-            **(uniforms or {}),
+            "circle": scene.camera.circular, **(uniforms or {}),
         }  # fmt: skip
         kept.show(shown, scene.camera.glare_angle, view, target_format)
 
@@ -456,9 +457,7 @@ class Pictures:
             "width": size[0],
             "height": size[1],
             "orders": order_number(orders),
-            "draws_disc": float(
-                disc and orders == "all" and solution.lights[0].angular_radius > 0.0
-            ),
+            "draws_disc": float(disc and orders == "all" and numbers["disc"] > 0.0),
             "sky_columns": self._sky_shape[0],
             "sky_rows": self._sky_shape[1],
             "keeps_peaks": peaks,

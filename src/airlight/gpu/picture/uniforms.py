@@ -38,6 +38,8 @@ class Lens(NamedTuple):
         Amount of glare. [1]
     glare_total : float
         Sum of the shares of all levels. [1]
+    circle : bool
+        Whether the picture ends at a circle.
     level_share : float
         Share of the level that is spread. [1]
     level_more : bool
@@ -49,6 +51,7 @@ class Lens(NamedTuple):
 
     glare: float
     glare_total: float
+    circle: bool
     level_share: float
     level_more: bool
     picture: Annotated[np.ndarray, image("picture")]

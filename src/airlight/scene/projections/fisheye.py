@@ -60,4 +60,5 @@ FISHEYE = Projection(
     field_of_view=180.0,
     field_of_view_limits=(1e-3, 360.0),
     look_zenith=0.0,
+    circular=True,
 )

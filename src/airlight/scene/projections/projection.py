@@ -38,6 +38,8 @@ class Projection:
         Default zenith angle of the view. [deg]
     connected : bool
         Whether neighbouring pixels are neighbours in the sky.
+    circular : bool
+        Whether the picture ends at the largest circle that fits.
     """
 
     name: str
@@ -48,6 +50,7 @@ class Projection:
     look_zenith: float
     aspect: int | None = None
     connected: bool = True
+    circular: bool = False
     shape: str = "any shape"
     size: tuple[int, int] = (1280, 720)
     sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)

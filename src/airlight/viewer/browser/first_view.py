@@ -53,7 +53,7 @@ def first_view(
         exposure += frame.exposure
     pixels = to_display(
         frame.rgb, exposure, str(values["display.tone_map"]), eye=bool(uniforms_of(values)["eye"]),
-        glare=float(values["display.glare"]), pixel_angle=frame.pixel_angle,
+        glare=float(values["display.glare"]), **frame.lens,
     )  # fmt: skip
     perspective = values["view.projection"] == "perspective"
     return {

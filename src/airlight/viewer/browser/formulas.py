@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, Final
 
-from airlight.color.exposure import eased, exposure_of
+from airlight.color.exposure import eased, exposure_with_stars
 from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
 from airlight.ephemeris import moon_formula, sun_formula
@@ -17,9 +17,10 @@ from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.moon_phase import moon_share
-from airlight.pixels.disc_shading import SHADING, phase_shading
+from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
 from airlight.pixels.light_shown import light_shown
 from airlight.pixels.observer_numbers import observer_numbers
+from airlight.pixels.occulted_light import disc_factor, light_left
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, filter_axis
 from airlight.scene.metering import left_out, metering_weight
@@ -40,6 +41,8 @@ from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.vertical_coupling import sideways_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
+#: Tables of a metered picture.
+_STARS: Final = ("bright", "weight", "near", "light")
 #: Formulas with the types of their arguments, by default all numbers. An array that a formula
 #: writes to may have any length.
 FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
@@ -50,7 +53,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     observer_numbers: (),
     raised_star: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
-    exposure_of: (Table("bright"), Table("weight"), F32),
+    exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
     eased: (),
     left_out: (),
     metering_weight: (I32, *(F32 for _ in range(9))),
@@ -75,6 +78,8 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     moon_share: (),
     phase_shading: (),
     light_shown: (),
+    light_left: (),
+    disc_factor: (),
     change_at: (),
     count_at: (),
     rest_after: (F32, F32, I32),
@@ -123,11 +128,14 @@ def formulas_text() -> str:
     angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     connected = [name for name, form in PROJECTIONS.items() if form.connected]
+    circular = [name for name, form in PROJECTIONS.items() if form.circular]
     tables = (
         f"export const PIXEL_ANGLES = {{ {angles} }};\n"
         f"export const CONNECTED = {json.dumps(connected)};\n"
+        f"export const CIRCULAR = {json.dumps(circular)};\n"
         f"export const ASPECTS = {json.dumps(aspects)};\n"
         f"export const SHADING = {json.dumps(SHADING)};\n"
+        f"export const OCCULTER = {json.dumps(OCCULTER)};\n"
         f"export const WORLDS = {json.dumps(sun_formula.NUMBERED)};\n"
     )
     return f"{emitted_formulas().functions_text()}\n{tables}"

@@ -123,7 +123,7 @@ class KernelPictures:
         exposure = min(max(exposure, -_MOST), _MOST)
         shown = to_display(
             frame.rgb, exposure, str(view["display.tone_map"]), eye=bool(view["display.eye"]),
-            glare=float(view["display.glare"]), pixel_angle=frame.pixel_angle,
+            glare=float(view["display.glare"]), **frame.lens,
         )  # fmt: skip
         return {"exposure": exposure, "png": _png(shown)}
 

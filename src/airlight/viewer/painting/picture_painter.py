@@ -68,7 +68,7 @@ class PicturePainter:
                 to_display(
                     step.frame.rgb, exposure, request.tone_map,
                     eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
-                    pixel_angle=step.frame.pixel_angle,
+                    **step.frame.lens,
                 )
             )  # fmt: skip
         return Picture(

@@ -19,6 +19,7 @@ from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.pixels.disc_shading import disc_powers, shading_numbers
 from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.occulted_light import DARKEST
 from airlight.render.drawing import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
@@ -311,13 +312,22 @@ def _star(
     apart = 2.0 * math.asin(min(0.5 * float(np.linalg.norm(outside - towards)), 1.0))
     if apart > alpha:
         return nothing
+    azimuth, left = math.atan2(towards[1], towards[0]), 1.0
+    if star.occulter is not None:
+        x, y, z, radius, left = star.occulter
+        moon = np.array([
+            math.cos(azimuth) * x - math.sin(azimuth) * y,
+            math.sin(azimuth) * x + math.cos(azimuth) * y,
+            z,
+        ])  # fmt: skip
+        if left <= DARKEST or np.linalg.norm(outside - moon) < 2.0 * math.sin(0.5 * radius):
+            return nothing
     numbers = shading_numbers(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
-    azimuth = math.atan2(towards[1], towards[0])
     across = math.cos(azimuth) * numbers["limb_x"] - math.sin(azimuth) * numbers["limb_y"]
     aside = math.sin(azimuth) * numbers["limb_x"] + math.cos(azimuth) * numbers["limb_y"]
     along = float((outside - towards) @ [across, aside, numbers["limb_z"]]) / max(apart, 1e-12)
     powers = disc_powers(
-        1.0 / sun_solid_angle(alpha), apart, alpha, 0.0, along, star.phase is not None,
+        1.0 / (left * sun_solid_angle(alpha)), apart, alpha, 0.0, along, star.phase is not None,
         numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"],
     )  # fmt: skip
     return np.asarray(through * star.irradiance * (star.darkenings @ powers))

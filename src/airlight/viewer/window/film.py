@@ -156,7 +156,7 @@ def _frames(
         shown = to_display(
             frame.rgb, exposure=exposure, tone_map=request.tone_map,
             eye=bool(request.uniforms.get("eye", False)), glare=request.glare,
-            pixel_angle=frame.pixel_angle,
+            **frame.lens,
         )  # fmt: skip
         yield Image.fromarray(shown)
         progress(index + 1, len(scenes), "filming")

@@ -18,6 +18,7 @@ from airlight.kernel.ahead import CompiledAhead
 from airlight.paint.drawing_device import Choice, live_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import live_solver
+from airlight.planets.reading.reader import read_tables
 from airlight.scene import look_at
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.first_view import first_view
@@ -171,6 +172,7 @@ def opened(start: Start) -> Session:
             altitude=float(view["view.altitude"]),
             sun_zenith=float(view["view.sun_zenith"]),
             bottom_radius=1e3 * float(session.value("shell.bottom_radius")),
+            planet=read_tables(session.planet.tables, session.planet.source),
         )
     if target is not None:
         bearing = float(view["view.sun_azimuth"])

@@ -1,7 +1,7 @@
 /** Automatic exposure of a view: the formulas of color/exposure.py and scene/metering.py. */
 import {
   PIXEL_ANGLES,
-  exposure_of,
+  exposure_with_stars,
   left_out,
   luminance_of,
   metering_weight,
@@ -25,7 +25,7 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
   const angle = PIXEL_ANGLES[camera.projection](width, height, fieldOfView);
   const cosines = suns.map(([, radius]) => left_out(radius, angle));
   const pixels = [];
-  let black = 0;
+  let [black, whole] = [0, 0];
   for (let i = 0; i < width * height; i++) {
     const bright = luminance_of(...rgba.subarray(4 * i, 4 * i + 3));
     const [x, y] = [(i % width) + 0.5, Math.floor(i / width) + 0.5];
@@ -33,19 +33,20 @@ export function automaticExposure(rgba, [width, height], camera, projection, sta
     const weights = towards.map((seen, i) =>
       metering_weight(projection, x, y, width, height, fieldOfView, ...seen, cosines[i]),
     );
-    const weight = Math.min(...weights);
-    if (bright > 0 && weight > 0) pixels.push([bright, weight]);
-    else black += weight;
+    const light = weights.findIndex((weight) => weight < 0);
+    const solid = Math.abs(weights[0]);
+    whole += solid;
+    if (bright > 0 && solid > 0) {
+      pixels.push([bright, light < 0 ? solid : 0, light < 0 ? 0 : solid, light]);
+    } else if (light < 0) black += solid;
   }
   // Without any light, as dark as can be: exposed as a night without moon or stars.
   if (!pixels.length) {
-    pixels.push([Number.MIN_VALUE, 1]);
+    pixels.push([Number.MIN_VALUE, 1, 0, 0]);
     black = 0;
   }
   pixels.sort((a, b) => a[0] - b[0]);
-  const column = (part) => ({
-    values: Float64Array.from(pixels, (one) => one[part]),
-    shape: [pixels.length],
-  });
-  return exposure_of(column(0), column(1), black);
+  const table = (numbers) => ({ values: Float64Array.from(numbers), shape: [numbers.length] });
+  const columns = [0, 1, 2, 3].map((part) => table(pixels.map((one) => one[part])));
+  return exposure_with_stars(...columns, suns.length, black, whole);
 }

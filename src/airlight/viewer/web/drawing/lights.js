@@ -4,9 +4,11 @@
  * A picture is the sum of those of its lights, each drawn with its light at the sun's place.
  */
 import {
+  OCCULTER,
   SHADING,
   bright_limb,
   direction_of,
+  light_left,
   light_shown,
   moon_share,
   phase_shading,
@@ -28,8 +30,9 @@ const LAMPS = ["lamp_red", "lamp_green", "lamp_blue"];
  *     viewer/browser/second_light_data.py.
  * @param {Object<string, [number, number]>} projections Limits of the field of view. [deg]
  * @returns {object[]} One or two lights: `camera`, `star` (angular radius [rad]), `air` (whether air
- *     and ground are lit), `numbers` (uniforms of its own), `law` (darkening of its disc; null for
- *     that of the planet's star), and of the first `suns`, directions and angular radii of all.
+ *     and ground are lit), `left` (share of its light that a moon leaves), `numbers` (uniforms of
+ *     its own), `law` (darkening of its disc; null for that of the planet's star), and of the first
+ *     `suns`, directions and angular radii of all.
  */
 export function lightsOf(values, planet, projections) {
   const camera = cameraOf(values, projections);
@@ -41,15 +44,31 @@ export function lightsOf(values, planet, projections) {
     const towards = direction_of(values["view.second_zenith"], azimuthOf(values));
     suns.push([towards, values["view.second_radius"] * RADIAN]);
   }
+  const { left, moon } = occulted(values, suns);
+  for (const name of Object.keys(colorsOf([], []))) numbers[name] *= left;
+  const occulter = Object.fromEntries(OCCULTER.map((name, i) => [name, moon[i]]));
   const first = {
     camera,
     star: planet.star,
     air: true,
-    numbers: { ...numbers, ...STAR_DISC, draws_air: 1 },
+    left,
+    numbers: { ...numbers, ...STAR_DISC, ...occulter, draws_air: 1 },
     law: null,
     suns,
   };
   return second ? [first, second] : [first];
+}
+
+/** Share of the star's light that the Moon leaves, its direction and radius: occulted_light.py. */
+function occulted(values, [[sun, star], other]) {
+  if (values["view.second_light"] === "moon") {
+    const [moon, radius] = other;
+    const apart = 2 * Math.asin(Math.min(0.5 * Math.hypot(...sun.map((x, i) => x - moon[i])), 1));
+    if (apart < star + radius) {
+      return { left: light_left(star, apart, radius), moon: [...moon, radius] };
+    }
+  }
+  return { left: 1, moon: [0, 0, 0, 0] };
 }
 
 /** Azimuth of the second light from the sun's side, to the right. [deg] */
@@ -82,9 +101,10 @@ function secondOf(values, planet, projections) {
     camera,
     star: radius * RADIAN,
     air: shown > 1,
+    left: 1,
     numbers: {
       ...colorsOf(light.irradiance, light.weights),
-      ...Object.fromEntries(LAMPS.map((name) => [name, 0])),
+      ...Object.fromEntries([...LAMPS, ...OCCULTER].map((name) => [name, 0])),
       ...light.shading(Math.hypot(camera.sun[0], camera.sun[1]), camera.sun[2]),
       star_radius: radius * RADIAN,
       draws_air: Number(shown > 1),

@@ -16,7 +16,14 @@ import { Program } from "./program.js";
 import { cameraNumbers, detailNumbers, observerNumbers } from "./view_uniforms.js";
 import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
-import { CONNECTED, PIXEL_ANGLES, glare_levels, glare_share } from "../generated/formulas.js";
+import {
+  CIRCULAR,
+  CONNECTED,
+  PIXEL_ANGLES,
+  disc_factor,
+  glare_levels,
+  glare_share,
+} from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
 /** Time limits of a sky table while the view moves, and while it rests. [ms] */
@@ -145,6 +152,8 @@ export class Picture {
     return lightsOf(values, planet, fixed.projections).map((light) => {
       const seen = { ...planet, star: light.star };
       const numbers = observerNumbers(seen, values["view.altitude"], light.camera.sun);
+      numbers.disc *= disc_factor(light.left);
+      numbers.draws_disc = Number(numbers.disc > 0);
       return { ...light, numbers: { ...light.numbers, ...numbers, orders } };
     });
   }
@@ -194,6 +203,7 @@ export class Picture {
     const shorter = Math.min(width, height);
     const count = amount > 0 ? glare_levels(angle, shorter) : 0;
     const shares = Array.from({ length: count }, (_, i) => glare_share(i + 1, angle, shorter));
+    program.set("circle", Number(CIRCULAR.includes(projection)));
     program.set("glare_total", shares.reduce((sum, one) => sum + one, 0));
     if (count === 0 || this.spread === this.drawn) return;
     let [wide, high] = [width, height];
