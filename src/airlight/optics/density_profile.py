@@ -35,7 +35,7 @@ _MOST_CORNERS: Final = 12
 #: Density over its largest above which a layer counts as dense.
 DENSE: Final = 0.01
 #: Largest width of a thin layer, aloft and on the ground, over the thickness of the shell.
-_THIN: Final = 0.07
+_THIN: Final = 0.09
 _THIN_ON_GROUND: Final = 0.015
 
 
@@ -244,7 +244,7 @@ def thin_runs(profile: FloatArray, altitude: FloatArray) -> list[tuple[float, fl
     Returns
     -------
     list of two floats
-        Layers narrower than 7 % of the shell, or than 1.5 % if they lie on the ground.
+        Layers narrower than 9 % of the shell, or than 1.5 % if they lie on the ground.
     """
     dense = np.concatenate([[False], profile > DENSE * profile.max(), [False]])
     changes = np.flatnonzero(dense[1:] != dense[:-1])

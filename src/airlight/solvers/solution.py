@@ -51,6 +51,9 @@ class Report:
         Largest relative change of the mean radiance by the last sweep, per wavelength. [1]
     seconds : float
         Wall time; 0 if the solution was read from the cache. [s]
+    energy : tuple of float
+        Light that the solution makes (or, negative, loses) over the light incident, per
+        wavelength; empty where the solver does not know. [1]
     note : str
         What the solver leaves out of this planet, on one line; empty if nothing.
     ground : str
@@ -62,6 +65,7 @@ class Report:
     sweeps: int
     residual: tuple[float, ...]
     seconds: float
+    energy: tuple[float, ...] = ()
     note: str = ""
     ground: str = ""
 

@@ -68,6 +68,27 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     return np.asarray((leaving + absorbed - scattered) / (taken + ground))
 
 
+def imbalance(energy: FloatArray, wavelengths: FloatArray, tolerance: float) -> str:
+    """Line about light that is made or lost; empty within the tolerance.
+
+    Parameters
+    ----------
+    energy, wavelengths : array, shape (nl,)
+        Result of ``energy_error`` [1], and wavelengths [nm].
+    tolerance : float
+        Largest size of the former. [1]
+    """
+    worst = int(np.abs(energy).argmax())
+    error = float(energy[worst])
+    if abs(error) <= tolerance:
+        return ""
+    return (
+        f"energy is not conserved: reflected and absorbed light is {100.0 * error:+.2g} % off the "
+        f"incident light at {wavelengths[worst]:g} nm (limit {100.0 * tolerance:g} %); "
+        "the grid of this quality does not resolve the air"
+    )
+
+
 def _shell_amounts(setup: Setup, rows: FloatArray, count: int) -> FloatArray:
     """∫ 2π r² density dr over the hat function of each row, shape (count, nc). [m³]
 

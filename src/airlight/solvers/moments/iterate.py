@@ -16,6 +16,7 @@ from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.between_wavelengths import Corrections, panels
 from airlight.solvers.moments.completing import image, steering, sum_orders
 from airlight.solvers.moments.convergence import Light, at_least, completed_or_swept, mix, trust
+from airlight.solvers.moments.energy_balance import energy_error
 from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import EVEN, POLARISED
@@ -89,6 +90,8 @@ class Moments:
         Number of orders of scattering that were computed one by one (the rest is extrapolated).
     residual : array, shape (nl,)
         Largest relative change of the mean radiance that all further sweeps would make. [1]
+    energy : array, shape (nl,)
+        Light that the solution makes or loses, from ``energy_error``. [1]
     way : int
         Index among ``WAYS`` of the way in which the sweeps were completed at the end.
     """
@@ -101,6 +104,7 @@ class Moments:
     columns: FloatArray
     sweeps: int
     residual: FloatArray
+    energy: FloatArray
     way: int = 0
 
 
@@ -152,7 +156,7 @@ def solve_moments(
     return Moments(
         degree=setup.degree, grid=setup.grid, parts=setup.parts, field=field, sky=sky,
         columns=setup.table.values, sweeps=most, residual=residual,
-        way=hardest,
+        energy=energy_error(setup, field), way=hardest,
     )  # fmt: skip
 
 

@@ -42,6 +42,9 @@ class Settings:
         by day, on most lines, and on those that graze the ground.
     cut_panels : int
         Panels a leg there, before these cuts.
+    energy_tolerance : float
+        Largest light that a solution may make or lose, over the light incident, without a
+        warning. [1]
     polarisation : bool
         Whether light is polarised; without, it is that of scalar transfer.
     """
@@ -63,6 +66,7 @@ class Settings:
     march_panels: int
     cut_nodes: tuple[int, int, int]
     cut_panels: int
+    energy_tolerance: float = 1e-2
     polarisation: bool = True
 
     def as_text(self) -> str:
@@ -89,6 +93,7 @@ QUALITIES: Final = {
         march_panels=1,
         cut_nodes=(16, 16, 16),
         cut_panels=1,
+        energy_tolerance=3e-2,
     ),
     "default": Settings(
         degree=9,

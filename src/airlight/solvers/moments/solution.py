@@ -12,6 +12,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import warn
 from airlight.geometry.bending import bend_angle, turned
 from airlight.kernel import compiled_loop, disk
 from airlight.kernel.borrowing import borrowed
@@ -23,6 +24,7 @@ from airlight.optics.reflection import leaving_cosine
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.energy_balance import imbalance
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.irradiance import (
     direct_irradiance,
@@ -81,13 +83,15 @@ class MomentsSolution(Solution):
         self.paths = LightPaths.of(medium) if paths is None else paths
         self.settings = settings
         self.moments = moments
+        unbalanced = imbalance(moments.energy, medium.wavelengths, settings.energy_tolerance)
         self.report = Report(
             solver="moments",
             settings=f"{settings.as_text()} degree_used={moments.degree}",
             sweeps=moments.sweeps,
             residual=tuple(float(x) for x in moments.residual),
             seconds=seconds,
-            note=WAYS[moments.way].note,
+            energy=tuple(float(x) for x in moments.energy),
+            note="; ".join(one for one in (WAYS[moments.way].note, unbalanced) if one),
         )
 
     @cached_property
@@ -413,7 +417,7 @@ def solve(
         if stored is not None:
             moments = _from_arrays(Setup(paths=paths, settings=settings), stored)
             if moments is not None:
-                return MomentsSolution(medium, settings, moments, 0.0, paths)
+                return _warned(MomentsSolution(medium, settings, moments, 0.0, paths))
     started = perf_counter()
     count = medium.wavelengths.size
     with timed("solve", solve_work(settings, count), f"solving the light of {count} wavelengths"):
@@ -427,9 +431,19 @@ def solve(
                 "sky": moments.sky,
                 "columns": moments.columns,
                 "residual": moments.residual,
+                "energy": moments.energy,
                 "counts": np.array([moments.degree, moments.sweeps, moments.way]),
             },
         )
+    return _warned(solution)
+
+
+def _warned(solution: MomentsSolution) -> MomentsSolution:
+    """Solution, after a warning if it makes or loses light."""
+    moments, settings = solution.moments, solution.settings
+    line = imbalance(moments.energy, solution.wavelengths, settings.energy_tolerance)
+    if line:
+        warn(line)
     return solution
 
 
@@ -470,7 +484,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
             arrays["field"].shape == shape
             and arrays["field"].dtype == np.float32
             and arrays["sky"].shape == (radii, suns, count)
-            and arrays["residual"].shape == (count,)
+            and arrays["residual"].shape == arrays["energy"].shape == (count,)
             and arrays["columns"].shape == setup.table_shape
             and bool(np.isfinite(arrays["field"]).all())
         )
@@ -485,6 +499,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
             columns=arrays["columns"],
             sweeps=sweeps,
             residual=arrays["residual"],
+            energy=arrays["energy"],
             way=way,
         )
     except (KeyError, ValueError, IndexError, TypeError):
