@@ -180,10 +180,13 @@ class DensitySegments:
         return np.array(sorted(found))
 
     def below(self, altitude: float) -> DensitySegments:
-        """Profiles of a shell that ends at an altitude. [m]"""
-        edges = np.minimum(self.edges, altitude)
-        edges.flags.writeable = False
-        return DensitySegments(edges, self.coefficients)
+        """Profiles of a shell that ends at an altitude, with the same columns. [m]"""
+        cut = DensitySegments(np.minimum(self.edges, altitude), self.coefficients)
+        factor = np.ones_like(self.coefficients)
+        factor[..., [0, 2, 3]] = (self.columns() / np.maximum(cut.columns(), 1e-300))[:, None, None]
+        scaled = self.coefficients * factor
+        cut.edges.flags.writeable = scaled.flags.writeable = False
+        return DensitySegments(cut.edges, scaled)
 
     @property
     def arrays(self) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -43,7 +43,7 @@ def test_place_of_a_node_is_its_index(top: float) -> None:
     # By definition. The table is linear between its 8192 steps in the cosine, so that a place is
     # off by what a step spans where nodes are closer than that.
     altitude = (top - 6371e3) * np.linspace(0.0, 1.0, 4097) ** 2
-    grid, _ = make_grid(6371e3, top, 12, 56, Depths(altitude, np.zeros(4097)))
+    grid, _ = make_grid(6371e3, top, 12, 56, Depths(altitude, np.zeros(4097)), np.arange(4097.0))
     assert (np.diff(grid.place) > 0.0).all()
     even = np.linspace(-1.0, 1.0, grid.place.size)
     index = np.interp(grid.sun_cosines, even, grid.place)

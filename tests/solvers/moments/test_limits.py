@@ -51,6 +51,7 @@ def medium_of(planet: Planet) -> tuple[Medium, np.ndarray]:
     return optics.medium, optics.phases[..., 1]
 
 
+@pytest.mark.filterwarnings("ignore:energy is not conserved")  # that it converges counts
 @pytest.mark.parametrize(
     ("asymmetry", "depth"), [(-0.9, 1.0), (-0.97, 10.0), (-0.999, 0.3), (0.999, 100.0), (0.99, 1e3)]
 )
@@ -93,6 +94,7 @@ def test_what_no_iteration_ends_is_refused_at_once(
     assert allowed in str(refused.value)
 
 
+@pytest.mark.filterwarnings("ignore:energy is not conserved")  # that it converges counts
 def test_deeper_air_that_absorbs_a_little_in_each_scattering_is_solved() -> None:
     # Light diffuses through 1/sqrt(3 · 0.1) of a depth: it does not know how deep the air is.
     solution = solve(haze(0.0, 1000.0, kept=0.9), quality="preview", cache=False)

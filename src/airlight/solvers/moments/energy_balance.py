@@ -52,14 +52,15 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     bottom, top = grid.bottom_radius, grid.top_radius
     mu = grid.sun_cosines
     suns = 0.5 * (np.diff(mu, prepend=-1.0) + np.diff(mu, append=1.0))
-    rows, beam = _direct_beam(setup)
-    lit = np.tensordot(beam, suns, (1, 0))
-    amount = _shell_amounts(setup, rows, lit.shape[0])
+    radii, beam = _direct_beam(setup)
+    amount = _shell_amounts(setup, radii)
+    lit = np.tensordot(_logarithmic_mean(beam[:-1], beam[1:]), suns, (1, 0))
     scattered = np.einsum("rc,cw,rw->w", amount, optics.scattering, lit)
     taken = np.einsum("rc,cw,rw->w", amount, optics.extinction, lit)
     ground = 2.0 * pi * bottom**2 * ((suns * np.maximum(mu, 0.0)) @ beam[0])
     diffuse = np.tensordot(np.asarray(field[:, :, 0], float), suns, (1, 0)) * sqrt(4.0 * pi)
-    amount = _shell_amounts(setup, grid.row / setup.parts, diffuse.shape[0])
+    amount = _shell_amounts(setup, setup.gathering.radii)
+    diffuse = _logarithmic_mean(diffuse[:-1], diffuse[1:])
     absorbed = np.einsum("rc,cw,rw->w", amount, optics.extinction - optics.scattering, diffuse)
     # Moments are of the directions from which light comes: upward light has negative cosines.
     flux = np.tensordot(np.asarray(field[[0, -1], :, 1], float), suns, (1, 0))
@@ -89,38 +90,35 @@ def imbalance(energy: FloatArray, wavelengths: FloatArray, tolerance: float) -> 
     )
 
 
-def _shell_amounts(setup: Setup, rows: FloatArray, count: int) -> FloatArray:
-    """∫ 2π r² density dr over the hat function of each row, shape (count, nc). [m³]
+def _logarithmic_mean(low: FloatArray, high: FloatArray) -> FloatArray:
+    """(a - b)/ln(a/b): mean of light that fades exponentially with the amount of air passed."""
+    low, high = np.maximum(low, 1e-300), np.maximum(high, 1e-300)
+    ratio = np.log(low / high)
+    even = np.abs(ratio) < 1e-4
+    return np.where(even, 0.5 * (low + high), (low - high) / np.where(even, 1.0, ratio))
 
-    ``rows`` has the fractional row of each altitude node.
-    """
+
+def _shell_amounts(setup: Setup, radii: FloatArray) -> FloatArray:
+    """∫ 2π r² density dr between neighbouring radii, shape (count - 1, nc). [m³]"""
     density, bottom = setup.medium.density, setup.grid.bottom_radius
-    altitude = density.node_altitudes
+    altitude, at_nodes = density.node_altitudes, density_table(density)
     middle = 0.5 * (altitude[1:] + altitude[:-1])
-    at_nodes = density_table(density)
     shell = 0.5 * (at_nodes[1:] + at_nodes[:-1])
     shell *= (2.0 * pi * (bottom + middle) ** 2 * np.diff(altitude))[:, None]
-    row = np.clip(0.5 * (rows[1:] + rows[:-1]), 0.0, count - 1.0)
-    low = np.minimum(row.astype(int), count - 2)
-    upper = (row - low)[:, None] * shell
-    amounts = [
-        np.bincount(low, below, count) + np.bincount(low + 1, above, count)
-        for below, above in zip((shell - upper).T, upper.T, strict=True)
-    ]
+    below = np.concatenate([np.zeros((1, shell.shape[1])), np.cumsum(shell, axis=0)])
+    amounts = [np.diff(np.interp(radii - bottom, altitude, one)) for one in below.T]
     return np.stack(amounts, axis=1)
 
 
 def _direct_beam(setup: Setup) -> tuple[FloatArray, FloatArray]:
-    """Transmittance from the star, shape (rows, s, nl), and fractional rows of the nodes. [1]
+    """Radii [m], and transmittance from the star there, shape (r, s, nl) [1].
 
-    The rows are those of the table of columns, every other one where no layer made them closer.
+    The radii are those of the table of columns, every other one where no layer made them closer.
     """
     grid, table, optics = setup.grid, setup.table, setup.optics
     step = _EVERY if table.radii.size == setup.settings.column_radii else 1
     radii = np.append(table.radii[:-1:step], table.radii[-1])
     values = np.concatenate([table.values[:-1:step], table.values[-1:]])
-    last = table.radii.size - 1.0
-    rows = np.interp(setup.column_rows, [*np.arange(0.0, last, step), last], np.arange(radii.size))
     r, mu = radii[:, None], grid.sun_cosines
     bottom, top = grid.bottom_radius, grid.top_radius
     horizon = -np.sqrt(np.maximum((r - bottom) * (r + bottom), 0.0)) / r
@@ -132,4 +130,4 @@ def _direct_beam(setup: Setup) -> tuple[FloatArray, FloatArray]:
     columns = values[index, at] * (1.0 - share) + values[index, at + 1] * share
     through = np.exp(-columns @ optics.extinction)
     through[mu < horizon] = 0.0
-    return rows, through
+    return radii, through
