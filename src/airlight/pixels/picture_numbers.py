@@ -70,6 +70,7 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     )
     numbers = {
         "r": r,
+        "optical_altitude": r - bottom,
         "outside": float(outside),
         "horizon_mu": horizon_mu,
         "horizon_sine": horizon_sine,
