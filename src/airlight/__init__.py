@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         planet_names,
         replace,
     )
+    from airlight.planets.lowered_ground import lowered_ground
     from airlight.render import Frame, render
     from airlight.scene import Camera, Scene, look_at
     from airlight.scene.local_ground import local_ground
@@ -60,6 +61,7 @@ _HOMES = {
     "Scene": "airlight.scene",
     "look_at": "airlight.scene",
     "local_ground": "airlight.scene.local_ground",
+    "lowered_ground": "airlight.planets.lowered_ground",
     "MoonLight": "airlight.scene.moon_light",
     "StarLight": "airlight.scene.star_light",
     "render": "airlight.render",
@@ -95,6 +97,7 @@ __all__ = [
     "Scene",
     "look_at",
     "local_ground",
+    "lowered_ground",
     "MoonLight",
     "StarLight",
     "render",

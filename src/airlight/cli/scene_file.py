@@ -16,21 +16,25 @@ if TYPE_CHECKING:
 def painted(
     name: str,
     size: str | None,
+    crop: str | None,
     wavelengths: str | None,
     quality: str,
     samples: int | None,
     *,
+    whole: bool,
     cache: bool,
     beside: Mapping[str, object],
-) -> Frame:
-    """Draw a scene, with progress on the standard error stream.
+) -> tuple[Frame, tuple[int, int, int, int] | None]:
+    """Draw a scene, with progress on the standard error stream; and its window.
 
     Parameters
     ----------
     name : str
         Preset or scene file.
-    size, wavelengths, quality, samples, cache :
+    size, crop, wavelengths, quality, samples, cache :
         Options of ``airlight render``.
+    whole : bool
+        Whether the whole picture is drawn, also of a window.
     beside : mapping
         Options that a scene file answers itself, which must be left out.
 
@@ -47,6 +51,7 @@ def painted(
             raise ParameterError(option, value, "none beside a scene file, which says it")
     system = load_system(name)
     columns, rows = options.picture_size(size, system.view.projection)
+    window = options.crop(crop, columns, rows)
     first = next(iter(system.planets.values()), None)
     nm = None
     if wavelengths is not None:
@@ -54,7 +59,8 @@ def painted(
             raise ParameterError("--wavelengths", wavelengths, "none for a scene without air")
         nm = options.wavelengths(wavelengths, first)
     with shown_progress() as report:
-        return paint_system(
+        frame = paint_system(
             system, width=columns, height=rows, wavelengths=nm, quality=quality,
-            samples=samples, cache=cache, progress=report,
+            samples=samples, crop=None if whole else window, cache=cache, progress=report,
         )  # fmt: skip
+    return frame, window

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli import options
+from airlight.cli.console import note
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -192,6 +193,22 @@ def given(
     )
 
 
+def check_basin(planet: Planet, altitude: float) -> None:
+    """Say on which ground an observer below 0 stands, or refuse one below the deepest basin."""
+    if altitude >= 0.0:
+        return
+    from airlight.planets.lowered_ground import lowered_ground
+
+    try:
+        lowered_ground(planet, altitude)
+    except ParameterError as error:
+        raise ParameterError("--altitude", error.value, error.allowed) from None
+    note(
+        f"the observer stands on the floor of a basin at {altitude:.10g} m: all of the ground is "
+        "solved there, and the air goes on below 0 m"
+    )
+
+
 def lit(planet: Planet, placed: Placed, sun_distance: str) -> Planet:
     """Planet in the light of that time: the sun at its true distance, or at the file's."""
     if placed.time is None or sun_distance == "file":
@@ -203,6 +220,7 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
     """Line that says place, time, sun and moon, and by which distance the planet is lit."""
     from airlight.ephemeris.sky import Place
     from airlight.ephemeris.sky_line import sky_line
+    from airlight.planets.lowered_ground import lowered_ground
     from airlight.scene.apparent_sun import apparent_altitude
 
     assert placed.time is not None
@@ -212,7 +230,8 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
         longitude=placed.longitude,
         altitude=placed.altitude,
     )
-    seen = apparent_altitude(planet, placed.altitude, placed.sun_zenith)
+    floor = lowered_ground(planet, placed.altitude)
+    seen = apparent_altitude(floor, max(placed.altitude, 0.0), placed.sun_zenith)
     text = sky_line(place, placed.time, seen=seen)
     if placed.moon is not None:
         text += _eclipse(place, placed.time, placed.moon)

@@ -13,6 +13,7 @@ from airlight.kernel.threads import thread_count
 from airlight.paint.drawing_device import Choice, drawing_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import solve_planet
+from airlight.paint.star_points import add_catalogue, check_stars
 from airlight.pixels.sky_window import is_always_read
 from airlight.planets.picture_wavelengths import (
     LIVE,
@@ -20,6 +21,7 @@ from airlight.planets.picture_wavelengths import (
     texel_wavelengths,
 )
 from airlight.render.ahead import DRAWING, drawing_ahead
+from airlight.scene.basin import on_basin_floor
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
 
@@ -99,7 +101,7 @@ def paint_scene(
         Whether a planet with a map of the ground is solved for the ground around the observer
         (``airlight.local_ground``), instead of for the mean of its planet.
     stars : bool
-        Whether the stars of the catalogue are added: of a scene of Earth with a time.
+        Whether the stars of the catalogue are added, of a planet whose ``body`` is known.
     refused : callable, optional
         Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
     progress, cancel : callable, optional
@@ -114,7 +116,8 @@ def paint_scene(
     ------
     ParameterError
         If there are fewer than three wavelengths, or one is outside the planet's range; if the
-        quality or the orders are unknown, or stars are wanted without a place and time on Earth.
+        quality or the orders are unknown, the observer is below the planet's deepest basin, or
+        stars are requested where none can be shown.
     ConvergenceError
         If the orders of scattering do not converge.
     Cancelled
@@ -179,15 +182,17 @@ def paint_solved(
     ParameterError, ConvergenceError, Cancelled
         As ``paint_scene``.
     """
+    if stars:
+        check_stars(planet.body, scene.camera.projection)
     if wavelengths is not None and len(wavelengths) < FEWEST:
         raise ParameterError("wavelengths", list(wavelengths), f"{FEWEST} or more, or none given")
     if stokes and device != "cpu":
         if device == "gpu" and refused is not None:
             refused("a device draws no Q and U")
         device = "cpu"
-    check_drawn(scene.camera.width, scene.camera.height, 3 if stokes else 1)
+    check_drawn(scene.camera.columns, scene.camera.rows, 3 if stokes else 1)
     count = LIVE if wavelengths is None else len(wavelengths)
-    chosen = drawing_device(device, planet, count, scene.camera.width, refused)
+    chosen = drawing_device(device, planet, count, scene.camera.columns, refused)
     weights, told = None, {}
     nm = wavelengths
     if nm is None:
@@ -198,6 +203,9 @@ def paint_solved(
 
             weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
             told = {"colour": "from four wavelengths, fitted to the star"}
+    if scene.altitude < 0.0:
+        told["solved_floor"] = f"lowered to {scene.altitude:.10g} m, below the observer"
+        planet, scene = on_basin_floor(planet, scene)
     if local:
         planet = local_ground(
             planet,
@@ -215,8 +223,6 @@ def paint_solved(
         weights=weights, progress=progress, cancel=cancel,
     )  # fmt: skip
     if stars:
-        from airlight.paint.star_points import add_catalogue
-
         add_catalogue(frame.rgb, scene, solution, planet.body)
         told["stars"] = "to magnitude 6.5"
     if solution.report.ground:

@@ -36,6 +36,8 @@ class Frame:
         Scene that it shows.
     star_radius : float
         Angular radius of the star. [rad]
+    origin : (int, int)
+        Column and row of the whole picture at which the frame begins. [pixel]
     """
 
     rgb: NDArray[np.float32]
@@ -44,6 +46,7 @@ class Frame:
     pixel_angle: float = 0.0
     scene: Scene | None = None
     star_radius: float = 0.0
+    origin: tuple[int, int] = (0, 0)
 
     def __repr__(self) -> str:
         height, width = self.rgb.shape[:2]

@@ -9,6 +9,9 @@ import numpy as np
 from airlight.errors import ParameterError
 from airlight.units import quantity
 
+#: Largest altitude of an observer, and one below every known basin. [m]
+HIGHEST_ALTITUDE: Final = 1e12
+DEEPEST_ALTITUDE: Final = -1e4
 #: Units in which a text is read.
 _READ: Final = ("m", "deg")
 

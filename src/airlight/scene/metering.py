@@ -114,7 +114,7 @@ def metering_weights(scene: Scene, angular_radius: float, step: int = 1) -> Floa
 
     Returns
     -------
-    array, shape (ceil(height / step), ceil(width / step))
+    array, shape (ceil(rows / step), ceil(columns / step))
         Solid angles, 0 near the discs of the lights and outside the picture. [sr]
 
     Examples
@@ -126,11 +126,13 @@ def metering_weights(scene: Scene, angular_radius: float, step: int = 1) -> Floa
     """
     camera = scene.camera
     assert camera.field_of_view is not None
-    x = np.arange(0, camera.width, step) + 0.5
-    y = np.arange(0, camera.height, step) + 0.5
+    x = np.arange(camera.left, camera.left + camera.columns, step) + 0.5
+    y = np.arange(camera.top, camera.top + camera.rows, step) + 0.5
     suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
     pixel = step * camera.pixel_angle
     cosines = np.array([left_out(one.radius(angular_radius), pixel) for one in scene.lights])
+    if camera.parallel:  # no disc is drawn
+        cosines[:] = math.inf
     out = np.empty((y.size, x.size))
     _fill(
         list(PROJECTIONS).index(camera.projection), x, y, float(camera.width),

@@ -37,7 +37,10 @@ class Projection:
     look_zenith : float
         Default zenith angle of the view. [deg]
     connected : bool
-        Whether neighbouring pixels are neighbours in the sky.
+        Whether neighbouring pixels are neighbours in the sky, so that a lens spreads light between
+        them.
+    parallel : bool
+        Whether lines of sight are parallel: the camera sees a planet from far away.
     """
 
     name: str
@@ -48,6 +51,7 @@ class Projection:
     look_zenith: float
     aspect: int | None = None
     connected: bool = True
+    parallel: bool = False
     shape: str = "any shape"
     size: tuple[int, int] = (1280, 720)
     sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)

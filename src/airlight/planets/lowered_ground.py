@@ -1,0 +1,60 @@
+"""Planet whose ground is the floor of a basin, below the level that altitudes count from."""
+
+from __future__ import annotations
+
+from airlight.ephemeris.world import WORLDS
+from airlight.errors import ParameterError
+from airlight.planets.matter.profiles.continued import Continued
+from airlight.planets.parameters import replace
+from airlight.planets.planet import Planet
+
+
+def lowered_ground(planet: Planet, altitude: float) -> Planet:
+    """Planet with all of its ground lowered to an altitude below 0.
+
+    Profiles go on below their reference level, see ``Continued``, and coefficients, optical depths
+    and columns of the planet's file keep their meaning above it. Altitudes above the new ground are
+    larger by its depth.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet; it is returned as it is for an altitude of 0 or more.
+    altitude : float
+        Altitude of the floor, down to the deepest basin of the planet's ``body``. [m]
+
+    Returns
+    -------
+    Planet
+
+    Raises
+    ------
+    ParameterError
+        If the planet has no such basin.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> shore = lowered_ground(load_planet("earth"), -430.0)  # the Dead Sea
+    >>> shore.bottom_radius, shore.top_radius
+    (6370570.0, 6471000.0)
+    """
+    if altitude >= 0.0:
+        return planet
+    if planet.body is None:
+        allowed = "0 m or more: a planet without a body has no known basins"
+        raise ParameterError("altitude", altitude, allowed)
+    basin = WORLDS[planet.body].deepest_basin
+    if not altitude >= basin:
+        allowed = f"{basin:g} m, the deepest basin of {planet.body}, or more"
+        raise ParameterError("altitude", altitude, allowed)
+    depth, ground = -altitude, planet.ground
+    return replace(
+        planet,
+        bottom_radius=planet.bottom_radius - depth,
+        ground=replace(ground, cloud_altitude=ground.cloud_altitude + depth),
+        constituents=tuple(
+            replace(one, profile=Continued(profile=one.profile, depth=depth))
+            for one in planet.constituents
+        ),
+    )
