@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose
 from airlight import Medium, ParameterError, Planet, load_planet, lowered_ground, solve
 from airlight.ephemeris.world import WORLDS
 from airlight.optics.density_profile import DensitySegments
+from airlight.planets.lowered_ground import stands_on_floor
 from airlight.planets.matter.profiles import Exponential, Layers, Tent, Uniform
 from airlight.planets.matter.profiles.continued import Continued
 from airlight.planets.parameters import replace
@@ -104,3 +105,12 @@ def test_a_planet_without_basins_and_air_that_is_too_steep_are_refused() -> None
     steep = replace(steep, constituents=(steep.constituents[0], fog))
     with pytest.raises(ParameterError, match="scale height at the reference level"):
         Medium.from_planet(lowered_ground(steep, -430.0), NM)
+
+
+def test_an_observer_stands_on_the_floor() -> None:
+    # Eyes 2 m above it; at the bottom of the deepest basin it is not lower than that.
+    planet = load_planet("earth")
+    for altitude, height in ((-1.0, 2.0), (-430.0, 2.0), (-440.0, 0.0), (5.0, 5.0)):
+        floor, above = stands_on_floor(planet, altitude)
+        assert_allclose(above, height)
+        assert_allclose(floor.bottom_radius + above, planet.bottom_radius + altitude, rtol=1e-15)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli import distribution_options, options
+from airlight.cli import distribution_options, options, time_and_place
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
@@ -157,6 +157,8 @@ def radiance(
     world = options.planet(planet, set_)
     if input_ is None:
         height = float(cases.values[0, 0])
+        world, height = time_and_place.on_floor(world, height)
+        cases.values[0, 0] = height
         world = options.with_solved_ground(world, ground_albedo, latitude, longitude, height)
     else:
         world = options.with_solved_ground(world, ground_albedo, None, None)
@@ -318,7 +320,7 @@ def _one_case(texts: dict[str, str | None], output: str) -> Cases:
     """Parse the observer of the options, after checking that no file is to be written."""
     import numpy as np
 
-    from airlight.scene.limits import within
+    from airlight.scene.limits import DEEPEST_ALTITUDE, within
     from airlight.sweep.cases import COLUMNS, Cases
 
     if output != "-":
@@ -333,6 +335,7 @@ def _one_case(texts: dict[str, str | None], output: str) -> Cases:
             )
         is_length = option == "--altitude"
         value = (options.length if is_length else options.angle)(text, option)
+        low = DEEPEST_ALTITUDE if is_length else low
         row.append(within(option, value, low, high, "m" if is_length else "deg"))
     return Cases(comments=[], header=[], rows=[[]], values=np.array([row]))
 

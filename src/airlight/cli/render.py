@@ -248,7 +248,7 @@ def render(
          "--longitude": longitude}, altitude,
     )  # fmt: skip
     parallel = whole_disc.check(
-        projection, {"--altitude": altitude, "--look": look, "--look-at": look_at}
+        projection, {"--altitude": altitude, "--look": look, "--look-at": look_at}, at
     )
     if stars:
         from airlight.paint.star_points import check_stars
@@ -263,7 +263,7 @@ def render(
     zenith, azimuth = _target(look, look_at, projection, placed, world)
     from airlight.scene import Camera, Scene
 
-    time_and_place.check_basin(world, placed.altitude)
+    time_and_place.on_floor(world, placed.altitude)
     scene = Scene(
         camera=Camera(
             projection=projection,

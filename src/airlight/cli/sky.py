@@ -164,7 +164,7 @@ def sky(
             sun_zenith or _SUN_ZENITH, sun_azimuth or _SUN_AZIMUTH, latitude, longitude,
             altitude or _ALTITUDE,
         )  # fmt: skip
-    time_and_place.check_basin(world, placed.altitude)
+    time_and_place.on_floor(world, placed.altitude)
     scene = Scene(
         camera=Camera(projection=consumer.projection, width=columns, height=rows),
         altitude=placed.altitude,

@@ -193,20 +193,27 @@ def given(
     )
 
 
-def check_basin(planet: Planet, altitude: float) -> None:
-    """Say on which ground an observer below 0 stands, or refuse one below the deepest basin."""
+def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
+    """Planet on whose ground an observer below 0 stands, his altitude above it, and a word.
+
+    Raises
+    ------
+    ParameterError
+        If the altitude is below the planet's deepest basin.
+    """
     if altitude >= 0.0:
-        return
-    from airlight.planets.lowered_ground import lowered_ground
+        return planet, altitude
+    from airlight.planets.lowered_ground import stands_on_floor
 
     try:
-        lowered_ground(planet, altitude)
+        lowered, height = stands_on_floor(planet, altitude)
     except ParameterError as error:
         raise ParameterError("--altitude", error.value, error.allowed) from None
     note(
-        f"the observer stands on the floor of a basin at {altitude:.10g} m: all of the ground is "
-        "solved there, and the air goes on below 0 m"
+        f"the observer stands on the floor of a basin at {altitude - height:.10g} m: all of the "
+        "ground is solved there, and the air goes on below 0 m"
     )
+    return lowered, height
 
 
 def lit(planet: Planet, placed: Placed, sun_distance: str) -> Planet:
@@ -220,7 +227,7 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
     """Line that says place, time, sun and moon, and by which distance the planet is lit."""
     from airlight.ephemeris.sky import Place
     from airlight.ephemeris.sky_line import sky_line
-    from airlight.planets.lowered_ground import lowered_ground
+    from airlight.planets.lowered_ground import stands_on_floor
     from airlight.scene.apparent_sun import apparent_altitude
 
     assert placed.time is not None
@@ -230,8 +237,7 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
         longitude=placed.longitude,
         altitude=placed.altitude,
     )
-    floor = lowered_ground(planet, placed.altitude)
-    seen = apparent_altitude(floor, max(placed.altitude, 0.0), placed.sun_zenith)
+    seen = apparent_altitude(*stands_on_floor(planet, placed.altitude), placed.sun_zenith)
     text = sky_line(place, placed.time, seen=seen)
     if placed.moon is not None:
         text += _eclipse(place, placed.time, placed.moon)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 ORTHOGRAPHIC: Final = "orthographic"
 
 
-def check(projection: str, given: Mapping[str, str | None]) -> bool:
+def check(projection: str, given: Mapping[str, str | None], at: str | None) -> bool:
     """Whether lines of sight are parallel.
 
     Parameters
@@ -24,15 +24,20 @@ def check(projection: str, given: Mapping[str, str | None]) -> bool:
         Name of the projection.
     given : mapping
         Options that place or direct a camera, and their texts.
+    at : str or None
+        Text of ``--at``, which may hold an altitude.
 
     Raises
     ------
     ParameterError
         If they are parallel, and one of the options is given.
     """
+    if at is not None and at.count(",") > 1:
+        given = {**given, "--at": at}
     for option, text in given.items():
         if projection == ORTHOGRAPHIC and text is not None:
-            allowed = f"left out for {projection}: from far away, north up; --roll turns it"
+            what = "without an altitude" if option == "--at" else "left out"
+            allowed = f"{what} for {projection}: from far away, north up; --roll turns it"
             raise ParameterError(option, text, allowed)
     return projection == ORTHOGRAPHIC
 

@@ -204,8 +204,9 @@ def paint_solved(
             weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
             told = {"colour": "from four wavelengths, fitted to the star"}
     if scene.altitude < 0.0:
-        told["solved_floor"] = f"lowered to {scene.altitude:.10g} m, below the observer"
+        eyes = scene.altitude
         planet, scene = on_basin_floor(planet, scene)
+        told["solved_floor"] = f"ground lowered to {eyes - scene.altitude:.10g} m"
     if local:
         planet = local_ground(
             planet,

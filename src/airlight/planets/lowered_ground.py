@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from airlight.ephemeris.world import WORLDS
 from airlight.errors import ParameterError
 from airlight.planets.matter.profiles.continued import Continued
 from airlight.planets.parameters import replace
 from airlight.planets.planet import Planet
+
+#: Height of an observer's eyes above the floor of a basin. [m]
+EYES: Final = 2.0
 
 
 def lowered_ground(planet: Planet, altitude: float) -> Planet:
@@ -41,13 +46,7 @@ def lowered_ground(planet: Planet, altitude: float) -> Planet:
     """
     if altitude >= 0.0:
         return planet
-    if planet.body is None:
-        allowed = "0 m or more: a planet without a body has no known basins"
-        raise ParameterError("altitude", altitude, allowed)
-    basin = WORLDS[planet.body].deepest_basin
-    if not altitude >= basin:
-        allowed = f"{basin:g} m, the deepest basin of {planet.body}, or more"
-        raise ParameterError("altitude", altitude, allowed)
+    _deepest(planet, altitude)
     depth, ground = -altitude, planet.ground
     return replace(
         planet,
@@ -58,3 +57,43 @@ def lowered_ground(planet: Planet, altitude: float) -> Planet:
             for one in planet.constituents
         ),
     )
+
+
+def stands_on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
+    """Planet for an observer below 0, who stands on its ground, and his altitude above that.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet; it and the altitude are returned as they are for an altitude of 0 or more.
+    altitude : float
+        Altitude of his eyes, ``EYES`` above the floor, or less at the bottom of the basin. [m]
+
+    Raises
+    ------
+    ParameterError
+        If the planet has no such basin.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> shore, height = stands_on_floor(load_planet("earth"), -430.0)
+    >>> shore.bottom_radius, height
+    (6370568.0, 2.0)
+    """
+    if altitude >= 0.0:
+        return planet, altitude
+    floor = max(altitude - EYES, _deepest(planet, altitude))
+    return lowered_ground(planet, floor), altitude - floor
+
+
+def _deepest(planet: Planet, altitude: float) -> float:
+    """Deepest basin of a planet, at or below an altitude. [m]"""
+    if planet.body is None:
+        allowed = "0 m or more: a planet without a body has no known basins"
+        raise ParameterError("altitude", altitude, allowed)
+    basin = WORLDS[planet.body].deepest_basin
+    if not altitude >= basin:
+        allowed = f"{basin:g} m, the deepest basin of {planet.body}, or more"
+        raise ParameterError("altitude", altitude, allowed)
+    return basin

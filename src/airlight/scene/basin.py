@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from airlight.planets.lowered_ground import lowered_ground
+from airlight.planets.lowered_ground import stands_on_floor
 from airlight.scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -31,8 +31,9 @@ def on_basin_floor(planet: Planet, scene: Scene) -> tuple[Planet, Scene]:
     >>> from airlight.planets import load_planet
     >>> planet, scene = on_basin_floor(load_planet("mars"), Scene(altitude=-7e3))
     >>> planet.bottom_radius, scene.altitude
-    (3382500.0, 0.0)
+    (3382498.0, 2.0)
     """
     if scene.altitude >= 0.0:
         return planet, scene
-    return lowered_ground(planet, scene.altitude), replace(scene, altitude=0.0)
+    planet, height = stands_on_floor(planet, scene.altitude)
+    return planet, replace(scene, altitude=height)

@@ -35,7 +35,7 @@ class Scene:
         Camera that gives the directions of the pixels.
     altitude : float
         Altitude of the observer, up to 1e12; outside the air is allowed. Below 0, down to the
-        deepest basin of the planet, the observer stands on its floor: see ``lowered_ground``. An
+        deepest basin of the planet, the observer stands on its floor: ``stands_on_floor``. An
         orthographic camera is 1e12 away. [m]
     sun_zenith : float
         Zenith angle of the sun at the observer, 0 to 180. [deg]
