@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.testing import assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal
 from PIL import Image
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, solve
@@ -16,8 +16,10 @@ from airlight.cli import main
 from airlight.color.display import to_display
 from airlight.gpu.device.device import Device
 from airlight.gpu.picture.pictures import Pictures
+from airlight.paint.paint_system import paint_system
 from airlight.paint.star_points import add_catalogue
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.system import load_system
 
 CROP = (101, 37, 64, 50)
 
@@ -110,3 +112,16 @@ def test_a_tile_of_a_file_is_exposed_as_the_whole(tmp_path: Path) -> None:
 def test_a_window_outside_the_picture_is_refused(crop: Any) -> None:
     with pytest.raises(ParameterError, match=r"camera\.crop .* inside 320x180 pixels"):
         Camera(width=320, height=180, crop=crop)
+
+
+def test_a_scene_of_several_bodies_has_windows_too() -> None:
+    # The definition: planets, surfaces and stars by the place in the whole picture. Lines to
+    # stars are followed in other groups, which rounds their sums differently.
+    system = load_system("orion")
+    options: dict[str, Any] = {"width": 160, "height": 90, "wavelengths": (680.0, 550.0, 440.0)}
+    crop = (60, 30, 50, 40)
+    whole, part = (
+        paint_system(system, quality="preview", crop=one, **options) for one in (None, crop)
+    )
+    assert part.origin == (60, 30)
+    assert_allclose(part.rgb, window(whole.rgb, crop), rtol=1e-6)

@@ -9,6 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, solve
+from airlight.gpu.device.device import Device
+from airlight.gpu.picture.pictures import Pictures
 from airlight.scene.projections.orthographic import disc_extent
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -98,3 +100,13 @@ def test_an_orthographic_camera_has_no_altitude_and_others_no_extent() -> None:
         globe(altitude=400e3)
     with pytest.raises(ParameterError, match=r"camera\.extent"):
         Camera(extent=1e6)
+
+
+def test_a_device_draws_the_processor_s_disc(device: Device, lit: MomentsSolution) -> None:
+    # The second method: double precision, and the processor's own rows of pixels. Light that is
+    # not shown, below 1e-3 of the brightest, is left out.
+    pictures = Pictures(device)
+    pictures.show(lit)
+    scene = globe(128, sun_zenith=50.0)
+    wanted, got = render(lit, scene).rgb, pictures.frame(scene).rgb
+    assert_allclose(got, wanted, rtol=1e-2, atol=1e-3 * wanted.max())
