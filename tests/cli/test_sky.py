@@ -100,7 +100,7 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
         (["--for", "pbrt", "-o", "a.exr", "--size", "64x32"], "a square for octahedral"),
         (["--for", "usd", "-o", "a.exr", "--latitude", "3"], "both of --latitude and --longitude"),
         (["--for", "usd", "-o", "a.exr", "--wavelengths", "550"], "three or more"),
-        (["--for", "usd", "-o", "a.exr", "--stars"], "beside --at and --time"),
+        (["--for", "usd", "-o", "a.exr", "--stars", "--set", "body="], "--stars is True"),
     ],
 )
 def test_bad_input_is_refused_in_one_line(

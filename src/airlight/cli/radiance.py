@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli import distribution_options, options
+from airlight.cli import distribution_options, options, time_and_place
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
@@ -161,8 +161,14 @@ def radiance(
     world = options.planet(planet, set_)
     if input_ is None:
         height = float(cases.values[0, 0])
-        if latitude is not None and (cases.values[:, 0] != height).any():
+        several = bool((cases.values[:, 0] != height).any())
+        if latitude is not None and several:
             raise ParameterError("--altitude", altitude, "one altitude, beside --latitude")
+        if several and cases.values[:, 0].min() < 0.0:
+            raise ParameterError("--altitude", altitude, "one altitude, where it is below 0")
+        world, above = time_and_place.on_floor(world, height)
+        if above != height:
+            height = cases.values[:, 0] = above
         world = options.with_solved_ground(world, ground_albedo, latitude, longitude, height)
     else:
         world = options.with_solved_ground(world, ground_albedo, None, None)
@@ -321,7 +327,7 @@ def _observers(texts: dict[str, str | None], output: str) -> Cases:
     """Parse the observers of the options: one, or a row for each of their lists and ranges."""
     import numpy as np
 
-    from airlight.scene.limits import within
+    from airlight.scene.limits import DEEPEST_ALTITUDE, within
     from airlight.sweep.cases import COLUMNS, Cases
     from airlight.units import MOST_VALUES
 
@@ -336,6 +342,7 @@ def _observers(texts: dict[str, str | None], output: str) -> Cases:
                 f"{option} is missing: an angle such as 60deg, or --input FILE"
             )
         unit = "m" if option == "--altitude" else "deg"
+        low = DEEPEST_ALTITUDE if option == "--altitude" else low
         numbers = options.values(text, unit, option)
         axes.append([within(option, number, low, high, unit) for number in numbers])
     values = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))

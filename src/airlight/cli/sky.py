@@ -118,6 +118,7 @@ def sky(
     from airlight.environment.environment_map import environment_map
     from airlight.environment.files import beside, write_map
     from airlight.paint.paint_scene import FEWEST
+    from airlight.paint.star_points import check_stars
     from airlight.scene import Camera, Scene
 
     consumer = _consumer(for_, front, tilt)
@@ -147,8 +148,8 @@ def sky(
         {"--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth, "--latitude": latitude,
          "--longitude": longitude}, altitude,
     )  # fmt: skip
-    if stars and (placed is None or world.body != "earth"):
-        raise ParameterError("--stars", True, "beside --at and --time, on Earth")
+    if stars:
+        check_stars(world.body, consumer.projection, "--stars")
     somewhere = placed is not None or latitude is not None or longitude is not None
     for option, given, other in (
         ("--latitude", latitude, longitude), ("--longitude", longitude, latitude),
@@ -157,6 +158,7 @@ def sky(
             raise ParameterError(option, given, "both of --latitude and --longitude")
     if placed is None:
         placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
+    time_and_place.on_floor(world, placed.altitude)
     scene = Scene(
         camera=Camera(projection=consumer.projection, width=columns, height=rows),
         altitude=placed.altitude,

@@ -87,6 +87,7 @@ def write_picture(
     glare: float = 1.0,
     pixel_angle: Measure = 0.0,
     layers: Mapping[str, NDArray[np.float32]] | None = None,
+    crop: tuple[int, int, int, int] | None = None,
 ) -> Written:
     """Write a frame's colours as PNG (exposed, tone mapped, encoded) or EXR (linear, untouched).
 
@@ -120,6 +121,9 @@ def write_picture(
         Angle of a pixel of an array; without it there is no glare. [rad]
     layers : mapping of str to array, optional
         Further channels of an EXR, as for ``airlight.exports.exr.write_exr``.
+    crop : (int, int, int, int), optional
+        Window that is written: its left and top edge, width and height. Exposure and glare are
+        those of the whole picture. Only for PNG. [pixel]
 
     Returns
     -------
@@ -158,6 +162,10 @@ def write_picture(
             rgb, used, tone_map, encoding, eye=eye, primaries=primaries, bits=bits, glare=glare,
             **frame.lens,
         )  # fmt: skip
+        if crop is not None:
+            left, top, width, height = crop
+            metadata["crop"] = ",".join(map(str, crop))
+            pixels = np.ascontiguousarray(pixels[top : top + height, left : left + width])
         display = {
             "exposure": f"{used:.10g} EV",
             "eye": "adapted" if eye else "by day",
