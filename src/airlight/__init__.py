@@ -117,9 +117,12 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
-        from importlib.metadata import version
+        from importlib import metadata
 
-        return version("airlight")
+        try:
+            return metadata.version("airlight")
+        except metadata.PackageNotFoundError:
+            return "unknown"
     if name not in _HOMES:
         raise AttributeError(f"module 'airlight' has no attribute {name!r}")
     value = getattr(import_module(_HOMES[name]), name)

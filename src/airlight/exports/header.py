@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib import metadata as distributions
+
+import airlight
 
 #: Prefix of our names, because formats have an ``altitude`` of their own.
 PREFIX = "airlight."
@@ -35,7 +36,4 @@ def header(metadata: Mapping[str, str]) -> dict[str, str]:
 
 def version() -> str:
     """Version of the running airlight."""
-    try:
-        return distributions.version("airlight")
-    except distributions.PackageNotFoundError:
-        return "unknown"
+    return str(airlight.__version__)

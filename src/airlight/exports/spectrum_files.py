@@ -40,8 +40,7 @@ def write_spectrum(path: str | Path, data: xarray.Dataset) -> None:
         raise FileError(path, f"the name of a spectrum ends in {', '.join(SUFFIXES)}")
     with whole_file(path) as part:
         if suffix == ".nc":
-            whole = data.assign_attrs(Conventions="CF-1.10", history=f"airlight {version()}")
-            whole.to_netcdf(part, engine="scipy")
+            data.to_netcdf(part, engine="scipy")
         else:
             _write_csv(part, data)
 

@@ -23,6 +23,7 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.named_axes import Argument, NamedAxes
+from airlight.solvers.provenance import provenance
 from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.stokes_frame import STOKES, to_meridian
 from airlight.tables.columns import columns
@@ -64,9 +65,16 @@ class Report:
     ground: str = ""
 
     def __str__(self) -> str:
-        took = f"{self.seconds:.2f} s" if self.seconds else "from the cache"
+        return self._described(f", {self.seconds:.2f} s" if self.seconds else ", from the cache")
+
+    @property
+    def provenance(self) -> str:
+        """The same line without wall time or cache: equal for equal computations."""
+        return self._described("")
+
+    def _described(self, took: str) -> str:
         return (
-            f"{self.solver}: {self.sweeps} sweeps, last change {max(self.residual):.1e}, {took} "
+            f"{self.solver}: {self.sweeps} sweeps, last change {max(self.residual):.1e}{took} "
             f"({self.settings})" + "".join(f"; {one}" for one in (self.note, self.ground) if one)
         )
 
@@ -425,13 +433,14 @@ class Solution(ABC):
                     values * self.lights[0].irradiance, axes, f"{name} irradiance", "W m-2 nm-1"
                 )
                 for name, values in parts.items()
-            }
+            },
+            attrs=provenance(self.planet, self.report),
         )
 
     def _labelled(
         self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str
     ) -> xarray.DataArray:
         labelled: xarray.DataArray = axes.labelled(
-            values, self.wavelengths, name, unit, solver=str(self.report)
+            values, self.wavelengths, name, unit, **provenance(self.planet, self.report)
         )
         return labelled

@@ -261,7 +261,7 @@ class Target:
             "version": self.version,
             "planet": solution.planet.name if solution.planet is not None else "unnamed",
             "fingerprint": solution.medium.fingerprint(),
-            "solver": str(solution.report),
+            "solver": solution.report.provenance,
             "wavelengths_nm": solution.wavelengths.tolist(),
             **content["about"],
             **{name: content[name] for name in _ACCOUNT},

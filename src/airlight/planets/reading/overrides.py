@@ -17,6 +17,7 @@ from typing import Any, Final
 import numpy as np
 
 from airlight.errors import ParameterError
+from airlight.planets.reading.nested_tables import joined
 
 #: Field in errors; the command line replaces it by its option.
 FIELD: Final = "override"
@@ -93,6 +94,25 @@ def parsed(text: str) -> tuple[str, Any]:
     if not sign or not path.strip():
         raise ParameterError(FIELD, text, "PATH=VALUE, such as ground.albedo=0.3")
     return path.strip(), _value(value.strip())
+
+
+def indexed_path(values: Mapping[str, Any], path: str) -> str:
+    """Path of an override with its constituent by index in place of its name.
+
+    Raises
+    ------
+    ParameterError
+        If the path leads nowhere.
+
+    Examples
+    --------
+    >>> indexed_path({"constituents": [{"name": "dust", "amount": 1}]}, "dust.amount")
+    'constituents[0].amount'
+    """
+    found = ""
+    for step in _steps(values, path):
+        found = joined(found, step)
+    return found
 
 
 def with_hint(

@@ -20,6 +20,7 @@ from airlight.solvers.montecarlo.bent_paths import direct_irradiance_bent
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.provenance import provenance
 from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
@@ -54,7 +55,7 @@ class MonteCarloReport(Report):
     unreached: int = 0
     lines: int = 0
 
-    def __str__(self) -> str:
+    def _described(self, took: str) -> str:
         ground = f"; {self.ground}" if self.ground else ""
         if not self.lines:
             return f"{self.solver}: nothing asked yet ({self.settings}){ground}"
@@ -63,7 +64,7 @@ class MonteCarloReport(Report):
             missed = f", {self.unreached} of {self.lines} lines of sight NOT within the error asked"
         return (
             f"{self.solver}: {self.histories:.3g} histories, largest error "
-            f"{max(self.residual):.1e}{missed}, {self.seconds:.2f} s ({self.settings}){ground}"
+            f"{max(self.residual):.1e}{missed}{took} ({self.settings}){ground}"
         )
 
 
@@ -300,7 +301,7 @@ class MonteCarloSolution(Solution):
                 data[name] = self._labelled(
                     stokes_values * sun, beside, name.replace("_", " "), unit
                 )
-        data.attrs["solver"] = str(self.report)
+        data.attrs.update(provenance(self.planet, self.report))
         return data
 
 

@@ -1,0 +1,43 @@
+"""Attributes of results: planet, version, solver and settings, by the CF conventions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import airlight
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+    from airlight.solvers.solution import Report
+
+#: Conventions of attributes, units and standard names. https://cfconventions.org
+CONVENTIONS: Final = "CF-1.10"
+
+
+def provenance(planet: Planet | None, report: Report) -> dict[str, str]:
+    """Attributes of a result, equal for equal computations: no time, no machine.
+
+    Parameters
+    ----------
+    planet : Planet or None
+        Planet of the solution; None for a medium without one.
+    report : Report
+        Report of the solution.
+
+    Returns
+    -------
+    dict of str to str
+        ``Conventions``, ``source``, ``planet``, ``version``, ``solver``, ``settings``.
+    """
+    return {
+        "planet": "unnamed" if planet is None else planet.name,
+        "solver": report.provenance,
+        "settings": report.settings,
+        **software(),
+    }
+
+
+def software() -> dict[str, str]:
+    """Attributes that all results of this version have in common."""
+    version = str(airlight.__version__)
+    return {"version": version, "source": f"airlight {version}", "Conventions": CONVENTIONS}
