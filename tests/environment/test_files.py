@@ -21,6 +21,7 @@ from airlight.environment.files import write_map
 from airlight.environment.texels import texel_solid_angles
 from airlight.errors import FileError, ParameterError
 from airlight.exports.exr import read_exr
+from airlight.exports.picture import read_picture_metadata
 
 Made = Callable[..., EnvironmentMap]
 
@@ -102,6 +103,21 @@ def test_standard_attributes(made: Made, tmp_path: Path) -> None:
     assert not {"latitude", "longitude", "capDate", "utcOffset"} & set(unknown)
     write_map(tmp_path / "c.exr", made("pbrt"))
     assert "envmap" not in header(tmp_path / "c.exr")
+
+
+@pytest.mark.parametrize("name", ["map.exr", "map.png"])
+def test_a_map_without_a_place_names_none(made: Made, tmp_path: Path, name: str) -> None:
+    # nobody named a place: the scene's own stands for no place of the planet
+    shown = made()
+    for placed in (False, True):
+        map_ = replace(shown, placed=placed)
+        write_map(tmp_path / name, map_, metadata=map_.scene.metadata())
+        texts = read_picture_metadata(tmp_path / name)
+        assert ("airlight.latitude" in texts) is placed
+        assert ("airlight.longitude" in texts) is placed
+        assert "airlight.sun_zenith" in texts
+        observer = json.loads((tmp_path / "map.json").read_text(encoding="utf-8"))["observer"]
+        assert ("latitude_deg" in observer) is placed
 
 
 def test_the_json_says_where_the_sun_stands_in_the_program_s_axes(

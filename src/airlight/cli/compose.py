@@ -327,11 +327,14 @@ def _write(
 ) -> None:
     """Write the picture: linear on the scale of the given one, or exposed."""
     if suffix == ".exr":
+        from airlight.color.xyz import luminance
+        from airlight.constants import LUMINOUS_EFFICACY
         from airlight.exports.exr import write_exr
 
         scale = ", ".join(f"{one:.6g}" for one in composed.scale)
         note = {"radiance_of_1": f"{scale} W m-2 sr-1, linear sRGB"}
-        write_exr(output, composed.rgb, metadata | note)
+        white = LUMINOUS_EFFICACY * float(luminance(composed.scale))
+        write_exr(output, composed.rgb, metadata | note, attributes={"whiteLuminance": white})
         return
     from airlight.exports.picture import write_picture
 

@@ -29,6 +29,8 @@ SCENES: Final[dict[str, tuple[str, Callable[[EnvironmentMap, str, float], str]]]
     "usd": (".usda", usd_scene),
     "mitsuba": (".xml", mitsuba_scene),
 }
+#: Texts about a scene's place.
+_PLACE: Final = ("latitude", "longitude")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -111,6 +113,8 @@ def write_map(
     """
     others = beside(path, made.consumer)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}
+    if not made.placed:  # where the scene stands on its globe is nobody's place
+        facts = {name: text for name, text in facts.items() if name not in _PLACE}
     halves = precision == "half" or compression == "dwa" or made.consumer.keeps_halves
     factor, exposure = 1.0, None
     if path.suffix.lower() == ".exr":
