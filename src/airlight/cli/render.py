@@ -49,7 +49,8 @@ _ACROSS = -75.0
 def render(
     planet: options.Planet_,
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr.")
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr or .hdr."),
     ],
     at: time_and_place.At = None,
     time_: time_and_place.Time = None,
@@ -297,6 +298,8 @@ def _check_polarised(
             raise ParameterError("--polariser", polariser, f"left out beside {option}")
     if stokes and suffix != ".exr":
         raise ParameterError("--stokes", True, "beside a name that ends in .exr")
+    if show is not None and suffix == ".hdr":
+        raise ParameterError("--show", show, "beside a name that ends in .png or .exr")
 
 
 def _check_legend(width: int) -> None:
