@@ -117,12 +117,9 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
-        from importlib import metadata
+        from importlib.metadata import version
 
-        try:
-            return metadata.version("airlight")
-        except metadata.PackageNotFoundError:
-            return "unknown"
+        return version("airlight")
     if name not in _HOMES:
         raise AttributeError(f"module 'airlight' has no attribute {name!r}")
     value = getattr(import_module(_HOMES[name]), name)

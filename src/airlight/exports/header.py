@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import airlight
+from airlight.solvers.provenance import version
 
 #: Prefix of our names, because formats have an ``altitude`` of their own.
 PREFIX = "airlight."
@@ -32,8 +32,3 @@ def header(metadata: Mapping[str, str]) -> dict[str, str]:
     for name, text in metadata.items():
         out[PREFIX + name] = " ".join(str(text).split())
     return out
-
-
-def version() -> str:
-    """Version of the running airlight."""
-    return str(airlight.__version__)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import thread_count
 from airlight.paint.drawing_device import Choice, drawing_device
@@ -236,9 +237,10 @@ def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
         return
     ahead = drawing_ahead()
     try:
-        yield
-        for loop in DRAWING:
-            if not ahead.wait(loop, cancel or (lambda: False)):
-                raise Cancelled("cancelled")
+        with FIRST_COMPILATION.elsewhere(DRAWING):
+            yield
+            for loop in DRAWING:
+                if not ahead.wait(loop, cancel or (lambda: False)):
+                    raise Cancelled("cancelled")
     finally:
         ahead.close()

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from functools import cache
+from importlib import metadata
 from typing import TYPE_CHECKING, Final
-
-import airlight
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -39,5 +39,13 @@ def provenance(planet: Planet | None, report: Report) -> dict[str, str]:
 
 def software() -> dict[str, str]:
     """Attributes that all results of this version have in common."""
-    version = str(airlight.__version__)
-    return {"version": version, "source": f"airlight {version}", "Conventions": CONVENTIONS}
+    return {"version": version(), "source": f"airlight {version()}", "Conventions": CONVENTIONS}
+
+
+@cache
+def version() -> str:
+    """Version of the running airlight."""
+    try:
+        return metadata.version("airlight")
+    except metadata.PackageNotFoundError:
+        return "unknown"

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from airlight.errors import ParameterError
+from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
@@ -159,7 +160,10 @@ def solve(
         settings = replace(settings, polarisation=False)
     nm = planet.wavelengths if wavelengths is None else wavelengths
     if solver == "moments":
+        from airlight.solvers.moments.loops import LOOPS
+
         _check_memory(settings, np.size(nm))
+        FIRST_COMPILATION.expect(LOOPS)
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
     solution: Solution = import_module(f"{package}.solution").solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
