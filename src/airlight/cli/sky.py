@@ -140,7 +140,9 @@ def sky(
         raise ParameterError("--bits", bits, "8 or 16")
     factor = _scale(scale)
     if suffix != ".exr":
-        linear = {"--precision": (precision, "float"), "--compression": (compression, "zip")}
+        linear: dict[str, tuple[str, str]] = {
+            "--precision": (precision, "float"), "--compression": (compression, "zip"),
+        }  # fmt: skip
         linear |= {"--scale": (scale, "auto")} if suffix == ".png" else {}
         for option, (value, left_out) in linear.items():
             if value != left_out:

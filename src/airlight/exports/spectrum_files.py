@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from airlight.errors import FileError
-from airlight.exports.header import version
 from airlight.exports.whole_file import whole_file
+from airlight.solvers.provenance import version
 
 if TYPE_CHECKING:
     import xarray

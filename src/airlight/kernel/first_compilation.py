@@ -1,4 +1,7 @@
-"""A line about the first compilation, which takes long: after two seconds of it, once a process.
+"""A line about the first compilation, which takes long: after two seconds of it.
+
+What compiles before a solve may be short, and the solve's loops long: these have a line of their
+own.
 
 It goes to the listener of ``airlight.kernel.cost``, as the command line has one, and otherwise to
 the logger ``airlight``, whose warnings Python writes to the standard error stream by itself.
@@ -26,7 +29,7 @@ _SECONDS: Final = 8e-5
 
 
 class FirstCompilation(event.Listener):
-    """Listener of Numba that says once that functions are compiled, and about how long it takes."""
+    """Listener of Numba that says that functions are compiled, and about how long it takes."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -36,14 +39,17 @@ class FirstCompilation(event.Listener):
         self._finished: set[str] = set()
         self._spent = self._processor = 0.0
         self._began = (0.0, 0.0)
-        self._said = multiprocessing.parent_process() is not None  # whose parent says it
+        self._silent = multiprocessing.parent_process() is not None  # whose parent says it
+        self._said = self._silent
         self._timer: threading.Timer | None = None
 
     def expect(self, loops: Iterable[Any]) -> None:
         """Count loops that will run besides the one that is being compiled."""
-        if not self._said:
-            with self._lock:
-                self._loops |= {name_of(one): one for one in loops}
+        with self._lock:
+            fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
+            self._loops |= fresh
+            if self._said and not self._silent and not all(map(on_disk, fresh.values())):
+                self._said, self._spent, self._processor = False, 0.0, 0.0
 
     @contextlib.contextmanager
     def elsewhere(self, loops: Iterable[Any]) -> Iterator[None]:
@@ -63,11 +69,9 @@ class FirstCompilation(event.Listener):
 
     def on_start(self, started: Any) -> None:
         """Begin to count time where no compilation is under way."""
-        if self._said:
-            return
         with self._lock:
             self._depth += 1
-            if self._depth > 1:
+            if self._depth > 1 or self._said:
                 return
             loop = started.data["dispatcher"]
             self._loops[name_of(loop)] = loop
@@ -79,13 +83,12 @@ class FirstCompilation(event.Listener):
 
     def on_end(self, ended: Any) -> None:
         """Add the time of a compilation that has ended."""
-        if self._said:
-            return
         with self._lock:
             self._finished.add(name_of(ended.data["dispatcher"]))
             self._depth -= 1
             if self._depth == 0 and self._timer is not None:
                 self._timer.cancel()
+                self._timer = None
                 self._spent += time.perf_counter() - self._began[0]
                 self._processor += time.process_time() - self._began[1]
 

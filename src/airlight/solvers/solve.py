@@ -150,6 +150,10 @@ def solve(
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
+    if solver == "moments":
+        from airlight.solvers.moments.loops import LOOPS
+
+        FIRST_COMPILATION.expect(LOOPS)
     if isinstance(planet, (str, Path)):
         planet = load_planet(planet)
     if not isinstance(planet, Planet):
@@ -160,10 +164,7 @@ def solve(
         settings = replace(settings, polarisation=False)
     nm = planet.wavelengths if wavelengths is None else wavelengths
     if solver == "moments":
-        from airlight.solvers.moments.loops import LOOPS
-
         _check_memory(settings, np.size(nm))
-        FIRST_COMPILATION.expect(LOOPS)
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
     solution: Solution = import_module(f"{package}.solution").solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel

@@ -20,6 +20,7 @@ from airlight.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.targets.fits.weighted_lobe import hat_functions
 
 FloatArray = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 #: Angles at which the light is known, over each of the texels' intervals.
 STEP: Final = 4
@@ -65,7 +66,7 @@ class TexelFit:
         self._functions = np.hstack([hats * self._even[:, None], hats * lobe(nu, g)[:, None]])
 
     def fitted(
-        self, smooth: FloatArray, once: list[FloatArray], start: FloatArray, *, signed: FloatArray
+        self, smooth: FloatArray, once: list[FloatArray], start: FloatArray, *, signed: Flags
     ) -> FloatArray:
         """S and M, shape (texels, 2·angles, nl).
 
@@ -93,7 +94,7 @@ class TexelFit:
                 out[rows, :, l] = self._solved(light, start[rows, :, l], signed[rows])
         return out
 
-    def _solved(self, light: FloatArray, start: FloatArray, signed: FloatArray) -> FloatArray:
+    def _solved(self, light: FloatArray, start: FloatArray, signed: Flags) -> FloatArray:
         """Unknowns of texels, shape (n, 2·angles), in units in which their columns are of 1."""
         columns = self._functions / light[..., None]
         size = np.sqrt((columns * columns).mean(axis=1)) + np.finfo(float).tiny
@@ -109,4 +110,5 @@ class TexelFit:
             free = ~left_out
             both = matrix * free[:, :, None] * free[:, None, :] + left_out[:, :, None] * unknowns
             found = np.linalg.solve(both, (goal * free)[..., None])[..., 0]
-        return np.where(signed[:, None], found, np.maximum(found, 0.0)) / size
+        held = np.where(signed[:, None], found, np.maximum(found, 0.0))
+        return np.asarray(held / size)
