@@ -191,11 +191,11 @@ def radiance(
         else:
             values = _answers(solution, cases, len(columns), stokes, report)
     if labelled:
-        from airlight.solvers.provenance import provenance
         from airlight.sweep.case_dataset import case_dataset, write_dataset
 
-        about = provenance(world, solution.report)
-        data = case_dataset(cases, nm, values, errors, stokes=stokes, attributes=about)
+        data = case_dataset(
+            cases, nm, values, errors, stokes=stokes, attributes=solution.provenance
+        )
         write_dataset(output, data)
     elif input_ is not None:
         write_cases(output, cases, nm, values, errors, stokes=stokes)

@@ -16,7 +16,6 @@ from airlight.observables.disc import disc_reflectance, disc_stokes, spherical_a
 from airlight.observables.limb import limb_radiance
 from airlight.observables.transit import transit
 from airlight.solvers.named_axes import WAVELENGTH
-from airlight.solvers.provenance import provenance
 from airlight.solvers.solution import Solution
 
 if TYPE_CHECKING:
@@ -155,7 +154,7 @@ def _dataset(
     name = solution.planet.name if solution.planet is not None else "planet"
     data.attrs.update(
         title=f"{name}: {KINDS[of].sentence}", observable=of, notes="; ".join(notes),
-        **provenance(solution.planet, solution.report),
+        **solution.provenance,
     )  # fmt: skip
     return data
 

@@ -8,21 +8,20 @@ from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
-    from airlight.solvers.solution import Report
 
 #: Conventions of attributes, units and standard names. https://cfconventions.org
 CONVENTIONS: Final = "CF-1.10"
 
 
-def provenance(planet: Planet | None, report: Report) -> dict[str, str]:
+def provenance(planet: Planet | None, solver: str, settings: str) -> dict[str, str]:
     """Attributes of a result, equal for equal computations: no time, no machine.
 
     Parameters
     ----------
     planet : Planet or None
         Planet of the solution; None for a medium without one.
-    report : Report
-        Report of the solution.
+    solver, settings : str
+        Fields ``provenance`` and ``settings`` of its report.
 
     Returns
     -------
@@ -31,8 +30,8 @@ def provenance(planet: Planet | None, report: Report) -> dict[str, str]:
     """
     return {
         "planet": "unnamed" if planet is None else planet.name,
-        "solver": report.provenance,
-        "settings": report.settings,
+        "solver": solver,
+        "settings": settings,
         **software(),
     }
 

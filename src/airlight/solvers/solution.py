@@ -122,6 +122,11 @@ class Solution(ABC):
         self.planet, self.report = planet, replace(self.report, ground=line)
         return self
 
+    @property
+    def provenance(self) -> dict[str, str]:
+        """Attributes of results: planet, version, solver and settings."""
+        return provenance(self.planet, self.report.provenance, self.report.settings)
+
     @cached_property
     def paths(self) -> LightPaths:
         """Paths of light in the medium."""
@@ -434,13 +439,13 @@ class Solution(ABC):
                 )
                 for name, values in parts.items()
             },
-            attrs=provenance(self.planet, self.report),
+            attrs=self.provenance,
         )
 
     def _labelled(
         self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str
     ) -> xarray.DataArray:
         labelled: xarray.DataArray = axes.labelled(
-            values, self.wavelengths, name, unit, **provenance(self.planet, self.report)
+            values, self.wavelengths, name, unit, **self.provenance
         )
         return labelled

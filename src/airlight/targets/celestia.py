@@ -304,10 +304,11 @@ def _of_older(atmosphere: dict[str, Value]) -> tuple[str, ...]:
     gas, mie = (_number(atmosphere, key) for key in ("RayleighScaleHeight", "MieScaleHeight"))
     if gas == mie or not any(_triple(atmosphere, "Rayleigh").values):
         return ()
-    return (
-        f"versions before August 2026 read MieScaleHeight, {mie:.3g} km, for molecules too: their "
-        f"optical depth there is {mie / gas:.0%} of the planet's; the errors above are of later ones",
+    line = (
+        f"versions before August 2026 read MieScaleHeight, {mie:.3g} km, for molecules too, whose "
+        f"optical depth there is {mie / gas:.0%} of the planet's; all errors are of later versions"
     )
+    return (line,)
 
 
 def _number(atmosphere: dict[str, Value], key: str) -> float:

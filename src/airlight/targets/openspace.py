@@ -44,8 +44,8 @@ OZONE_UNIT: Final = 6e-7
 SUN_INTENSITY: Final = 6.9
 #: Factor of the ground's colour: that of OpenSpace's own Earth. [1]
 GROUND_RADIANCE: Final = 0.6
-#: Radii of what shines and of what casts a shadow, by ``Planet.body``: nodes of OpenSpace's own Earth.
-#: IAU 2015 Resolution B3; IAU WGCCRE 2015. [m]
+#: Radii of what shines and of what casts a shadow, by ``Planet.body``: nodes of OpenSpace's own
+#: Earth. IAU 2015 Resolution B3; IAU WGCCRE 2015. [m]
 _SHADOWS: Final = {"earth": (("Sun", 695_700_000.0), ("Moon", 1_737_400.0))}
 #: Assets that bring these nodes, beside the body's own.
 _SHADOW_NODES: Final = {

@@ -20,7 +20,6 @@ from airlight.solvers.montecarlo.bent_paths import direct_irradiance_bent
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.settings import Settings
-from airlight.solvers.provenance import provenance
 from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
@@ -301,7 +300,7 @@ class MonteCarloSolution(Solution):
                 data[name] = self._labelled(
                     stokes_values * sun, beside, name.replace("_", " "), unit
                 )
-        data.attrs.update(provenance(self.planet, self.report))
+        data.attrs.update(self.provenance)
         return data
 
 
