@@ -124,7 +124,7 @@ class Solution(ABC):
 
     @property
     def provenance(self) -> dict[str, str]:
-        """Attributes of results: planet, version, solver and settings."""
+        """Attributes of results, see ``airlight.solvers.provenance``."""
         return provenance(self.planet, self.report.provenance, self.report.settings)
 
     @cached_property
@@ -445,7 +445,4 @@ class Solution(ABC):
     def _labelled(
         self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str
     ) -> xarray.DataArray:
-        labelled: xarray.DataArray = axes.labelled(
-            values, self.wavelengths, name, unit, **self.provenance
-        )
-        return labelled
+        return axes.labelled(values, self.wavelengths, name, unit, **self.provenance)  # type: ignore[no-any-return]
