@@ -26,7 +26,7 @@ def check_folder_name(folder: str | Path, suffix: str = "") -> None:
     Parameters
     ----------
     folder : str or Path
-        Folder; one that is there may have any name.
+        Folder; what is there may have any name.
     suffix : str
         Suffix that it may have.
 
@@ -36,7 +36,7 @@ def check_folder_name(folder: str | Path, suffix: str = "") -> None:
         If its suffix has letters alone, or letters and one digit, and is another.
     """
     path = Path(folder)
-    if path.is_dir() or path.suffix.lower() == suffix or not _FORMAT.fullmatch(path.suffix):
+    if path.exists() or path.suffix.lower() == suffix or not _FORMAT.fullmatch(path.suffix):
         return
     allowed = f"ends in {suffix}, or has no suffix" if suffix else "has no suffix"
     raise FileError(folder, f"names a file; allowed: a folder, whose name {allowed}")
