@@ -63,7 +63,7 @@ def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> Non
         (["plot", "earth", "density", "-o", "a.png", "--set", "albedo"], "--set is 'albedo'"),
         (["render", "earth", "-o", "a.png", "--set", "air.h=1"], "a key of constituents[0] is 'h'"),
         (["bake", "earth", "--layout", "bruneton", "-o", "a", "--set", "x.y=1"], "--set is 'x.y'"),
-        (["render", "earth", "-o", "a.jpg"], "a.jpg: the name of a picture ends in .png or .exr"),
+        (["render", "earth", "-o", "a.jpg"], "the name of a picture ends in .png, .exr, .hdr"),
         (["render", "earth", "-o", "no/such/a.png"], "there is no folder"),
         (["render", "earth", "-o", "a.png", "--exposure", "bright"], "--exposure is 'bright'"),
         (["render", "earth", "-o", "a.png", "--exposure", "101"], "auto, or -100 to 100 EV"),

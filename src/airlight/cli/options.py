@@ -420,11 +420,13 @@ def only_for_png(
     Raises
     ------
     ParameterError
-        If the file is an ``.exr``, or shows numbers, and an option is not as it is if left out.
+        If the file is linear, or shows numbers, and an option is not as it is if left out.
     """
-    if suffix != ".exr" and not shown:
+    from airlight.exports.picture import LINEAR
+
+    if suffix not in LINEAR and not shown:
         return
-    allowed = "left out for an .exr, which is linear radiance"
+    allowed = f"left out for an {suffix}, which is linear radiance"
     allowed = "left out beside --show, whose colours are a scale" if shown else allowed
     given = {
         "--exposure": (exposure, None), "--iso": (iso, None), "--aperture": (aperture, None),

@@ -75,8 +75,8 @@ def radiance(
             "--output",
             "-o",
             metavar="FILE",
-            help="With --input: the same CSV with radiance_<nm>nm appended; - is the standard "
-            "output. A file that was stopped is gone on with.",
+            help="With --input: a .csv, the same with radiance_<nm>nm appended, or a .nc (netCDF); "
+            "- is the standard output. A .csv that was stopped is continued.",
         ),
     ] = "-",
     stokes: Annotated[
@@ -137,10 +137,12 @@ def radiance(
         "--view-zenith": view_zenith,
         "--azimuth": azimuth,
     }
-    long = input_ not in (None, "-") and solver == "moments"
+    labelled = output.lower().endswith(".nc")
+    long = input_ not in (None, "-") and solver == "moments" and not labelled
     if not long and (scheduler is not None or workers is not None):
         option = "--workers" if scheduler is None else "--scheduler"
-        raise ParameterError(option, workers or scheduler, "beside --input FILE, of moments")
+        allowed = "beside --input FILE and a .csv, of moments"
+        raise ParameterError(option, workers or scheduler, allowed)
     if long:
         assert input_ is not None
         _check_many({**single, "--latitude": latitude, "--longitude": longitude}, output)
@@ -197,7 +199,14 @@ def radiance(
             values, errors, histories = _estimates(solution, cases, stokes)
         else:
             values = _answers(solution, cases, len(columns), stokes, report)
-    if cases.header:
+    if labelled:
+        from airlight.sweep.case_dataset import case_dataset, write_dataset
+
+        data = case_dataset(
+            cases, nm, values, errors, stokes=stokes, attributes=solution.provenance
+        )
+        write_dataset(output, data)
+    elif cases.header:
         write_cases(output, cases, nm, values, errors, stokes=stokes)
     elif stokes:
         _print_stokes(nm, values[0], None if errors is None else errors[0], histories)
@@ -285,13 +294,12 @@ def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
 
 def _check_many(single: dict[str, str | None], output: str) -> None:
     """Refuse options of one observer beside a file of them, and a target that cannot be written."""
-    from airlight.exports.whole_file import check_target
+    from airlight.sweep.cases import check_table
 
     for option, text in single.items():
         if text is not None:
             raise ParameterError(option, text, "not together with --input")
-    if output != "-":
-        check_target(output)
+    check_table(output)
 
 
 def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:

@@ -57,7 +57,8 @@ _ACROSS = -75.0
 def render(
     planet: options.Planet_,
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr.")
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr or .hdr."),
     ],
     at: time_and_place.At = None,
     time_: time_and_place.Time = None,
@@ -143,7 +144,7 @@ def render(
         typer.Option(
             metavar="X,Y,W,H",
             help="Window of the picture that is drawn, in pixels from its left and top edge: a "
-            "tile. With --exposure EV and --glare 0, and for an .exr, nothing else is computed.",
+            "tile. With --exposure EV and --glare 0, and for an .exr or .hdr, only it is computed.",
         ),
     ] = None,
     exposure: options.Exposure = None,
@@ -329,6 +330,8 @@ def _check_polarised(
             raise ParameterError("--polariser", polariser, f"left out beside {option}")
     if stokes and suffix != ".exr":
         raise ParameterError("--stokes", True, "beside a name that ends in .exr")
+    if show is not None and suffix == ".hdr":
+        raise ParameterError("--show", show, "beside a name that ends in .png or .exr")
 
 
 def _check_legend(width: int) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 
 from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import thread_count
 from airlight.paint.drawing_device import Choice, drawing_device
@@ -250,9 +251,10 @@ def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
         return
     ahead = drawing_ahead()
     try:
-        yield
-        for loop in DRAWING:
-            if not ahead.wait(loop, cancel or (lambda: False)):
-                raise Cancelled("cancelled")
+        with FIRST_COMPILATION.elsewhere(DRAWING):
+            yield
+            for loop in DRAWING:
+                if not ahead.wait(loop, cancel or (lambda: False)):
+                    raise Cancelled("cancelled")
     finally:
         ahead.close()

@@ -121,7 +121,7 @@ def render(
         rgb=layers[0],
         polarised=layers[1:] if stokes else None,
         metadata={
-            "solver": str(solution.report),
+            "solver": solution.report.provenance,
             "wavelengths": f"{wavelengths} nm",
             "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
         },

@@ -331,7 +331,7 @@ class Pictures:
         return Frame(
             rgb=rgb,
             metadata={
-                "solver": str(solution.report),
+                "solver": solution.report.provenance,
                 "wavelengths": ", ".join(f"{nm:g}" for nm in solution.wavelengths) + " nm",
                 "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
                 "device": self.device.name,
