@@ -170,3 +170,19 @@ def test_columns_named_as_results_stay_apart(cases: Path) -> None:
     assert data.input_.values.tolist() == [5.0, 6.0]
     assert_allclose(data.radiance, found)
     assert data.comment == "a site"
+
+
+def test_observers_of_one_basin_are_a_table_and_those_of_several_are_refused(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    # the definition: each row is that of one observer alone, at the altitude that was given
+    words = ["radiance", "earth", "--quality", "preview", "--wavelengths", "550"]
+    words += ["--view-zenith", "30", "--sun-zenith"]
+    assert main([*words, "30,60", "--altitude=-400m"]) == 0
+    header, *rows = capsys.readouterr().out.splitlines()
+    assert header.startswith("altitude_m,")
+    assert main([*words, "60", "--altitude=-400m"]) == 0
+    alone = capsys.readouterr().out.split()[2]
+    assert rows[1] == f"-400,60,30,0,{alone}"
+    assert main([*words, "60", "--altitude=-400m,0m"]) == 2
+    assert "allowed: one altitude, where it is below 0" in capsys.readouterr().err

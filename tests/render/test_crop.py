@@ -106,6 +106,30 @@ def test_a_tile_of_a_file_is_exposed_as_the_whole(tmp_path: Path) -> None:
         assert_array_equal(tile, window(whole, (60, 20, 40, 30)))
 
 
+def test_a_tile_of_a_radiance_file_has_the_pixels_of_the_whole(tmp_path: Path) -> None:
+    # The definition of a window, of four bytes a pixel (Ward 1991).
+    command = ["render", "earth-bruneton", "--quality", "preview", "--wavelengths", "rgb"]
+    found = []
+    for size, crop in (((90, 160), []), ((30, 40), ["--crop", "60,20,40,30"])):
+        path = tmp_path / f"{len(crop)}.hdr"
+        assert main([*command, "--size", "160x90", *crop, "-o", str(path)]) == 0
+        pixels = path.read_bytes().partition(b"\n\n")[2].partition(b"\n")[2]
+        found.append(np.frombuffer(pixels, np.uint8).reshape(*size, 4))
+    assert_array_equal(found[1], window(found[0], (60, 20, 40, 30)))
+
+
+def test_a_tile_of_a_dome_is_black_beyond_the_circle_of_the_whole(lit: MomentsSolution) -> None:
+    # A law: a lens that sees nothing there shows nothing, and light within the circle's edge.
+    scene = Scene(sun_zenith=50.0, camera=Camera(projection="fisheye", width=200, height=200))
+    frame = render(lit, cropped(scene, (10, 10, 60, 60)))
+    shown = to_display(frame.rgb, -3.0, glare=10.0, dither=False, **frame.lens)
+    place = 2 * np.arange(10, 70) + 1 - 200
+    beyond = place**2 + place[:, None] ** 2 > 200**2
+    assert 0 < beyond.sum() < beyond.size
+    assert_array_equal(shown[beyond], 0)
+    assert shown[~beyond].min() > 0
+
+
 @pytest.mark.parametrize(
     "crop", [(0, 0, 321, 10), (-1, 0, 10, 10), (0, 0, 0, 10), (0, 0, 10), (0.5, 0, 10, 10), "0,0"]
 )
