@@ -1,9 +1,10 @@
-"""Remake ``docs/images/engines/{earth,mars}.jpg``: planets as programs know them, beside the true.
+"""Remake ``docs/images/engines/{earth,mars,mars-look-up}.jpg``: planets as programs know them.
 
 Run with ``python builders/engine_pictures.py``; it needs airlight itself and nothing else. Each
 column is the planet that stands in one program's file, read back from it and lit by airlight's own
 solver at 680, 550 and 440 nm: what differs is the fit, not the program. Suns at 45°, 80° and 88°
-from the zenith, all views of a row with the exposure of the first.
+from the zenith, all views of a row with the exposure of the first. ``mars-look-up.jpg`` has the
+look-ups of ``--layout takram`` and ``bruneton-demo``, and on its right the solution.
 """
 
 from __future__ import annotations
@@ -15,7 +16,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw
 
-from airlight import load_planet, write_picture
+from airlight import load_planet, solve, write_picture
+from airlight.color.exposure import automatic_exposure
+from airlight.exports.air_light import AirLight
 from airlight.paint.paint_scene import paint_scene
 from airlight.planets import Planet, replace
 from airlight.planets.medium import Medium
@@ -23,14 +26,20 @@ from airlight.planets.planet import RED_GREEN_BLUE
 from airlight.scene.camera import Camera
 from airlight.scene.metering import scene_exposure
 from airlight.scene.scene import Scene
-from airlight.targets import celestia, openspace, unreal
+from airlight.tables.layout import Positions
+from airlight.targets import bruneton_demo, celestia, openspace, takram, unreal
 from airlight.targets.fits.formula_planet import Formulas, formula_planet
 from airlight.targets.fits.lobe import CORNETTE_SHANKS, HENYEY_GREENSTEIN
+from airlight.targets.fits.sky_colour import fit_sky_colour
 
 FOLDER = Path(__file__).parents[1] / "docs" / "images" / "engines"
 PLANETS = ("earth", "mars")
 SUNS = (45.0, 80.0, 88.0)
 WIDTH, HEIGHT, LINE = 240, 150, 18
+#: Size of a picture of the look-ups. [pixel]
+SIZE = (400, 260)
+#: Views of the look-up: altitude [m], zenith angle of the sun, azimuth and zenith angle [deg].
+VIEWS = ((2e3, 85.0, 0.0, 65.0), (400e3, 50.0, 180.0, 133.0))
 QUALITY = 88
 
 
@@ -88,8 +97,51 @@ def drawn(name: str) -> Image.Image:
     return sheet
 
 
+def looked_up() -> Image.Image:
+    """Mars by the tables of two programs and by the solution: the air alone, three bands."""
+    planet = replace(load_planet("mars"), refraction="none")
+    solution = solve(planet, takram.TARGET.wavelengths)
+    tables = {}
+    for label, program in (("three-atmosphere", takram), ("Bruneton's demo", bruneton_demo)):
+        with tempfile.TemporaryDirectory() as folder:
+            program.TARGET.write(solution, Path(folder) / "mars")
+            tables[label] = program.read_tables(Path(folder) / "mars")
+    star, factors = solution.medium.lights[0].irradiance, fit_sky_colour(solution).sky
+    width, height = SIZE
+    sheet = Image.new("RGB", (3 * width, LINE + len(VIEWS) * height), "white")
+    pen = ImageDraw.Draw(sheet)
+    for row, (altitude, sun, azimuth, zenith) in enumerate(VIEWS):
+        camera = Camera(width=width, height=height, field_of_view=110.0, look_zenith=zenith,
+                        look_azimuth=azimuth)  # fmt: skip
+        ray = camera.directions().reshape(-1, 3)
+        sight, _ = solution.lines_of_sight(
+            altitude=altitude, sun_zenith=sun, view_zenith=np.degrees(np.arccos(ray[:, 2])),
+            azimuth=np.degrees(np.arctan2(ray[:, 1], ray[:, 0])),
+        )  # fmt: skip
+        place = Positions(sight.r, sight.mu, sight.mu_s, sight.nu, sight.to_ground)
+        true = AirLight(solution)(sight) * star
+        seen = true.max(axis=-1) > 1e-3 * true.max()
+        exposure = automatic_exposure((true * factors).reshape(height, width, 3))
+        lights = {name: np.where(sight.length[:, None] > 0.0, one.radiance(place), 0.0)
+                  for name, one in tables.items()}  # fmt: skip
+        for column, (label, light) in enumerate((*lights.items(), ("airlight", true))):
+            error = np.abs(light[seen] / true[seen] - 1.0)
+            print(f"{label}, {altitude:g} m, sun {sun:g}: median {np.median(error):.3f}, 95 % "
+                  f"{np.percentile(error, 95.0):.3f}, {(error.max(axis=-1) > 0.4).mean():.3f} of "
+                  "the pixels above 0.4")  # fmt: skip
+            pen.text((column * width + 6, 3), label, fill="black")
+            rgb = (light * factors).reshape(height, width, 3).astype(np.float32)
+            with tempfile.TemporaryDirectory() as folder:
+                file = Path(folder) / "picture.png"
+                write_picture(file, rgb, exposure=exposure, eye=False)
+                with Image.open(file) as picture:
+                    sheet.paste(picture.convert("RGB"), (column * width, LINE + row * height))
+    return sheet
+
+
 def main() -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
+    looked_up().save(FOLDER / "mars-look-up.jpg", quality=QUALITY)
     for name in PLANETS:
         file = FOLDER / f"{name}.jpg"
         drawn(name).save(file, quality=QUALITY)

@@ -17,7 +17,7 @@ STATIONS = (
                  "Medium", "replace")),
     ("Light", ("solve", "Solution", "degree_of_polarisation", "angle_of_polarisation")),
     ("Pictures", ("Scene", "MoonLight", "StarLight", "Camera", "look_at", "local_ground",
-                  "render", "Frame", "write_picture")),
+                  "lowered_ground", "render", "Frame", "write_picture")),
     ("Observables", ("observe",)),
     ("Tables", ("bake", "load_tables")),
     ("Composition", ("compose", "Pinhole", "Placement")),

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
         planet_names,
         replace,
     )
+    from airlight.planets.lowered_ground import lowered_ground
     from airlight.render import Frame, render
     from airlight.scene import Camera, Scene, look_at
     from airlight.scene.local_ground import local_ground
@@ -61,6 +62,7 @@ _HOMES = {
     "Scene": "airlight.scene",
     "look_at": "airlight.scene",
     "local_ground": "airlight.scene.local_ground",
+    "lowered_ground": "airlight.planets.lowered_ground",
     "MoonLight": "airlight.scene.moon_light",
     "StarLight": "airlight.scene.star_light",
     "render": "airlight.render",
@@ -97,6 +99,7 @@ __all__ = [
     "Scene",
     "look_at",
     "local_ground",
+    "lowered_ground",
     "MoonLight",
     "StarLight",
     "render",

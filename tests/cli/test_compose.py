@@ -89,6 +89,18 @@ def test_one_part_and_many_give_the_same_picture(
     assert corner[2] > corner[1] > corner[0] > 0.0
 
 
+@pytest.mark.parametrize("white", ["1", "2", "radiance"])
+def test_the_luminance_of_white_is_that_of_the_radiance_of_1(tmp_path: Path, white: str) -> None:
+    # OpenEXR, "Standard Attributes": cd m⁻² of RGB (1, 1, 1). Y of sRGB (IEC 61966-2-1), 683 lm/W
+    color, out = one_part(tmp_path / "render.exr", passes()), tmp_path / "out.exr"
+    words = ["compose", str(color), "--camera", str(camera(tmp_path)), "-o", str(out)]
+    assert main([*words, f"--white={white}", *QUICK]) == 0
+    header = read_exr(out)[1]
+    radiance = [float(one) for one in header["airlight.radiance_of_1"].split(" W")[0].split(",")]
+    expected = 683.0 * np.dot([0.2126, 0.7152, 0.0722], radiance)
+    assert_allclose(OpenEXR.File(str(out)).header()["whiteLuminance"], expected, rtol=1e-4)
+
+
 def test_matrices_in_the_header_stand_for_a_camera(tmp_path: Path) -> None:
     # OpenEXR's standard attributes, which multiply rows and look along +Z
     to_camera = np.diag([1.0, 1.0, -1.0, 1.0]) @ np.linalg.inv(np.array(MATRIX, float))
@@ -141,7 +153,7 @@ def test_the_sun_of_a_place_and_time_is_that_of_its_angles(tmp_path: Path) -> No
     ("words", "line"),
     [
         (["missing.exr", "-o", "out.exr"], "missing.exr: no such file"),
-        (["render.exr", "-o", "out.jpg"], "ends in .png or .exr"),
+        (["render.exr", "-o", "out.jpg"], "ends in .png, .exr, .hdr"),
         (["render.exr", "-o", "out.exr"], "--camera is None; allowed: a transforms.json"),
         (["camera.json", "-o", "out.exr"], "camera.json: cannot be read as OpenEXR"),
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--depth-channel=Q"],

@@ -9,9 +9,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray
 from numpy.testing import assert_allclose, assert_array_equal
 
+import airlight
 from airlight.cli import main
+from airlight.sweep.case_dataset import case_dataset
+from airlight.sweep.cases import Cases
 
 solvers = pytest.importorskip("airlight.solvers")
 pytestmark = pytest.mark.skipif(not hasattr(solvers, "solve"), reason="there is no solver yet")
@@ -126,3 +130,59 @@ def test_pipes_work(cases: Path, answers: Path) -> None:
     assert done.stdout == answers.read_text()
     note = "airlight: lines of sight that miss the planet's air, with 0: 1 of 5\n"
     assert done.stderr == note
+
+
+def test_the_suffix_names_the_format(cases: Path, answers: Path) -> None:
+    # the same numbers as the table in text, to its nine digits
+    out = cases.with_name("out.nc")
+    assert main(["radiance", PLANET, "--input", str(cases), "-o", str(out), *QUICK]) == 0
+    with xarray.open_dataset(out) as data:
+        data.load()
+    text = np.array([[float(cell) for cell in row[5:]] for row in read(answers)[1:]])
+    assert_allclose(data.radiance.transpose("case", "wavelength"), text, rtol=1e-8)
+    assert_allclose(data.wavelength, [680.0, 550.0, 440.0])
+    assert data.site.values.tolist() == [row[0] for row in ROWS]
+    assert_allclose(data.altitude, [float(row[1]) for row in ROWS])
+    assert (data.radiance.units, data.altitude.units) == ("W m-2 sr-1 nm-1", "m")
+    assert data.Conventions.startswith("CF-")
+    assert data.version == airlight.__version__
+    assert data.planet.startswith("Earth")
+    assert "degree=" in data.settings
+
+
+@pytest.mark.parametrize("name", ["b.json", "b.parquet", "b.tsv", "b"])
+def test_a_format_that_is_not_written_is_refused(
+    cases: Path, tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["radiance", PLANET, "--input", str(cases), "-o", str(tmp_path / name)]) == 2
+    assert "the name of a table ends in .csv or .nc" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_columns_named_as_results_stay_apart(cases: Path) -> None:
+    # a column of the input is written as it was read, whatever its name
+    nm, found = [550.0], np.array([[1.0], [2.0]])
+    table = Cases(comments=["# a site"], header=["radiance", "", *HEADER[1:]],
+                  rows=[["x", "5", *ROWS[0][1:]], ["y", "6", *ROWS[1][1:]]],
+                  values=np.zeros((2, 4)))  # fmt: skip
+    data = case_dataset(table, nm, found)
+    assert data.input_radiance.values.tolist() == ["x", "y"]
+    assert data.input_.values.tolist() == [5.0, 6.0]
+    assert_allclose(data.radiance, found)
+    assert data.comment == "a site"
+
+
+def test_observers_of_one_basin_are_a_table_and_those_of_several_are_refused(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    # the definition: each row is that of one observer alone, at the altitude that was given
+    words = ["radiance", "earth", "--quality", "preview", "--wavelengths", "550"]
+    words += ["--view-zenith", "30", "--sun-zenith"]
+    assert main([*words, "30,60", "--altitude=-400m"]) == 0
+    header, *rows = capsys.readouterr().out.splitlines()
+    assert header.startswith("altitude_m,")
+    assert main([*words, "60", "--altitude=-400m"]) == 0
+    alone = capsys.readouterr().out.split()[2]
+    assert rows[1] == f"-400,60,30,0,{alone}"
+    assert main([*words, "60", "--altitude=-400m,0m"]) == 2
+    assert "allowed: one altitude, where it is below 0" in capsys.readouterr().err

@@ -84,7 +84,7 @@ def test_a_filter_shows_and_its_file_says_so(tmp_path: Path) -> None:
         (PLANET, ["-o", "a.png", "--polariser", "30", "--no-polarisation"], "without --no-pol"),
         (PLANET, ["-o", "a.png", "--show", "dolp", "--exposure", "3"], "left out beside --show"),
         (PLANET, ["-o", "a.png", "--show", "aolp", "--size", "64x36", *QUICK], "240 pixels or"),
-        ("lunar-eclipse", ["-o", "a.png", "--polariser", "30"], "none beside a scene file"),
+        ("lunar-eclipse", ["-o", "a.png", "--sun-zenith", "30"], "none beside a scene file"),
         ("lunar-eclipse", ["-o", "a.png", "--show", "dolp"], "--show is 'dolp'; allowed: none"),
     ],
 )

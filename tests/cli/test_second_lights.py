@@ -43,7 +43,8 @@ def test_lights_are_told_in_the_header(tmp_path: Path) -> None:
         (["--moon", "60,40,200"], "phase 0 to 180 deg"),
         (["--second-star", "80,12"], "--second-star is '80,12'; allowed: zenith,azimuth,temp"),
         (["--second-star", "80,12,3K"], "temperature 100 to 1e"),
-        (["--stars"], "--stars is True; allowed: beside --at and --time, on Earth"),
+        (["--stars", "--set", "body="], "--stars is True; allowed: a planet whose body is"),
+        (["--stars", "--projection", "orthographic"], "none for orthographic"),
     ],
 )
 def test_what_cannot_be_is_one_clear_line(

@@ -85,7 +85,7 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
     [
         (["-o", "a.exr"], "Missing option '--for'"),
         (["--for", "maya", "-o", "a.exr"], "'maya' is not one of 'blender'"),
-        (["--for", "usd", "-o", "a.tif"], r"ends in .png or .exr"),
+        (["--for", "usd", "-o", "a.tif"], r"ends in .png, .exr, .hdr"),
         (["--for", "usd", "-o", "no/a.exr"], "there is no folder"),
         (["--for", "usd", "-o", "a.exr", "--front", "90"], "--front is '90'"),
         (["--for", "dome", "-o", "a.exr", "--front", "up"], "--front is 'up'"),
@@ -100,7 +100,7 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
         (["--for", "pbrt", "-o", "a.exr", "--size", "64x32"], "a square for octahedral"),
         (["--for", "usd", "-o", "a.exr", "--latitude", "3"], "both of --latitude and --longitude"),
         (["--for", "usd", "-o", "a.exr", "--wavelengths", "550"], "three or more"),
-        (["--for", "usd", "-o", "a.exr", "--stars"], "beside --at and --time"),
+        (["--for", "usd", "-o", "a.exr", "--stars", "--set", "body="], "--stars is True"),
     ],
 )
 def test_bad_input_is_refused_in_one_line(

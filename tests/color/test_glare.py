@@ -142,8 +142,23 @@ def test_beyond_the_circle_of_a_dome_there_is_no_glare() -> None:
     beyond = across**2 + down[:, None] ** 2 > 30**2
     free = Glare(picture, 0.02).rows(0, 30)
     assert free[beyond].max() > 0.0
-    dome = np.concatenate([Glare(picture, 0.02, 1.0, True).rows(*one) for one in ((0, 7), (7, 30))])
+    parts = ((0, 7), (7, 30))
+    dome = np.concatenate([Glare(picture, 0.02, 1.0, (40, 30)).rows(*one) for one in parts])
     assert_array_equal(dome[beyond], picture[beyond])
+    assert_array_equal(dome[~beyond], free[~beyond])
+
+
+def test_the_circle_of_a_dome_s_window_is_that_of_the_whole_dome() -> None:
+    # a law: a window of a dome of 400 pixels ends at the dome's circle, not at one of its own
+    window = np.full((20, 30, 3), 1.0, np.float32)
+    window[10, 15] = 1e6
+    across = 2 * (np.arange(30) + 40) + 1 - 400
+    down = 2 * (np.arange(20) + 60) + 1 - 400
+    beyond = across**2 + down[:, None] ** 2 > 400**2
+    assert 0 < beyond.sum() < beyond.size
+    free = Glare(window, 0.02).rows(0, 20)
+    dome = Glare(window, 0.02, 1.0, (400, 400), (40, 60)).rows(0, 20)
+    assert_array_equal(dome[beyond], window[beyond])
     assert_array_equal(dome[~beyond], free[~beyond])
 
 

@@ -21,6 +21,7 @@ from airlight.environment.files import write_map
 from airlight.environment.texels import texel_solid_angles
 from airlight.errors import FileError, ParameterError
 from airlight.exports.exr import read_exr
+from airlight.exports.picture import read_picture_metadata
 
 Made = Callable[..., EnvironmentMap]
 
@@ -104,6 +105,21 @@ def test_standard_attributes(made: Made, tmp_path: Path) -> None:
     assert "envmap" not in header(tmp_path / "c.exr")
 
 
+@pytest.mark.parametrize("name", ["map.exr", "map.png"])
+def test_a_map_without_a_place_names_none(made: Made, tmp_path: Path, name: str) -> None:
+    # nobody named a place: the scene's own stands for no place of the planet
+    shown = made()
+    for placed in (False, True):
+        map_ = replace(shown, placed=placed)
+        write_map(tmp_path / name, map_, metadata=map_.scene.metadata())
+        texts = read_picture_metadata(tmp_path / name)
+        assert ("airlight.latitude" in texts) is placed
+        assert ("airlight.longitude" in texts) is placed
+        assert "airlight.sun_zenith" in texts
+        observer = json.loads((tmp_path / "map.json").read_text(encoding="utf-8"))["observer"]
+        assert ("latitude_deg" in observer) is placed
+
+
 def test_the_json_says_where_the_sun_stands_in_the_program_s_axes(
     made: Made, tmp_path: Path
 ) -> None:
@@ -148,8 +164,8 @@ def test_a_png_is_a_picture_to_look_at(made: Made, tmp_path: Path) -> None:
 
 
 def test_files_that_cannot_be_written_are_refused(made: Made, tmp_path: Path) -> None:
-    with pytest.raises(FileError, match=r"\.png or \.exr"):
-        write_map(tmp_path / "sky.hdr", made())
+    with pytest.raises(FileError, match=r"\.png, \.exr, \.hdr"):
+        write_map(tmp_path / "sky.tif", made())
     (tmp_path / "sky.json").mkdir()
     with pytest.raises(FileError, match="is a folder"):
         write_map(tmp_path / "sky.exr", made())

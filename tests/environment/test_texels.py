@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight.environment.texels import texel_positions, texel_solid_angles, texels_of
+from airlight import ParameterError
+from airlight.environment.texels import MAPS, texel_positions, texel_solid_angles, texels_of
 from airlight.scene import Camera
+from airlight.scene.projections import PROJECTIONS
 
 CAMERAS = [
     Camera(projection="equirectangular", width=80, height=40, look_azimuth=70.0),
@@ -42,3 +44,15 @@ def test_what_a_fisheye_does_not_reach_has_no_texel() -> None:
     row, column = texels_of(camera, np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]))
     assert_array_equal(row, [-1, 20])
     assert_array_equal(column, [-1, 20])
+
+
+@pytest.mark.parametrize("projection", sorted(set(PROJECTIONS) - set(MAPS)))
+def test_a_projection_that_is_no_map_is_refused(projection: str) -> None:
+    # Any unknown one used to be taken for the equidistant fisheye.
+    sizes = {"cubemap": (48, 8), "orthographic": (8, 8)}
+    width, height = sizes.get(projection, (16, 9))
+    extent = 1e7 if projection == "orthographic" else None
+    camera = Camera(projection=projection, width=width, height=height, extent=extent)
+    for reads in (texel_solid_angles, lambda one: texel_positions(one, np.eye(3))):
+        with pytest.raises(ParameterError, match=f"camera.projection is '{projection}'"):
+            reads(camera)

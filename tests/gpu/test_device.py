@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import builtins
+import os
 import subprocess
 import sys
 from time import perf_counter
@@ -120,3 +121,16 @@ def test_types_of_structures_are_known_without_parsing_them(device: Any) -> None
     for name in ("WGPUExtent3D", "WGPURenderPipelineDescriptor", "WGPUBindGroupEntry"):
         assert table[f"{name} *"][0] is ffi.typeof(f"{name}  *")
         assert table[f"{name}[]"][0] is ffi.typeof(f"{name} [ ]")
+
+
+def test_a_device_is_opened_without_words_where_no_session_is(device):
+    # as in a container: drivers search a Wayland display, whose library complains by itself
+    code = """import os
+from airlight.gpu.device.device import open_device
+open_device()
+print(os.environ.get("XDG_RUNTIME_DIR"))
+"""
+    bare = {name: one for name, one in os.environ.items() if name != "XDG_RUNTIME_DIR"}
+    run = [sys.executable, "-c", code]
+    done = subprocess.run(run, env=bare, capture_output=True, text=True, check=True)
+    assert (done.stderr, done.stdout.strip()) == ("", "None")

@@ -9,10 +9,23 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight import Camera, MoonLight, ParameterError, Scene, load_planet, render, solve
+from airlight import (
+    Camera,
+    MoonLight,
+    ParameterError,
+    Scene,
+    load_planet,
+    local_ground,
+    render,
+    solve,
+)
 from airlight.color.display import to_display
 from airlight.ephemeris.instant import days_of, ephemeris_time
-from airlight.ephemeris.sky import Place, horizon_axes
+from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun, sun_after
+from airlight.ephemeris.sun_vector import meridian_axes
+from airlight.ephemeris.world import WORLDS
+from airlight.film import Quality, load_film
+from airlight.film.still import PlanetStill
 from airlight.paint.star_points import add_catalogue
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.system.stars import stars
@@ -88,8 +101,76 @@ def test_stars_are_outshone_by_day_and_hidden_by_the_moon(earth: MomentsSolution
     assert rgb.max() < 0.01 * free.max()
 
 
-def test_stars_need_a_time_and_the_earth(earth: MomentsSolution) -> None:
+def test_stars_need_a_known_world_and_lines_that_differ(earth: MomentsSolution) -> None:
     rgb = np.zeros((80, 120, 3), np.float32)
-    for scene, body in ((Scene(), "earth"), (looking_at_sirius(), "mars")):
-        with pytest.raises(ParameterError, match="a place and time on Earth"):
-            add_catalogue(rgb, scene, earth, body)
+    for body in (None, "kepler-22b"):
+        with pytest.raises(ParameterError, match="a planet whose body is"):
+            add_catalogue(rgb, looking_at_sirius(), earth, body)
+    disc = Camera(projection="orthographic", width=120, height=80, extent=14e6)
+    with pytest.raises(ParameterError, match="a single direction"):
+        add_catalogue(rgb, Scene(camera=disc), earth, "earth")
+
+
+@pytest.mark.parametrize("body", ["earth", "mars", "titan"])
+def test_without_a_time_the_sun_stands_among_its_stars(body: str) -> None:
+    # The second method: the ephemeris' own sun at that day, in the frame of the stars, is where the
+    # scene has it. Days are interpolated: 0.3°, on Titan, whose year is sampled more coarsely, 1°.
+    place = Place(body=body, latitude=35.0, longitude=12.0)
+    time = days_of(datetime(2026, 2, 3, 15, 20, tzinfo=UTC))
+    sun = sun_after(place, time)
+    axes = horizon_axes_by_sun(place, sun.zenith, sun.azimuth)
+    towards = sun.direction @ axes
+    world = WORLDS[body]
+    days = np.linspace(0.0, world.year, 4000)
+    suns = np.array([-_heliocentric(world.orbit, day) for day in days])
+    apart = np.degrees(np.arccos(np.clip(suns @ towards, -1.0, 1.0)))
+    assert apart.min() < (1.0 if body == "titan" else 0.3)
+    assert_allclose(axes @ axes.T, np.eye(3), atol=1e-5)
+
+
+def _heliocentric(orbit: str, days: float) -> np.ndarray:
+    from astronomy import Body, HelioVector
+
+    seen = HelioVector(Body[orbit], ephemeris_time(days))
+    vector = np.array([seen.x, seen.y, seen.z])
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+def test_the_pole_stands_at_the_latitude_in_the_north() -> None:
+    # The law of the celestial pole, on any world, with or without a time.
+    for body, pole in (("earth", (0.0, 0.0, 1.0)), ("mars", None)):
+        place = Place(body=body, latitude=59.0, longitude=18.0)
+        day = days_of(NIGHT)
+        if pole is None:
+            pole = tuple(meridian_axes(WORLDS[body], day, 0.0)[2])
+        for axes in (horizon_axes(place, day), horizon_axes_by_sun(place, 100.0, 250.0)):
+            east, north, up = axes @ np.array(pole)
+            # precession since J2000, up to 0.15° in 26 years
+            assert_allclose(np.degrees(np.arcsin(up)), 59.0, atol=0.2)
+            assert_allclose(np.degrees(np.arctan2(east, north)), 0.0, atol=0.4)
+
+
+def test_a_sun_that_never_stands_so_gives_the_nearer_solstice() -> None:
+    # At the pole the sun's zenith angle is 90° less its declination, which is 23.4° at most.
+    place = Place(latitude=90.0, longitude=0.0)
+    high, solstice = (horizon_axes_by_sun(place, z, 180.0) for z in (20.0, 66.56))
+    assert_allclose(high, solstice, atol=0.02)
+
+
+def test_a_film_of_a_planet_has_stars() -> None:
+    # The second method: the same frame without stars, and the catalogue added to it.
+    changes = {"view.stars": True, "view.sun_zenith": "120 deg", "view.look_at": "S/40"}
+    film = load_film("earth", changes)
+    how = Quality(wavelengths=(680.0, 550.0, 440.0), quality="preview")
+    still = film.still(0, 96, 54, how)
+    assert isinstance(still, PlanetStill)
+    dark = replace(still, stars=False)
+    assert still.defined_by != dark.defined_by
+    wanted = dark.frame().rgb
+    solution = solve(local_ground(
+        still.planet, latitude=still.scene.latitude, longitude=still.scene.longitude,
+        altitude=still.scene.altitude,
+    ), how.wavelengths, how.quality)  # fmt: skip
+    add_catalogue(wanted, still.scene, solution, "earth")
+    assert wanted.max() > 100.0 * np.median(wanted)
+    assert_allclose(still.frame().rgb, wanted, rtol=1e-6)

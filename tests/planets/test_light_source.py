@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from airlight import Scene, load_planet, solve
+from airlight import ParameterError, Scene, load_planet, solve
 from airlight.color.four_wavelengths import few_wavelengths
 from airlight.color.spectral import sun_color
 from airlight.planets.medium import Medium
+from airlight.scene.light_position import LightPosition
 
 NM = few_wavelengths(4)
 
@@ -61,3 +62,22 @@ def test_radiance_is_irradiance_times_the_solution_at_the_light(solution):
     expected = solution.relative_radiance(sight)[0] * solution.lights[0].irradiance
     got = solution.radiance(altitude=0.0, sun_zenith=60.0, view_zenith=30.0, azimuth=9.0)
     assert_allclose(np.ravel(got), expected, rtol=1e-12)
+
+
+def test_sources_beside_the_star_are_refused_and_not_left_out(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # No solver knows a second source: its light would be missing, that is 0.
+    earth = load_planet("earth-bruneton", {"name": "two stars"})
+    twice = earth.lights([550.0]) * 2
+    monkeypatch.setattr(type(earth), "lights", lambda self, nm: twice)
+    with pytest.raises(ParameterError, match="lights is 2; allowed: 1"):
+        Medium.from_planet(earth, [550.0])
+
+
+def test_a_light_without_a_source_is_refused() -> None:
+    # A planet has a single star, of index 0.
+    sources = load_planet("earth-bruneton").lights([550.0])
+    for index in (1, -1):
+        with pytest.raises(ParameterError, match=r"light\.index"):
+            LightPosition(zenith=60.0, index=index).source(sources)

@@ -105,7 +105,7 @@ def test_a_frame_says_how_it_was_made(lit: Lit) -> None:
     assert frame.rgb.dtype == np.float32
     assert frame.rgb.shape == (2, 4, 3)
     assert frame.metadata["wavelengths"] == "680, 550, 440 nm"
-    assert frame.metadata["solver"] == str(solution.report)
+    assert frame.metadata["solver"] == solution.report.provenance
     assert "W m-2 sr-1" in frame.metadata["unit"]
 
 

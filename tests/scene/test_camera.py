@@ -27,6 +27,7 @@ EVERY_PROJECTION = [
     Camera(projection="perspective", width=64, height=36),
     Camera(projection="fisheye", width=64, height=64),
     *WHOLE_SPHERE,
+    Camera(projection="orthographic", width=64, height=64, extent=14000e3),
 ]
 
 

@@ -36,7 +36,7 @@ def test_weights_are_solid_angles():
     assert_allclose(square, sphere / 6.0, rtol=1e-3)
 
 
-@pytest.mark.parametrize("projection", PROJECTIONS)
+@pytest.mark.parametrize("projection", [n for n, form in PROJECTIONS.items() if not form.parallel])
 def test_the_star_s_neighbourhood_is_told_apart(projection):
     size = {"equirectangular": (256, 128), "cubemap": (768, 128)}.get(projection, (128, 128))
     camera = Camera(projection=projection, width=size[0], height=size[1], look_zenith=60.0)
@@ -48,6 +48,14 @@ def test_the_star_s_neighbourhood_is_told_apart(projection):
     assert np.all(weights[seen & (angle < np.radians(1.0))] < 0.0)
     far = seen & (angle > np.radians(1.1) + 1.01 * camera.pixel_angle)
     assert np.all(weights[far] > 0.0)
+
+
+def test_an_orthographic_picture_shows_no_star_and_leaves_nothing_out():
+    # Its lines of sight have one direction, in which the star may stand: the pixels' solid angles
+    # add up to the square of the angle that the picture spans.
+    camera = Camera(projection="orthographic", width=64, height=64, extent=14e6)
+    weights, _ = metering_weights(Scene(camera=camera, sun_zenith=180.0), RADIUS)
+    assert_allclose(weights.sum(), np.radians(camera.field_of_view) ** 2, rtol=1e-6)
 
 
 def lit_picture(

@@ -9,12 +9,15 @@ import pytest
 import xarray
 from numpy.testing import assert_allclose, assert_array_equal
 
+import airlight
 from airlight.cli import main
 from airlight.errors import FileError, ParameterError
 from airlight.planets import load_planet
 from airlight.solvers import solve
 from airlight.sweep import Grid, sweep
 from airlight.sweep import grid as grids
+from airlight.sweep.store import SweepStore
+from airlight.sweep.varied_axis import varied_axis
 
 pytest.importorskip("zarr")
 NM = (680.0, 550.0, 440.0)
@@ -188,3 +191,45 @@ def test_the_command_writes_what_it_says(
     assert main(words) == 0
     assert "0 blocks computed, 1 kept" in capsys.readouterr().out
     assert radiances(Path("sky.zarr")).radiance.shape == (1, 1, 3, 2, 1, 3)
+
+
+def test_varied_values_are_numbers_with_their_unit(tmp_path: Path) -> None:
+    # 1 DU is 0.01 mm of gas at 0 deg C and 1 atm: 2.6867e20 molecules per square metre
+    (tmp_path / "a.zarr").mkdir()
+    grid = Grid(
+        planets=["earth"], sun_zenith=[30.0], view_zenith=[0.0], wavelengths=[550.0],
+        vary={"ozone.absorption.ozone": ["200 DU", "300 DU"],
+              "shell.top_radius": ["6471 km", 6.48e6],
+              "ground.albedo": [0, 0.5], "name": ["a", "b"]},
+    )  # fmt: skip
+    SweepStore(tmp_path / "a.zarr", grid, {"settings": "degree=4"})
+    data = radiances(tmp_path / "a.zarr")
+    expected = {
+        "ozone.absorption.ozone": ([200.0, 300.0], "DU"),
+        "shell.top_radius": ([6471e3, 6480e3], "m"),
+        "ground.albedo": ([0.0, 0.5], "1"),
+    }
+    for name, (numbers, unit) in expected.items():
+        assert_array_equal(data[name].values, numbers)
+        assert data[name].units == unit
+    assert data.name.values.tolist() == ["a", "b"]
+    assert_allclose(varied_axis("earth", "ozone.absorption.ozone", ["1 DU", 2.6867e20])[0], 1.0,
+                    rtol=1e-4)  # fmt: skip
+    assert (data.Conventions, data.planet.item()) == ("CF-1.10", "earth")
+    assert data.attrs["version"] == airlight.__version__
+    assert data.sun_zenith.standard_name == "solar_zenith_angle"
+
+
+def test_identical_sweeps_are_identical(tmp_path: Path) -> None:
+    # by definition of ``Dataset.identical``: names, values and all attributes
+    grid = small(vary={}, altitude=[0.0], sun_zenith=[10.0])
+    found = [radiances(sweep(grid, tmp_path / f"{name}.zarr", quality="preview", workers=1).path)
+             for name in ("a", "b")]  # fmt: skip
+    xarray.testing.assert_identical(*found)
+
+
+@pytest.mark.parametrize("name", ["a.nc", "a.csv", "a.JSON", "a.h5"])
+def test_a_store_named_as_another_format_is_refused(tmp_path: Path, name: str) -> None:
+    with pytest.raises(FileError, match="names a file; allowed: a folder"):
+        sweep(small(), tmp_path / name, quality="preview", workers=1)
+    assert not list(tmp_path.iterdir())

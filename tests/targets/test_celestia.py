@@ -89,3 +89,12 @@ def test_broken_files_are_refused_in_one_line():
     keys = read_atmosphere("Atmosphere { Height 60 Rayleigh 3 Absorption [ 0 0 0 ] }")
     with pytest.raises(ParameterError, match="three numbers"):
         planet_from_celestia(keys, star, 6e6, 0.1, "x")
+
+
+def test_what_older_versions_lose_is_said(solved, tmp_path):
+    # a column of exponential air is its density times its scale height: theirs is MieScaleHeight's
+    planet = replace(load_planet("earth-openspace"), refraction="none")
+    solution = solved(planet, (680.0, 550.0, 440.0), quality="preview")
+    export = target_of("celestia").write(solution, tmp_path / "out")
+    (note,) = [one for one in export.notes if "before August 2026" in one]
+    assert f"{1.2 / 7.99575:.0%} of the planet's" in note

@@ -71,7 +71,13 @@ def test_asset_read_by_lua_gives_the_planet_again(solved, tmp_path):
     # lobe, which is Henyey-Greenstein here and Cornette-Shanks there.
     solution, export, text = written(solved, tmp_path, "earth-openspace")
     table, required, meta = run(text)
-    assert required == ["scene/solarsystem/planets/earth/earth"]
+    earth = "scene/solarsystem/planets/earth"
+    assert required == [f"{earth}/earth", "scene/solarsystem/sun/sun", f"{earth}/moon/moon"]
+    # the group of OpenSpace's own Earth, with the radii of the IAU (2015)
+    assert table["Renderable"]["ShadowGroup"] == {
+        "Sources": [{"Name": "Sun", "Radius": 6.957e8}],
+        "Casters": [{"Name": "Moon", "Radius": 1.7374e6}],
+    }
     assert (table["Parent"], meta["Author"]) == ("Earth", "airlight")
     renderable = table["Renderable"]
     assert set(renderable) >= REQUIRED
@@ -94,7 +100,9 @@ def test_asset_read_by_lua_gives_the_planet_again(solved, tmp_path):
 def test_extinction_is_that_of_red_for_all(solved, tmp_path):
     # OpenSpace divides the scattering by one albedo, so what is written is what it uses.
     _, export, text = written(solved, tmp_path, "mars-openspace")
-    mie = run(text)[0]["Renderable"]["Mie"]["Coefficients"]
+    renderable = run(text)[0]["Renderable"]
+    assert "ShadowGroup" not in renderable  # as OpenSpace's own Mars
+    mie = renderable["Mie"]["Coefficients"]
     ratio = [s / e for s, e in zip(mie["Scattering"], mie["Extinction"], strict=True)]
     assert_allclose(ratio, ratio[0], rtol=1e-7)
     fit = next(one for one in export.fitted if one.name == "particles: colour")

@@ -72,7 +72,7 @@ def test_another_size_and_linear_light(tmp_path: Path, shown: Picture) -> None:
 
 def test_a_wrong_suffix_is_one_line(tmp_path: Path, shown: Picture) -> None:
     saving = saved(tmp_path / "a.bmp", shown, None)
-    assert "the name of a picture ends in .png or .exr" in saving.error
+    assert "the name of a picture ends in .png, .exr, .hdr" in saving.error
     assert "\n" not in saving.error
     assert not list(tmp_path.iterdir())
 

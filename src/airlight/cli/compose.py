@@ -39,7 +39,8 @@ def compose(
         typer.Argument(metavar="COLOR.exr", help="The picture without air, linear sRGB."),
     ],
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="A linear .exr, or a .png.")
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="A linear .exr or .hdr, or a .png."),
     ],
     depth: Annotated[
         Path | None,
@@ -327,12 +328,21 @@ def _write(
     tone_map: str,
 ) -> None:
     """Write the picture: linear on the scale of the given one, or exposed."""
-    if suffix == ".exr":
+    from airlight.exports.picture import LINEAR
+
+    if suffix in LINEAR:
+        from airlight.color.xyz import luminance
+        from airlight.constants import LUMINOUS_EFFICACY
         from airlight.exports.exr import write_exr
+        from airlight.exports.hdr import write_hdr
 
         scale = ", ".join(f"{one:.6g}" for one in composed.scale)
         note = {"radiance_of_1": f"{scale} W m-2 sr-1, linear sRGB"}
-        write_exr(output, composed.rgb, metadata | note)
+        if suffix == ".hdr":
+            write_hdr(output, composed.rgb, metadata | note)
+            return
+        white = LUMINOUS_EFFICACY * float(luminance(composed.scale))
+        write_exr(output, composed.rgb, metadata | note, attributes={"whiteLuminance": white})
         return
     from airlight.exports.picture import write_picture
 

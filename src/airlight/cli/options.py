@@ -359,6 +359,25 @@ def picture_size(text: str | None, projection: str) -> tuple[int, int]:
     return form.sized(width)
 
 
+def crop(text: str | None, columns: int, rows: int) -> tuple[int, int, int, int] | None:
+    """Parse a window of a picture: its left and top edge, its width and height. [pixel]
+
+    Examples
+    --------
+    >>> crop("64,32,16,16", 128, 128), crop(None, 128, 128)
+    ((64, 32, 16, 16), None)
+    """
+    if text is None:
+        return None
+    numbers = [int(one) for one in text.split(",") if re.fullmatch(r"\s*\d{1,6}\s*", one)]
+    if len(numbers) == 4 == text.count(",") + 1:
+        left, top, width, height = numbers
+        if width > 0 and height > 0 and left + width <= columns and top + height <= rows:
+            return left, top, width, height
+    allowed = f"X,Y,WIDTH,HEIGHT in pixels, of a window inside {columns}x{rows}"
+    raise ParameterError("--crop", text, allowed)
+
+
 def projection(text: str) -> str:
     """Check the name of a projection.
 
@@ -401,11 +420,13 @@ def only_for_png(
     Raises
     ------
     ParameterError
-        If the file is an ``.exr``, or shows numbers, and an option is not as it is if left out.
+        If the file is linear, or shows numbers, and an option is not as it is if left out.
     """
-    if suffix != ".exr" and not shown:
+    from airlight.exports.picture import LINEAR
+
+    if suffix not in LINEAR and not shown:
         return
-    allowed = "left out for an .exr, which is linear radiance"
+    allowed = f"left out for an {suffix}, which is linear radiance"
     allowed = "left out beside --show, whose colours are a scale" if shown else allowed
     given = {
         "--exposure": (exposure, None), "--iso": (iso, None), "--aperture": (aperture, None),

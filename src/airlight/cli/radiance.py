@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli import distribution_options, options
+from airlight.cli import distribution_options, options, time_and_place
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
@@ -75,8 +75,8 @@ def radiance(
             "--output",
             "-o",
             metavar="FILE",
-            help="With --input: the same CSV with radiance_<nm>nm appended; - is the standard "
-            "output. A file that was stopped is gone on with.",
+            help="With --input: a .csv, the same with radiance_<nm>nm appended, or a .nc (netCDF); "
+            "- is the standard output. A .csv that was stopped is continued.",
         ),
     ] = "-",
     stokes: Annotated[
@@ -137,10 +137,12 @@ def radiance(
         "--view-zenith": view_zenith,
         "--azimuth": azimuth,
     }
-    long = input_ not in (None, "-") and solver == "moments"
+    labelled = output.lower().endswith(".nc")
+    long = input_ not in (None, "-") and solver == "moments" and not labelled
     if not long and (scheduler is not None or workers is not None):
         option = "--workers" if scheduler is None else "--scheduler"
-        raise ParameterError(option, workers or scheduler, "beside --input FILE, of moments")
+        allowed = "beside --input FILE and a .csv, of moments"
+        raise ParameterError(option, workers or scheduler, allowed)
     if long:
         assert input_ is not None
         _check_many({**single, "--latitude": latitude, "--longitude": longitude}, output)
@@ -161,8 +163,14 @@ def radiance(
     world = options.planet(planet, set_)
     if input_ is None:
         height = float(cases.values[0, 0])
-        if latitude is not None and (cases.values[:, 0] != height).any():
+        several = bool((cases.values[:, 0] != height).any())
+        if latitude is not None and several:
             raise ParameterError("--altitude", altitude, "one altitude, beside --latitude")
+        if several and cases.values[:, 0].min() < 0.0:
+            raise ParameterError("--altitude", altitude, "one altitude, where it is below 0")
+        world, above = time_and_place.on_floor(world, height)
+        if above != height:
+            height = cases.values[:, 0] = above
         world = options.with_solved_ground(world, ground_albedo, latitude, longitude, height)
     else:
         world = options.with_solved_ground(world, ground_albedo, None, None)
@@ -191,7 +199,14 @@ def radiance(
             values, errors, histories = _estimates(solution, cases, stokes)
         else:
             values = _answers(solution, cases, len(columns), stokes, report)
-    if cases.header:
+    if labelled:
+        from airlight.sweep.case_dataset import case_dataset, write_dataset
+
+        data = case_dataset(
+            cases, nm, values, errors, stokes=stokes, attributes=solution.provenance
+        )
+        write_dataset(output, data)
+    elif cases.header:
         write_cases(output, cases, nm, values, errors, stokes=stokes)
     elif stokes:
         _print_stokes(nm, values[0], None if errors is None else errors[0], histories)
@@ -279,13 +294,12 @@ def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
 
 def _check_many(single: dict[str, str | None], output: str) -> None:
     """Refuse options of one observer beside a file of them, and a target that cannot be written."""
-    from airlight.exports.whole_file import check_target
+    from airlight.sweep.cases import check_table
 
     for option, text in single.items():
         if text is not None:
             raise ParameterError(option, text, "not together with --input")
-    if output != "-":
-        check_target(output)
+    check_table(output)
 
 
 def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
@@ -321,7 +335,7 @@ def _observers(texts: dict[str, str | None], output: str) -> Cases:
     """Parse the observers of the options: one, or a row for each of their lists and ranges."""
     import numpy as np
 
-    from airlight.scene.limits import within
+    from airlight.scene.limits import DEEPEST_ALTITUDE, within
     from airlight.sweep.cases import COLUMNS, Cases
     from airlight.units import MOST_VALUES
 
@@ -336,6 +350,7 @@ def _observers(texts: dict[str, str | None], output: str) -> Cases:
                 f"{option} is missing: an angle such as 60deg, or --input FILE"
             )
         unit = "m" if option == "--altitude" else "deg"
+        low = DEEPEST_ALTITUDE if option == "--altitude" else low
         numbers = options.values(text, unit, option)
         axes.append([within(option, number, low, high, unit) for number in numbers])
     values = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from airlight.cli import options, scene_file, second_lights, time_and_place
+from airlight.cli import options, scene_file, second_lights, time_and_place, whole_disc
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
@@ -44,6 +44,10 @@ EPILOG = examples(
     "airlight render mars --at 4.59S,137.44E --ls 250 --time sunset --look-at sun -o gale.png",
     "airlight render earth --altitude 2m --look 60,90 --polariser 90deg -o dark.png",
     "airlight render earth --altitude 2m --projection fisheye --show dolp -o degree.png",
+    "airlight render earth --projection orthographic --sun-zenith 40 -o globe.png",
+    "airlight render earth --at 31.5N,35.5E,-430m --time '2026-03-20 sunset' --look-at W "
+    "-o dead-sea.png",
+    "airlight render earth --size 16384x9216 --crop 4096,2048,1024,1024 -o tile.exr",
 )
 
 #: Where the camera looks if nobody says: across the sunlight, which shows the air best. [deg]
@@ -53,7 +57,8 @@ _ACROSS = -75.0
 def render(
     planet: options.Planet_,
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr.")
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr or .hdr."),
     ],
     at: time_and_place.At = None,
     time_: time_and_place.Time = None,
@@ -114,15 +119,17 @@ def render(
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="Perspective: from left to right (60deg); fisheye: across the circle (180deg).",
+            help="Perspective: from left to right (60deg); fisheye: across the circle (180deg); "
+            "orthographic: the length from left to right (14000km; the whole disc if left out).",
         ),
     ] = None,
     projection: Annotated[
         str,
         typer.Option(
             metavar="NAME",
-            help="perspective, fisheye (dome master), equirectangular (panorama), cubemap or "
-            "octahedral (a square of equal solid angles).",
+            help="perspective, fisheye (dome master), equirectangular (panorama), cubemap, "
+            "octahedral (a square of equal solid angles) or orthographic (parallel lines of sight: "
+            "the planet's disc, with north up).",
         ),
     ] = "perspective",
     size: Annotated[
@@ -130,6 +137,14 @@ def render(
         typer.Option(
             metavar="WxH",
             help="1280x720; one number: a square's, a panorama's or a cube face's width.",
+        ),
+    ] = None,
+    crop: Annotated[
+        str | None,
+        typer.Option(
+            metavar="X,Y,W,H",
+            help="Window of the picture that is drawn, in pixels from its left and top edge: a "
+            "tile. With --exposure EV and --glare 0, and for an .exr or .hdr, only it is computed.",
         ),
     ] = None,
     exposure: options.Exposure = None,
@@ -198,6 +213,8 @@ def render(
     check_tone_map(tone_map)
     check_glare(glare)
     projection = options.projection(projection)
+    # A lens spreads light into a window from outside, and the meter reads the whole picture.
+    whole = suffix == ".png" and show is None and (glare > 0.0 or ev == "auto")
     if is_scene_file(planet):
         for option, value in (("--show", show), ("--stokes", stokes or None)):
             if value is not None:
@@ -208,9 +225,9 @@ def render(
             roll=roll if roll != "0deg" else None,
             projection=projection if projection != "perspective" else None,
         )  # fmt: skip
-        frame = scene_file.painted(
-            planet, given, size, wavelengths, quality, samples if samples > 1 else None,
-            cache=not no_cache,
+        frame, window = scene_file.painted(
+            planet, given, size, crop, wavelengths, quality, samples if samples > 1 else None,
+            whole=whole, cache=not no_cache,
             beside={
                 "--look": look, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
                 "--ground-albedo": ground_albedo, "--ls": season, "--exact": exact,
@@ -224,9 +241,9 @@ def render(
         )  # fmt: skip
         written = write_picture(
             output, frame, frame.metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
-            primaries=primaries, bits=bits, glare=glare,
+            primaries=primaries, bits=bits, glare=glare, crop=window if whole else None,
         )  # fmt: skip
-        _report(written, frame, started)
+        _report(written, frame, window, started)
         return
     world = options.planet(planet, set_)
     if ground_albedo is not None:
@@ -236,28 +253,37 @@ def render(
         {"--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth, "--latitude": latitude,
          "--longitude": longitude}, altitude,
     )  # fmt: skip
-    if stars and (placed is None or world.body != "earth"):
-        raise ParameterError("--stars", True, "beside --at and --time, on Earth")
+    parallel = whole_disc.check(
+        projection, {"--altitude": altitude, "--look": look, "--look-at": look_at}, at
+    )
+    if stars:
+        from airlight.paint.star_points import check_stars
+
+        check_stars(world.body, projection, "--stars")
     if placed is None:
         placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
     columns, rows = options.picture_size(size, projection)
+    window = options.crop(crop, columns, rows)
     if legend:
-        _check_legend(columns)
+        _check_legend(columns if window is None else window[2])
     zenith, azimuth = _target(look, look_at, projection, placed, world)
     from airlight.scene import Camera, Scene
 
+    time_and_place.on_floor(world, placed.altitude)
     scene = Scene(
         camera=Camera(
             projection=projection,
             width=columns,
             height=rows,
-            field_of_view=None if fov is None else options.angle(fov, "--fov"),
+            field_of_view=None if fov is None or parallel else options.angle(fov, "--fov"),
+            extent=whole_disc.extent(fov, world, columns, rows) if parallel else None,
+            crop=None if whole else window,
             look_zenith=zenith,
             look_azimuth=azimuth,
             roll=options.angle(roll, "--roll"),
             polariser=None if polariser is None else options.angle(polariser, "--polariser"),
         ),
-        altitude=placed.altitude,
+        altitude=0.0 if parallel else placed.altitude,
         sun_zenith=placed.sun_zenith,
         latitude=placed.latitude,
         longitude=placed.longitude,
@@ -266,6 +292,8 @@ def render(
         time=placed.time,
         others=second_lights.given(moon, second_star, placed),
     )
+    if parallel:
+        scene = scene.north_up()
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)
     frame = _painted(
@@ -282,11 +310,11 @@ def render(
     else:
         written = write_picture(
             output, frame, metadata, exposure=ev, tone_map=tone_map, encoding=encoding,
-            primaries=primaries, bits=bits, glare=glare,
+            primaries=primaries, bits=bits, glare=glare, crop=window if whole else None,
         )  # fmt: skip
     if placed.time is not None:
         say(time_and_place.line(world, placed, sun_distance))
-    _report(written, frame, started)
+    _report(written, frame, window, started)
 
 
 def _check_polarised(
@@ -302,6 +330,8 @@ def _check_polarised(
             raise ParameterError("--polariser", polariser, f"left out beside {option}")
     if stokes and suffix != ".exr":
         raise ParameterError("--stokes", True, "beside a name that ends in .exr")
+    if show is not None and suffix == ".hdr":
+        raise ParameterError("--show", show, "beside a name that ends in .png or .exr")
 
 
 def _check_legend(width: int) -> None:
@@ -338,11 +368,13 @@ def _shown(
     return Written(path=output, size=output.stat().st_size, exposure=None)
 
 
-def _report(written: Written, frame: Frame, started: float) -> None:
+def _report(
+    written: Written, frame: Frame, window: tuple[int, int, int, int] | None, started: float
+) -> None:
     """Line about the picture that was written."""
     light = "linear" if written.exposure is None else f"exposure {written.exposure:+.2f} EV"
     seconds = time.perf_counter() - started
-    rows, columns = frame.rgb.shape[:2]
+    rows, columns = frame.rgb.shape[:2] if window is None else (window[3], window[2])
     say(f"{written.path}  {columns}x{rows}  {written.size / 1e3:.0f} kB  {seconds:.1f} s  {light}")
 
 

@@ -54,14 +54,16 @@ def painted(
     name: str,
     given: SceneOptions,
     size: str | None,
+    crop: str | None,
     wavelengths: str | None,
     quality: str,
     samples: int | None,
     *,
+    whole: bool,
     cache: bool,
     beside: Mapping[str, object],
-) -> Frame:
-    """Draw a scene, with progress on the standard error stream.
+) -> tuple[Frame, tuple[int, int, int, int] | None]:
+    """Draw a scene, with progress on the standard error stream; and its window.
 
     Parameters
     ----------
@@ -69,8 +71,10 @@ def painted(
         Preset or scene file.
     given : SceneOptions
         What is changed.
-    size, wavelengths, quality, samples, cache :
+    size, crop, wavelengths, quality, samples, cache :
         Options of ``airlight render``.
+    whole : bool
+        Whether the whole picture is drawn, also of a window.
     beside : mapping
         Options that a scene file answers itself, which must be left out.
 
@@ -86,6 +90,7 @@ def painted(
             raise ParameterError(option, value, "none beside a scene file, which says it")
     system = changed(name, given)
     columns, rows = options.picture_size(size, system.view.projection)
+    window = options.crop(crop, columns, rows)
     first = next(iter(system.planets.values()), None)
     nm = None
     if wavelengths is not None:
@@ -93,10 +98,11 @@ def painted(
             raise ParameterError("--wavelengths", wavelengths, "none for a scene without air")
         nm = options.wavelengths(wavelengths, first)
     with shown_progress() as report:
-        return paint_system(
+        frame = paint_system(
             system, width=columns, height=rows, wavelengths=nm, quality=quality,
-            samples=samples, cache=cache, progress=report,
+            samples=samples, crop=None if whole else window, cache=cache, progress=report,
         )  # fmt: skip
+    return frame, window
 
 
 def changed(name: str, given: SceneOptions) -> System:

@@ -35,7 +35,9 @@ SecondStar = Annotated[
 Stars = Annotated[
     bool,
     typer.Option(
-        "--stars", help="Stars to magnitude 6.5, on Earth with --at and --time; by day outshone."
+        "--stars",
+        help="Stars to magnitude 6.5, with --at and --time where they are then, otherwise by the "
+        "place of the sun; by day outshone.",
     ),
 ]
 

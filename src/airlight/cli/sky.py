@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 EPILOG = examples(
     "airlight sky earth --for blender -o sky.exr",
     "airlight sky earth --for mitsuba --sun light --sun-zenith 88 -o evening.exr",
-    "airlight sky mars --for usd --sun light --ground black -o mars.exr",
+    "airlight sky mars --for usd --up z --sun light --ground black -o mars.exr",
+    "airlight sky earth --for unity --sun light -o sky.hdr",
     "airlight sky earth --for godot --precision half --compression dwa -o sky.exr",
     "airlight sky earth --at 59.33N,18.07E --time 2026-06-21T18:10+02:00 --for three -o sky.exr",
     "airlight sky earth --for dome --front 180 --tilt 15 --size 4096 --bits 16 -o dome.png",
@@ -36,7 +37,7 @@ def sky(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="An .exr, linear; or a .png to look at."
+            "--output", "-o", metavar="FILE", help="An .exr or .hdr, linear; or a .png to look at."
         ),
     ],
     for_: Annotated[
@@ -62,6 +63,9 @@ def sky(
     ] = None,
     tilt: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Of a dome towards its front: 0deg.")
+    ] = None,
+    up: Annotated[
+        Literal["y", "z"] | None, typer.Option(help="Of usd, the layer's axis: y if left out.")
     ] = None,
     precision: Annotated[
         Literal["float", "half"], typer.Option(help="Of the channels of an .exr.")
@@ -118,9 +122,10 @@ def sky(
     from airlight.environment.environment_map import environment_map
     from airlight.environment.files import beside, write_map
     from airlight.paint.paint_scene import FEWEST
+    from airlight.paint.star_points import check_stars
     from airlight.scene import Camera, Scene
 
-    consumer = _consumer(for_, front, tilt)
+    consumer = _consumer(for_, front, tilt, up)
     beside(output, consumer)
     suffix = output.suffix.lower()
     options.only_for_png(
@@ -132,12 +137,14 @@ def sky(
     if bits not in (8, 16):
         raise ParameterError("--bits", bits, "8 or 16")
     factor = _scale(scale)
-    if suffix == ".png":
-        linear = {"--precision": (precision, "float"), "--compression": (compression, "zip"),
-                  "--scale": (scale, "auto")}  # fmt: skip
+    if suffix != ".exr":
+        linear: dict[str, tuple[str, str]] = {
+            "--precision": (precision, "float"), "--compression": (compression, "zip"),
+        }  # fmt: skip
+        linear |= {"--scale": (scale, "auto")} if suffix == ".png" else {}
         for option, (value, left_out) in linear.items():
             if value != left_out:
-                raise ParameterError(option, value, "left out for a .png")
+                raise ParameterError(option, value, f"left out for a {suffix}")
     columns, rows = options.picture_size(size, consumer.projection)
     world = options.planet(planet, set_)
     if ground_albedo is not None:
@@ -147,8 +154,8 @@ def sky(
         {"--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth, "--latitude": latitude,
          "--longitude": longitude}, altitude,
     )  # fmt: skip
-    if stars and (placed is None or world.body != "earth"):
-        raise ParameterError("--stars", True, "beside --at and --time, on Earth")
+    if stars:
+        check_stars(world.body, consumer.projection, "--stars")
     somewhere = placed is not None or latitude is not None or longitude is not None
     for option, given, other in (
         ("--latitude", latitude, longitude), ("--longitude", longitude, latitude),
@@ -157,6 +164,7 @@ def sky(
             raise ParameterError(option, given, "both of --latitude and --longitude")
     if placed is None:
         placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
+    time_and_place.on_floor(world, placed.altitude)
     scene = Scene(
         camera=Camera(projection=consumer.projection, width=columns, height=rows),
         altitude=placed.altitude,
@@ -203,11 +211,15 @@ def sky(
     _report(made, written, precision, time.perf_counter() - started)
 
 
-def _consumer(name: str, front: str | None, tilt: str | None) -> Consumer:
-    """Program of ``--for``, a dome with its front."""
+def _consumer(name: str, front: str | None, tilt: str | None, up: str | None) -> Consumer:
+    """Program of ``--for``, a dome with its front, USD with its axis."""
     from airlight.environment.consumers import consumer_named
 
     consumer = consumer_named(name)
+    if up is not None:
+        if name != "usd":
+            raise ParameterError("--up", up, "beside --for usd")
+        consumer = consumer.with_up(up)
     if consumer.tilt is None:
         for option, text in (("--front", front), ("--tilt", tilt)):
             if text is not None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli import options
+from airlight.cli.console import note
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -195,6 +196,29 @@ def given(
     )
 
 
+def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
+    """Planet on whose ground an observer below 0 stands, his altitude above it, and a word.
+
+    Raises
+    ------
+    ParameterError
+        If the altitude is below the planet's deepest basin.
+    """
+    if altitude >= 0.0:
+        return planet, altitude
+    from airlight.planets.lowered_ground import stands_on_floor
+
+    try:
+        lowered, height = stands_on_floor(planet, altitude)
+    except ParameterError as error:
+        raise ParameterError("--altitude", error.value, error.allowed) from None
+    note(
+        f"the observer stands on the floor of a basin at {altitude - height:.10g} m: all of the "
+        "ground is solved there, and the air goes on below 0 m"
+    )
+    return lowered, height
+
+
 def lit(planet: Planet, placed: Placed, sun_distance: str) -> Planet:
     """Planet in the light of that time: the sun at its true distance, or at the file's."""
     if placed.time is None or sun_distance == "file":
@@ -206,6 +230,7 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
     """Line that says place, time, sun and moon, and by which distance the planet is lit."""
     from airlight.ephemeris.sky import Place
     from airlight.ephemeris.sky_line import sky_line
+    from airlight.planets.lowered_ground import stands_on_floor
     from airlight.scene.apparent_sun import apparent_altitude
 
     assert placed.time is not None
@@ -215,7 +240,7 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
         longitude=placed.longitude,
         altitude=placed.altitude,
     )
-    seen = apparent_altitude(planet, placed.altitude, placed.sun_zenith)
+    seen = apparent_altitude(*stands_on_floor(planet, placed.altitude), placed.sun_zenith)
     text = sky_line(place, placed.time, seen=seen)
     if placed.moon is not None:
         text += _eclipse(planet, place, placed.time, placed.moon)

@@ -99,7 +99,7 @@ def display_of(
 
 
 @compiled_loop
-def display_rows(rgb, picture, first, most, display):
+def display_rows(rgb, picture, first, left, most, display):
     """Fill rows of a picture by ``displayed``.
 
     Parameters
@@ -108,8 +108,8 @@ def display_rows(rgb, picture, first, most, display):
         Linear sRGB. [W m⁻² sr⁻¹]
     picture : array, shape (rows, width, 3)
         Whole numbers, filled.
-    first : int
-        Row of the picture that is the first here.
+    first, left : int
+        Row and column of the picture that are the first here.
     most : float
         Number that is white.
     display : Display
@@ -120,7 +120,7 @@ def display_rows(rgb, picture, first, most, display):
                 np.float64(rgb[row, column, 0]),
                 np.float64(rgb[row, column, 1]),
                 np.float64(rgb[row, column, 2]),
-                np.float64(column),
+                np.float64(left + column),
                 np.float64(first + row),
                 display,
             )
@@ -141,7 +141,8 @@ def to_display(
     dither: bool = True,
     glare: float = 1.0,
     pixel_angle: float = 0.0,
-    circle: bool = False,
+    circle: tuple[int, int] | None = None,
+    origin: tuple[int, int] = (0, 0),
 ) -> NDArray[Any]:
     """Convert a frame of linear light to a picture of whole numbers.
 
@@ -173,8 +174,11 @@ def to_display(
         Amount of glare, 0 to 10: 1 is that of a lens. [1]
     pixel_angle : float
         Angle of a pixel, ``Frame.pixel_angle``; without it there is no glare. [rad]
-    circle : bool
-        Whether the picture is that of a dome, ``Frame.circle``: black beyond its circle.
+    circle : (int, int), optional
+        Width and height of the whole picture of a dome, ``Frame.circle``: black beyond the circle.
+        [pixel]
+    origin : (int, int)
+        Column and row of a larger picture at which this one begins. [pixel]
 
     Returns
     -------
@@ -204,7 +208,7 @@ def to_display(
         primaries=primaries,
         step=1.0 / most if dither else 0.0,
     )
-    lens = Glare(rgb, pixel_angle, glare, circle)
+    lens = Glare(rgb, pixel_angle, glare, circle, origin)
     height, width = rgb.shape[:2]
     picture = zeros((height, width, 3), _TYPES[bits])
     rows = max(1, _BLOCK // max(1, width))
@@ -212,7 +216,7 @@ def to_display(
     def show(index: int) -> None:
         chosen = slice(index * rows, min((index + 1) * rows, height))
         light = lens.rows(chosen.start, chosen.stop)
-        display_rows(light, picture[chosen], index * rows, most, display)
+        display_rows(light, picture[chosen], origin[1] + index * rows, origin[0], most, display)
         release(light)
         release(picture[chosen])
 

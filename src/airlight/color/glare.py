@@ -205,6 +205,13 @@ def spread_texel(level, coarser, row, column, share, more):
 
 
 @inlined
+def beyond_circle(row, column, height, width):
+    """Whether a pixel is beyond the largest circle that fits into a picture of a size. [pixel]"""
+    across, up, diameter = 2 * column + 1 - width, 2 * row + 1 - height, min(width, height)
+    return across * across + up * up > diameter * diameter
+
+
+@inlined
 def glared_texel(picture, coarser, row, column, amount, total, circle):
     """Light of a pixel behind the lens.
 
@@ -223,9 +230,7 @@ def glared_texel(picture, coarser, row, column, amount, total, circle):
     """
     beyond = False
     if circle:
-        height, width = picture.shape[0], picture.shape[1]
-        across, up, diameter = 2 * column + 1 - width, 2 * row + 1 - height, min(width, height)
-        beyond = across * across + up * up > diameter * diameter
+        beyond = beyond_circle(row, column, picture.shape[0], picture.shape[1])
     if amount > 0.0 and total > 0.0 and not beyond:
         kept = np.float32(1.0 - amount * total)
         return kept * picture[row, column] + np.float32(amount) * finer_texel(coarser, row, column)
@@ -251,13 +256,18 @@ def _spread(first, last, level, coarser, share, more, out):
 
 
 @compiled_loop
-def _glare(first, last, picture, coarser, amount, total, circle, out):
+def _glare(first, last, picture, coarser, amount, total, circle, origin, out):
     for row in range(first, last):
         for c in range(3):
             own, others = picture[:, :, c], coarser[:, :, c]
             for column in range(out.shape[1]):
+                share = amount
+                if circle[0] > 0 and beyond_circle(
+                    origin[1] + row, origin[0] + column, circle[1], circle[0]
+                ):
+                    share = 0.0
                 out[row - first, column, c] = glared_texel(
-                    own, others, row, column, amount, total, circle
+                    own, others, row, column, share, total, False
                 )
 
 
@@ -272,8 +282,11 @@ class Glare:
         Angle of a pixel in the middle of the picture; 0 for no glare. [rad]
     amount : float
         Amount, 0 to 10: 1 is that of a lens, 0 none. [1]
-    circle : bool
-        Whether the picture ends at the largest circle that fits: no light is spread beyond it.
+    circle : (int, int), optional
+        Width and height of the whole picture where that ends at the largest circle that fits: no
+        light is spread beyond it. [pixel]
+    origin : (int, int)
+        Column and row of the whole picture at which this one begins. [pixel]
 
     Raises
     ------
@@ -292,9 +305,11 @@ class Glare:
         rgb: NDArray[np.floating[Any]],
         pixel_angle: float,
         amount: float = 1.0,
-        circle: bool = False,
+        circle: tuple[int, int] | None = None,
+        origin: tuple[int, int] = (0, 0),
     ) -> None:
-        self._picture, self._amount, self._circle = rgb, checked_amount(amount), circle
+        self._picture, self._amount = rgb, checked_amount(amount)
+        self._place = circle or (0, 0), origin
         shorter = float(min(rgb.shape[:2]))
         count = glare_levels(pixel_angle, shorter) if amount > 0.0 else 0
         shares = [glare_share(level, pixel_angle, shorter) for level in range(1, count + 1)]
@@ -325,7 +340,7 @@ class Glare:
             return self._picture[first:last]
         out = np.empty_like(self._picture[first:last])
         _glare(
-            first, last, self._picture, self._coarser, self._amount, self._total, self._circle, out
+            first, last, self._picture, self._coarser, self._amount, self._total, *self._place, out
         )
         release(self._picture[first:last])
         release(self._coarser[first // 2 : last // 2])

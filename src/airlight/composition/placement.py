@@ -14,9 +14,8 @@ from airlight.errors import ParameterError
 from airlight.scene import Camera, Scene
 from airlight.scene.compass import bearing
 from airlight.scene.directions import camera_axes
-from airlight.scene.limits import within
+from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.observer import planet_frame
-from airlight.scene.scene import HIGHEST_ALTITUDE
 from airlight.units import Measure, Measured, measured
 
 FloatArray = NDArray[np.float64]

@@ -83,6 +83,25 @@ class Consumer:
         """Zenith angle of the camera that draws its map. [deg]"""
         return 90.0 if self.tilt is None else self.tilt
 
+    def with_up(self, up: str) -> Consumer:
+        """USD with another axis up, in its layer and in the directions of the JSON.
+
+        Parameters
+        ----------
+        up : str
+            ``y`` or ``z``.
+
+        Raises
+        ------
+        ParameterError
+            If it is another word, or the program is not USD, whose layers alone choose.
+        """
+        if self.name != "usd":
+            raise ParameterError("up", up, "for usd")
+        if up not in ("y", "z"):
+            raise ParameterError("up", up, "y or z")
+        return replace(self, axes=Y_UP if up == "y" else Z_UP)
+
     def facing(self, front: float, tilt: float) -> Consumer:
         """Dome with another front.
 

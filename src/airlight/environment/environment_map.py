@@ -19,6 +19,7 @@ from airlight.errors import ParameterError
 from airlight.paint.paint_scene import paint_solved
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.scene.basin import on_basin_floor
 from airlight.scene.camera import Camera
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -177,7 +178,7 @@ def environment_map(
         raise ParameterError("camera.polariser", scene.camera.polariser, "none of a map")
     planet = load_planet(planet, progress=progress, cancel=cancel)
     camera = map_camera(consumer, scene.camera.width, scene.camera.height, scene.sun_azimuth)
-    scene = replace(scene, camera=camera)
+    planet, scene = on_basin_floor(planet, replace(scene, camera=camera))
     if placed and local:
         planet = local_ground(
             planet, latitude=scene.latitude, longitude=scene.longitude, altitude=scene.altitude

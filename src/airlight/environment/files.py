@@ -17,7 +17,8 @@ from airlight.environment.texels import reaching_poles
 from airlight.environment.usd_scene import usd_scene
 from airlight.errors import FileError, ParameterError
 from airlight.exports.exr import LARGEST_HALF, write_exr
-from airlight.exports.picture import picture_suffix, write_picture
+from airlight.exports.hdr import write_hdr
+from airlight.exports.picture import LINEAR, picture_suffix, write_picture
 from airlight.exports.whole_file import check_target, whole_file
 
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ SCENES: Final[dict[str, tuple[str, Callable[[EnvironmentMap, str, float], str]]]
     "usd": (".usda", usd_scene),
     "mitsuba": (".xml", mitsuba_scene),
 }
+#: Texts about a scene's place.
+_PLACE: Final = ("latitude", "longitude")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,7 +67,7 @@ def beside(path: Path, consumer: Consumer) -> tuple[Path, ...]:
     """
     suffix = picture_suffix(path)
     suffixes = [".json"]
-    if consumer.name in SCENES and suffix == ".exr":
+    if consumer.name in SCENES and suffix in LINEAR:
         suffixes.append(SCENES[consumer.name][0])
     return tuple(check_target(path.with_suffix(one)) and path.with_suffix(one) for one in suffixes)
 
@@ -84,15 +87,15 @@ def write_map(
     Parameters
     ----------
     path : Path
-        Path ending in ``.exr``, or ``.png`` for a picture to look at.
+        Path ending in ``.exr`` or ``.hdr``, or ``.png`` for a picture to look at.
     made : EnvironmentMap
         Map.
     precision, compression : str
         Names for ``write_exr``.
     scale : float, optional
-        Factor of the numbers of an EXR, above 0. By default 1, and where halves hold them (in the
-        file, which ``dwa`` makes one of halves, or in the program that reads it) the power of two
-        at which they can. [1]
+        Factor of the numbers of linear light, above 0. By default 1, and where halves hold them
+        (in the file, which ``dwa`` makes one of halves, or in the program that reads it) the power
+        of two at which they can. [1]
     metadata : mapping of str to str, optional
         Further facts of how it was made.
     display : mapping, optional
@@ -111,9 +114,12 @@ def write_map(
     """
     others = beside(path, made.consumer)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}
+    if not made.placed:  # where the scene stands on its globe is nobody's place
+        facts = {name: text for name, text in facts.items() if name not in _PLACE}
+    suffix = path.suffix.lower()
     halves = precision == "half" or compression == "dwa" or made.consumer.keeps_halves
     factor, exposure = 1.0, None
-    if path.suffix.lower() == ".exr":
+    if suffix in LINEAR:
         factor = scale if scale is not None else half_scale(made.rgb) if halves else 1.0
         if not 0.0 < factor < np.inf:
             raise ParameterError("scale", factor, "above 0")
@@ -126,10 +132,13 @@ def write_map(
             facts["rows"] = "zenith angles even from 0 deg, the first, to 180 deg, the last"
         texts = {**made.frame.metadata, **facts}
         rgb = reaching_poles(made.rgb) if made.consumer.rows_reach_poles else made.rgb
-        write_exr(
-            path, rgb * np.float32(factor), texts, precision=precision,
-            compression=compression, attributes=standard_attributes(made, factor),
-        )  # fmt: skip
+        if suffix == ".hdr":
+            write_hdr(path, rgb * np.float32(factor), texts, scale=factor)
+        else:
+            write_exr(
+                path, rgb * np.float32(factor), texts, precision=precision,
+                compression=compression, attributes=standard_attributes(made, factor),
+            )  # fmt: skip
     else:
         written = write_picture(path, replace(made.frame), facts, **(display or {}))
         exposure = written.exposure

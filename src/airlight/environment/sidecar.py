@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.ephemeris.instant import universal_time
-from airlight.exports.header import version
+from airlight.solvers.provenance import version
 
 if TYPE_CHECKING:
     from airlight.environment.disc import Disc

@@ -3,13 +3,30 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.scene.camera import Camera
 
 FloatArray = NDArray[np.float64]
+
+#: Projections of maps.
+MAPS: Final = ("equirectangular", "octahedral", "fisheye")
+
+
+def check_map(camera: Camera) -> None:
+    """Refuse a projection whose texels are not known here.
+
+    Raises
+    ------
+    ParameterError
+        If it is none of ``MAPS``.
+    """
+    if camera.projection not in MAPS:
+        raise ParameterError("camera.projection", camera.projection, f"of a map: {', '.join(MAPS)}")
 
 
 def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
@@ -30,12 +47,18 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     array, shape (rows, width), or (rows, 1) where a row has one
         Solid angles. [sr]
 
+    Raises
+    ------
+    ParameterError
+        If the camera draws no such map.
+
     Examples
     --------
     >>> camera = Camera(projection="octahedral", width=8, height=8)
     >>> f"{8 * texel_solid_angles(camera).sum() / math.pi:.12g}"
     '4'
     """
+    check_map(camera)
     height, width = camera.height, camera.width
     row = np.arange(height, dtype=np.float64)[slice(None) if rows is None else rows][:, None]
     if camera.projection == "octahedral":
@@ -66,12 +89,18 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
         Distances from the left and the top edge; not a number where a fisheye does not reach.
         [pixel]
 
+    Raises
+    ------
+    ParameterError
+        If the camera draws no such map.
+
     Examples
     --------
     >>> camera = Camera(projection="equirectangular", width=8, height=4)
     >>> texel_positions(camera, np.array([[0.0, -1.0, 0.0]]))  # on the right of straight ahead
     (array([6.]), array([2.]))
     """
+    check_map(camera)
     right, up, forward = (directions @ camera.axes.T).T
     width, height = camera.width, camera.height
     if camera.projection == "equirectangular":

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.environment.consumers import Z_UP
+
 if TYPE_CHECKING:
     from airlight.environment.environment_map import EnvironmentMap
 
@@ -15,7 +17,7 @@ _HEAD: Final = """#usda 1.0
     defaultPrim = "Sky"
     doc = "{doc}"
     metersPerUnit = 1
-    upAxis = "Y"
+    upAxis = "{up}"
 )
 
 def Xform "Sky" (
@@ -44,7 +46,11 @@ def Xform "Sky" (
 """
 _DOME: Final = """                float inputs:intensity = {intensity:.9g}
                 asset inputs:texture:file = @./{name}@
-                token inputs:texture:format = "latlong\""""
+                token inputs:texture:format = "latlong"{turned}"""
+#: The picture's pole, which is y in both schemas, to z.
+_TURNED: Final = """
+                float xformOp:rotateX = 90
+                uniform token[] xformOpOrder = ["xformOp:rotateX"]"""
 _LIGHT: Final = """
     def DistantLight "{name}"
     {{
@@ -59,7 +65,7 @@ _LIGHT: Final = """
 
 
 def usd_scene(made: EnvironmentMap, name: str, scale: float) -> str:
-    """Text of a ``.usda`` layer: y up, x east, z south.
+    """Text of a ``.usda`` layer: y up, x east, z south; or z up, x east, y north.
 
     The dome's intensity undoes the scale, so that its radiances, and the irradiances of the
     normalised distant lights, are in the units of the map (W m⁻² sr⁻¹; times 683 in nits). The
@@ -91,12 +97,12 @@ def usd_scene(made: EnvironmentMap, name: str, scale: float) -> str:
                 for row in axes_towards(made.consumer.direction(one.direction))
             ),
         )
-    doc = (
-        f"Sky of {made.frame.metadata.get('planet', 'a planet')}: x east, y up, z south. Radiance "
-    )
+    z_up = made.consumer.axes == Z_UP
+    axes = "x east, y north, z up" if z_up else "x east, y up, z south"
+    doc = f"Sky of {made.frame.metadata.get('planet', 'a planet')}: {axes}. Radiance "
     doc += "in W m-2 sr-1, linear sRGB weighted by CIE 1931; times 683 in nits."
-    dome = _DOME.format(intensity=1.0 / scale, name=name)
-    return _HEAD.format(doc=doc, dome=dome, lights=lights)
+    dome = _DOME.format(intensity=1.0 / scale, name=name, turned=_TURNED if z_up else "")
+    return _HEAD.format(doc=doc, dome=dome, lights=lights, up="Z" if z_up else "Y")
 
 
 def axes_towards(direction: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Final
 
@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
 from airlight.ephemeris.instant import days_of, ephemeris_time
-from airlight.ephemeris.sun_vector import SolarPoint, solar_point
+from airlight.ephemeris.sun_vector import SolarPoint, meridian_axes, solar_point
 from airlight.ephemeris.world import World, world_named
 from airlight.errors import ParameterError
 from airlight.units import Measured, measured, quantity
 
+#: Days of a year and a half at which the sun's declination is computed.
+_DAYS: Final = 150
 #: Mean radius of the moon. [m] Archinal et al. (2018), Table 5.
 MOON_RADIUS: Final = 1737.4e3
 
@@ -200,24 +202,20 @@ def moon_after(place: Place, days: float) -> MoonSighting:
 
 
 def horizon_axes(place: Place, days: float) -> NDArray[np.float64]:
-    """Axes of a place on Earth in the frame of the J2000 equator: east, north, up, shape (3, 3).
+    """Axes of a place in the frame of the J2000 equator: east, north, up, shape (3, 3).
 
     Parameters
     ----------
     place : Place
-        Place on Earth.
+        Place on any of the worlds.
     days : float
         Days since 2000-01-01 12:00 UTC.
 
     Returns
     -------
     array, shape (3, 3)
-        Unit vectors as rows, with precession and nutation; aberration, up to 0.006°, is left out.
-
-    Raises
-    ------
-    ParameterError
-        If the place is not on Earth.
+        Unit vectors as rows, on Earth with precession and nutation; aberration, up to 0.006°, is
+        left out.
 
     Examples
     --------
@@ -225,13 +223,54 @@ def horizon_axes(place: Place, days: float) -> NDArray[np.float64]:
     >>> f"{axes[2, 2]:.6f}"  # the pole is in the zenith
     '1.000000'
     """
-    if not place.world.has_moon:
-        raise ParameterError("body", place.body, "earth")
+    if place.body != "earth":
+        latitude = math.radians(place.latitude)
+        out, east, pole = meridian_axes(place.world, days, place.longitude)
+        up = math.cos(latitude) * out + math.sin(latitude) * pole
+        return np.stack([east, np.cross(up, east), up])
     from astronomy import Observer, Rotation_EQJ_HOR
 
     observer = Observer(place.latitude, place.longitude, place.altitude)
     north, west, up = np.array(Rotation_EQJ_HOR(ephemeris_time(days), observer).rot).T
     return np.stack([-west, north, up])
+
+
+def horizon_axes_by_sun(place: Place, sun_zenith: float, sun_azimuth: float) -> NDArray[np.float64]:
+    """Axes of a place as ``horizon_axes``, at a moment that the sun's place in its sky gives.
+
+    Latitude and place give the sun's declination, and so the day; its hour angle gives the
+    hour. Of the two days of a year the one between the northern winter's and summer's solstice is
+    taken, and where the sun never stands so, the nearer solstice.
+
+    Parameters
+    ----------
+    place : Place
+        Place on any of the worlds; its longitude does not count.
+    sun_zenith, sun_azimuth : float
+        Zenith angle and compass bearing of the sun. [deg]
+
+    Examples
+    --------
+    >>> axes = horizon_axes_by_sun(Place(latitude=90.0, longitude=0.0), 90.0, 180.0)  # the equinox
+    >>> (-axes[1]).round(2) + 0.0  # the sun stands in Aries: in the south, whence axes count
+    array([1., 0., 0.])
+    """
+    latitude, zenith = math.radians(place.latitude), math.radians(sun_zenith)
+    turn, flat = math.radians(sun_azimuth), math.sin(zenith)
+    north, east, up = flat * math.cos(turn), flat * math.sin(turn), math.cos(zenith)
+    pole = math.sin(latitude) * up + math.cos(latitude) * north
+    declination = math.degrees(math.asin(min(max(pole, -1.0), 1.0)))
+    eastward = math.degrees(math.atan2(east, math.cos(latitude) * up - math.sin(latitude) * north))
+    days = np.linspace(0.0, 1.5 * place.world.year, _DAYS)
+    points = [solar_point(place.world, float(one)) for one in days]
+    tilts = np.array([one.latitude for one in points])
+    first = int(np.argmin(tilts[: 2 * _DAYS // 3]))
+    last = first + int(np.argmax(tilts[first : first + _DAYS // 2]))
+    rising = slice(first, last + 1)
+    day = float(np.interp(declination, tilts[rising], days[rising]))
+    below = solar_point(place.world, day).longitude
+    longitude = math.remainder(below - eastward, 360.0)
+    return horizon_axes(replace(place, longitude=longitude), day)
 
 
 def sub_solar_point(body: str, time: datetime) -> SolarPoint:

@@ -111,6 +111,26 @@ def _point(world: World, days: float) -> SolarPoint:
     )
 
 
+def meridian_axes(
+    world: World, days: float, longitude: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Point of the equator at a longitude, east of it, and north pole; unit vectors of the ICRF.
+
+    Parameters
+    ----------
+    world : World
+        World other than Earth.
+    days : float
+        Days since 2000-01-01 12:00 UTC.
+    longitude : float
+        Longitude, east positive. [deg]
+    """
+    node, across, pole = _axes(world, days)
+    turn = math.radians(_meridian(world, days) + longitude)
+    out = math.cos(turn) * node + math.sin(turn) * across
+    return out, np.cross(pole, out), pole
+
+
 def _axes(world: World, days: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Ascending node of the equator, 90° east of it, and north pole; unit vectors of the ICRF."""
     if world.spin is not None:

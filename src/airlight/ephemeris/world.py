@@ -46,6 +46,8 @@ class World:
         Length of its mean solar day. [day]
     year : float
         Tropical year: of its seasons. [day]
+    deepest_basin : float
+        Altitude of its lowest ground that is not under a sea or ice, 0 or less. [m]
     has_moon : bool
         Whether its sky has a moon that is known here.
     """
@@ -56,6 +58,7 @@ class World:
     orbit_radius: float = 0.0
     solar_day: float
     year: float
+    deepest_basin: float
     has_moon: bool = False
 
 
@@ -67,10 +70,26 @@ _TITAN: Final = Spin(
 
 #: Worlds by name. Days: Earth's; Mars's and its year, Allison & McEwen (2000), Planetary and Space
 #: Science 48, 215; Titan's from its rotation and Saturn's sidereal year of 10759.22 days, with
-#: 10747 days between its spring equinoxes (Williams, NASA Saturn Fact Sheet).
+#: 10747 days between its spring equinoxes (Williams, NASA Saturn Fact Sheet). Basins: the shore of
+#: the Dead Sea, 430 m below the sea in 2017 and falling by more than a metre a year; the floor of
+#: Hellas, Smith et al. (1999), Science 284, 1495; Titan's map of Lorenz et al. (2013), Icarus 225,
+#: 367.
 WORLDS: Final = {
-    "earth": World(name="earth", orbit="Earth", solar_day=1.0, year=365.24219, has_moon=True),
-    "mars": World(name="mars", orbit="Mars", solar_day=1.0274912517, year=686.9725),
+    "earth": World(
+        name="earth",
+        orbit="Earth",
+        solar_day=1.0,
+        year=365.24219,
+        deepest_basin=-440.0,
+        has_moon=True,
+    ),
+    "mars": World(
+        name="mars",
+        orbit="Mars",
+        solar_day=1.0274912517,
+        year=686.9725,
+        deepest_basin=-8200.0,
+    ),
     "titan": World(
         name="titan",
         orbit="Saturn",
@@ -78,6 +97,7 @@ WORLDS: Final = {
         orbit_radius=1.22187e9,
         solar_day=360.0 / (22.5769768 - 360.0 / 10759.22),
         year=10747.0,
+        deepest_basin=-1700.0,
     ),
 }
 

@@ -15,12 +15,12 @@ import numpy as np
 
 from airlight.composition.aerial_perspective import AerialPerspective
 from airlight.composition.aerial_shader import TEXTURES, aerial_shader
-from airlight.exports.header import version
 from airlight.exports.whole_folder import MANIFEST, fingerprint, whole_folder, write_manifest
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.kernel.lanes import LANES
+from airlight.solvers.provenance import version
 
 #: Format named in the manifest.
 FORMAT: Final = "airlight aerial perspective 1"

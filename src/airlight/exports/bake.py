@@ -196,7 +196,7 @@ def bake(
             air, parts, each=packing == "separate", rayleigh=smooth_phase == "rayleigh"
         )
     orders = described_orders(order, cumulative)
-    label = Labels(medium, {"solver": str(solution.report), "orders": orders})
+    label = Labels(medium, {"solver": solution.report.provenance, "orders": orders})
     tables = unscattered(solution, label, precision)
     for name, values, quantity, unit in _scattering(
         air,

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib import metadata as distributions
+
+from airlight.solvers.provenance import version
 
 #: Prefix of our names, because formats have an ``altitude`` of their own.
 PREFIX = "airlight."
@@ -31,11 +32,3 @@ def header(metadata: Mapping[str, str]) -> dict[str, str]:
     for name, text in metadata.items():
         out[PREFIX + name] = " ".join(str(text).split())
     return out
-
-
-def version() -> str:
-    """Version of the running airlight."""
-    try:
-        return distributions.version("airlight")
-    except distributions.PackageNotFoundError:
-        return "unknown"

@@ -76,7 +76,7 @@ def facts(solution: Solution, orders: str) -> dict[str, Any]:
     return {
         "planet": solution.planet.name if solution.planet is not None else "unnamed",
         "fingerprint": medium.fingerprint(),
-        "solver": str(solution.report),
+        "solver": solution.report.provenance,
         "orders": orders,
         "wavelengths_nm": medium.wavelengths.tolist(),
         "solar_irradiance_W_m-2_nm-1": medium.lights[0].irradiance.tolist(),

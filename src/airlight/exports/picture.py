@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError
 from airlight.exports.exr import read_exr_header, write_exr
+from airlight.exports.hdr import read_hdr_header, write_hdr
 from airlight.exports.png import read_png_header, write_png
 from airlight.exports.whole_file import check_target
 from airlight.units import Measure, quantity, without_unit
@@ -20,7 +21,9 @@ if TYPE_CHECKING:
     from airlight.scene.frame import Frame
 
 #: Suffixes of the formats that can be written.
-SUFFIXES = (".png", ".exr")
+SUFFIXES = (".png", ".exr", ".hdr")
+#: Suffixes of linear light, which has no display.
+LINEAR: Final = (".exr", ".hdr")
 #: Text of an EXR with Q and U.
 STOKES_FRAME: Final = (
     "I in R, G, B; Q and U in the layers Q and U, in the same unit; Q > 0 along the plane of the "
@@ -68,7 +71,7 @@ def picture_suffix(path: str | Path) -> str:
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
-        raise FileError(path, f"the name of a picture ends in {' or '.join(SUFFIXES)}")
+        raise FileError(path, f"the name of a picture ends in {', '.join(SUFFIXES)}")
     check_target(path)
     return suffix
 
@@ -87,16 +90,17 @@ def write_picture(
     glare: float = 1.0,
     pixel_angle: Measure = 0.0,
     layers: Mapping[str, NDArray[np.float32]] | None = None,
+    crop: tuple[int, int, int, int] | None = None,
 ) -> Written:
-    """Write a frame's colours as PNG (exposed, tone mapped, encoded) or EXR (linear, untouched).
+    """Write a frame's colours as PNG (exposed, tone mapped, encoded), or linear as EXR or HDR.
 
     An EXR of a frame with Q and U has them as layers, ``Q.R`` to ``U.B``, beside I in ``R`` to
-    ``B``.
+    ``B``. An HDR has eight bits of each channel and no channel below 0, see ``write_hdr``.
 
     Parameters
     ----------
     path : str or Path
-        Path ending in ``.png`` or ``.exr``.
+        Path ending in ``.png``, ``.exr`` or ``.hdr``.
     picture : Frame or array, shape (h, w, 3)
         Frame, which knows its metadata, the angle of its pixels and what counts for its exposure;
         or linear sRGB radiance, weighted by the colour-matching functions, float32.
@@ -120,6 +124,9 @@ def write_picture(
         Angle of a pixel of an array; without it there is no glare. [rad]
     layers : mapping of str to array, optional
         Further channels of an EXR, as for ``airlight.exports.exr.write_exr``.
+    crop : (int, int, int, int), optional
+        Window that is written: its left and top edge, width and height. Exposure and glare are
+        those of the whole picture. Only for PNG. [pixel]
 
     Returns
     -------
@@ -149,6 +156,8 @@ def write_picture(
             layers = {"Q": frame.polarised[0], "U": frame.polarised[1], **(layers or {})}
             metadata = {**metadata, "stokes": STOKES_FRAME}
         write_exr(path, rgb, metadata, layers=layers)
+    elif suffix == ".hdr":
+        write_hdr(path, rgb, metadata)
     else:
         from airlight.color.display import resolve_exposure, to_display
 
@@ -158,6 +167,10 @@ def write_picture(
             rgb, used, tone_map, encoding, eye=eye, primaries=primaries, bits=bits, glare=glare,
             **frame.lens,
         )  # fmt: skip
+        if crop is not None:
+            left, top, width, height = crop
+            metadata["crop"] = ",".join(map(str, crop))
+            pixels = np.ascontiguousarray(pixels[top : top + height, left : left + width])
         display = {
             "exposure": f"{used:.10g} EV",
             "eye": "adapted" if eye else "by day",
@@ -177,7 +190,7 @@ def read_picture_metadata(path: str | Path) -> dict[str, str]:
     Parameters
     ----------
     path : str or Path
-        Path of a PNG or EXR file.
+        Path of a PNG, EXR or HDR file.
 
     Returns
     -------
@@ -192,6 +205,8 @@ def read_picture_metadata(path: str | Path) -> dict[str, str]:
     try:
         if Path(path).suffix.lower() == ".exr":
             return read_exr_header(path)
+        if Path(path).suffix.lower() == ".hdr":
+            return read_hdr_header(path)
         return read_png_header(path)
     except (OSError, ValueError, SyntaxError) as error:
         raise FileError(path, f"cannot be read as a picture: {error}") from error

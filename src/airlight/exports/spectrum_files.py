@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from airlight.errors import FileError
-from airlight.exports.header import version
 from airlight.exports.whole_file import whole_file
+from airlight.solvers.provenance import version
 
 if TYPE_CHECKING:
     import xarray
@@ -40,8 +40,7 @@ def write_spectrum(path: str | Path, data: xarray.Dataset) -> None:
         raise FileError(path, f"the name of a spectrum ends in {', '.join(SUFFIXES)}")
     with whole_file(path) as part:
         if suffix == ".nc":
-            whole = data.assign_attrs(Conventions="CF-1.10", history=f"airlight {version()}")
-            whole.to_netcdf(part, engine="scipy")
+            data.to_netcdf(part, engine="scipy")
         else:
             _write_csv(part, data)
 

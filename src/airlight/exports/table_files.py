@@ -23,7 +23,6 @@ from numpy.typing import NDArray
 from airlight.errors import FileError, ParameterError
 from airlight.exports.bake import Baked
 from airlight.exports.exr import write_exr_channels
-from airlight.exports.header import version
 from airlight.exports.look_up_code import (
     DIALECTS,
     NOT_READ,
@@ -43,6 +42,7 @@ from airlight.exports.whole_folder import (
     write_manifest,
 )
 from airlight.kernel.threads import run_blocks
+from airlight.solvers.provenance import version
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
 from airlight.tables.table import Table, layout_of
 

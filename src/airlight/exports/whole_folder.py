@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
+import re
 import secrets
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,6 +16,30 @@ from airlight.exports.beginnings import begun
 
 #: Name of the manifest in its folder.
 MANIFEST: Final = "manifest.json"
+#: Suffixes of files.
+_FORMAT: Final = re.compile(r"\.[A-Za-z]+\d?")
+
+
+def check_folder_name(folder: str | Path, suffix: str = "") -> None:
+    """Refuse the name of a new folder that says a format of files, such as ``sky.nc``.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Folder; what is there may have any name.
+    suffix : str
+        Suffix that it may have.
+
+    Raises
+    ------
+    FileError
+        If its suffix has letters alone, or letters and one digit, and is another.
+    """
+    path = Path(folder)
+    if path.exists() or path.suffix.lower() == suffix or not _FORMAT.fullmatch(path.suffix):
+        return
+    allowed = f"ends in {suffix}, or has no suffix" if suffix else "has no suffix"
+    raise FileError(folder, f"names a file; allowed: a folder, whose name {allowed}")
 
 
 def check_folder(folder: str | Path, form: str) -> Path:
@@ -30,8 +55,10 @@ def check_folder(folder: str | Path, form: str) -> Path:
     Raises
     ------
     FileError
-        If it is a file, its parent is missing, or it holds files but no such manifest.
+        If it is named as a file, or is one, its parent is missing, or it holds files but no such
+        manifest.
     """
+    check_folder_name(folder)
     try:
         target = Path(folder).resolve()
         if target.exists() and not target.is_dir():

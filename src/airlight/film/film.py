@@ -18,6 +18,7 @@ from airlight.planets.reading.overrides import FIELD
 from airlight.planets.reading.reader import read_tables
 from airlight.planets.schema.record import fields_of
 from airlight.planets.schema.section import Section
+from airlight.scene.basin import on_basin_floor
 from airlight.system.reading import changed_system
 from airlight.system.system import System
 
@@ -73,7 +74,8 @@ class Film:
             view, planet = self._planet_at(changes)
             time = self._time(number, view, planet)
             scene = view.scene(planet, time, width, height)
-            return PlanetStill(planet=planet, scene=scene, how=how)
+            planet, scene = on_basin_floor(planet, scene)
+            return PlanetStill(planet=planet, scene=scene, how=how, stars=view.stars)
         system = self._system_at(changes, self._time(number))
         system.check_distances()
         return SystemStill(system=system, width=width, height=height, how=how)

@@ -12,6 +12,7 @@ from airlight.distribution.fingerprint import digest
 from airlight.kernel.cost import LINES
 from airlight.paint.paint_system import paint_system
 from airlight.paint.solve_planet import solve_planet
+from airlight.paint.star_points import add_catalogue
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 from airlight.render import render
@@ -103,11 +104,14 @@ class PlanetStill:
         Observer, sun and camera.
     how : Quality
         How its light is computed.
+    stars : bool
+        Whether the stars of the catalogue are added.
     """
 
     planet: Planet
     scene: Scene
     how: Quality
+    stars: bool = False
 
     def frame(self, width: int | None = None) -> Frame:
         """See ``Still``."""
@@ -119,7 +123,10 @@ class PlanetStill:
             camera = scene.camera
             columns, rows = _reduced(camera.projection, camera.width, camera.height, width)
             scene = replace(scene, camera=replace(camera, width=columns, height=rows))
-        return render(solution, scene, exact=self.how.exact, samples=self.how.samples or 1)
+        frame = render(solution, scene, exact=self.how.exact, samples=self.how.samples or 1)
+        if self.stars:
+            add_catalogue(frame.rgb, scene, solution, self.planet.body)
+        return frame
 
     def prepare(self, progress: Progress | None = None) -> None:
         """See ``Still``."""
@@ -165,7 +172,7 @@ class PlanetStill:
     @property
     def defined_by(self) -> object:
         """See ``Still``."""
-        return self.planet, self.scene, self.how
+        return self.planet, self.scene, self.how, self.stars
 
     @property
     def files(self) -> tuple[Path, ...]:

@@ -7,6 +7,7 @@ from datetime import datetime
 from typing import Annotated
 
 from airlight.errors import ParameterError
+from airlight.paint.star_points import check_stars
 from airlight.planets.parameters import parameters
 from airlight.planets.planet import Planet
 from airlight.planets.schema.key import Key
@@ -14,6 +15,9 @@ from airlight.planets.schema.record import Record
 from airlight.scene import Camera, Scene, look_at
 from airlight.scene.compass import read_bearing
 from airlight.scene.ground_detail import GROUNDS
+from airlight.scene.limits import DEEPEST_ALTITUDE, HIGHEST_ALTITUDE
+from airlight.scene.projections import PROJECTIONS
+from airlight.scene.projections.orthographic import disc_extent
 from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PROJECTION, ROLL
 
 
@@ -41,8 +45,12 @@ class PlanetView(Record):
         Name of the projection.
     field_of_view : float, optional
         Angle as for ``Camera``. [deg]
+    extent : float, optional
+        Length from left to right for an orthographic camera, by default the whole disc. [m]
     ground : str
         ``plain`` or ``detailed``.
+    stars : bool
+        Whether the stars of the catalogue are drawn.
     """
 
     latitude: Annotated[
@@ -57,8 +65,9 @@ class PlanetView(Record):
     ] = 30.0  # fmt: skip
     altitude: Annotated[
         float,
-        Key(label="altitude", help="Altitude of the observer.", unit="m", range=(0.0, 1e12),
-            example="2 m"),
+        Key(label="altitude", help="Altitude of the observer; below 0, down to the planet's deepest"
+            " basin, of the floor under it. None for `orthographic`.", unit="m",
+            range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE), example="2 m"),
     ] = 2.0  # fmt: skip
     sun_zenith: (
         Annotated[
@@ -96,13 +105,29 @@ class PlanetView(Record):
     ) = None  # fmt: skip
     roll: Annotated[float, ROLL] = 0.0
     polariser: Annotated[float, POLARISER] | None = None
-    projection: Annotated[str, PROJECTION] = "perspective"
+    projection: Annotated[
+        str,
+        replace(PROJECTION, words=lambda: tuple(PROJECTIONS)),
+    ] = "perspective"
     field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
+    extent: (
+        Annotated[
+            float,
+            Key(label="extent", help="Length from left to right for `orthographic`, by default the"
+                " whole disc.", unit="m", range=(1.0, HIGHEST_ALTITUDE), example="14000 km"),
+        ]
+        | None
+    ) = None  # fmt: skip
     ground: Annotated[
         str,
         Key(label="ground", help="Ground below the map's resolution.", kind="choice",
             words=lambda: tuple(GROUNDS)),
     ] = "detailed"  # fmt: skip
+    stars: Annotated[
+        bool,
+        Key(label="stars", help="Stars to magnitude 6.5: by the clock, without one by the place of"
+            " the sun.", kind="switch"),
+    ] = False  # fmt: skip
 
     def __post_init__(self) -> None:
         if self.look_at is not None:
@@ -125,13 +150,22 @@ class PlanetView(Record):
         Raises
         ------
         ParameterError
-            If angles of the sun are given beside a time, or the target is unknown.
+            If angles of the sun are given beside a time, the target is unknown, or stars cannot be
+            shown.
         """
+        parallel, extent = PROJECTIONS[self.projection].parallel, self.extent
+        if parallel and extent is None:
+            extent = disc_extent(planet.top_radius, width, height)
+        if self.stars:
+            check_stars(planet.body, self.projection)
         camera = Camera(
             projection=self.projection, width=width, height=height, roll=self.roll,
             field_of_view=self.field_of_view, look_zenith=self.look_zenith,
-            look_azimuth=self.look_azimuth or 0.0, polariser=self.polariser,
+            look_azimuth=self.look_azimuth or 0.0, polariser=self.polariser, extent=extent,
         )  # fmt: skip
+        upright = parallel and self.look_azimuth is None and self.look_at is None
+        standing = parallel and self.altitude == type(self).altitude
+        altitude = 0.0 if standing else self.altitude
         given = (self.look_zenith, self.look_azimuth) != (None, None)
         target = self.look_at
         if target is None and not given and self.projection == "perspective":
@@ -140,20 +174,22 @@ class PlanetView(Record):
             for name in ("sun_zenith", "sun_azimuth"):
                 if getattr(self, name) is not None:
                     raise ParameterError(name, getattr(self, name), "none beside a clock")
-            return Scene.at(
+            scene = Scene.at(
                 planet, latitude=self.latitude, longitude=self.longitude, time=time,
-                altitude=self.altitude, look_at=target, camera=camera, ground=self.ground,
+                altitude=altitude, look_at=target, camera=camera, ground=self.ground,
             )  # fmt: skip
+            return scene.north_up() if upright else scene
         sun_zenith = 72.0 if self.sun_zenith is None else self.sun_zenith
         sun_azimuth = 105.0 if self.sun_azimuth is None else self.sun_azimuth
         if target is not None:
             zenith, azimuth = look_at(
-                target, altitude=self.altitude, sun_zenith=sun_zenith,
+                target, altitude=max(altitude, 0.0), sun_zenith=sun_zenith,
                 bottom_radius=planet.bottom_radius, sun_azimuth=sun_azimuth, planet=planet,
             )  # fmt: skip
             camera = replace(camera, look_zenith=zenith, look_azimuth=azimuth)
-        return Scene(
-            camera=camera, altitude=self.altitude, sun_zenith=sun_zenith,
+        scene = Scene(
+            camera=camera, altitude=altitude, sun_zenith=sun_zenith,
             latitude=self.latitude, longitude=self.longitude, sun_azimuth=sun_azimuth,
             ground=self.ground,
         )  # fmt: skip
+        return scene.north_up() if upright else scene

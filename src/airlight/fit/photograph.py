@@ -14,8 +14,7 @@ from airlight.errors import FileError, ParameterError
 from airlight.fit.measurements import angle_from_sun
 from airlight.kernel.memory import check_picture
 from airlight.scene.camera import Camera
-from airlight.scene.limits import within
-from airlight.scene.scene import HIGHEST_ALTITUDE
+from airlight.scene.limits import HIGHEST_ALTITUDE, within
 
 FloatArray = NDArray[np.float64]
 

@@ -29,8 +29,15 @@ def distance_to_top(r, mu, top_radius):
 
 @kernel
 def distance_to_bottom(r, mu, bottom_radius):
-    """Distance along a ray to the ground, for a ray that meets it. [m]"""
-    return max(-r * mu - chord(r, mu, bottom_radius), 0.0)
+    """Distance along a ray to the ground, for a ray that meets it. [m]
+
+    The product of both distances to the sphere is that of its power: near the ground the difference
+    -r·mu - chord would cancel, by 0.5 m on the Earth in single precision.
+    """
+    further = chord(r, mu, bottom_radius) - r * mu
+    if further <= 0.0:
+        return 0.0
+    return max((r - bottom_radius) * (r + bottom_radius) / further, 0.0)
 
 
 @kernel

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 import types
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from time import perf_counter
 from typing import Any, Final
 
@@ -75,6 +75,26 @@ def on_disk(function: Any) -> bool:
     return bool(getattr(function, "on_disk", False))
 
 
+def work_left(loops: Iterable[Any], finished: Collection[str]) -> int:
+    """Amount of work to compile what loops need and is neither on disk nor finished.
+
+    Parameters
+    ----------
+    loops : iterable of compiled functions
+        Functions that Python calls.
+    finished : collection of str
+        Names of functions that are compiled.
+    """
+    needed = reached(one for one in loops if name_of(one) not in finished and not on_disk(one))
+    return sum(
+        _work(one) for name, one in needed.items() if name not in finished and not on_disk(one)
+    )
+
+
+def _work(function: Any) -> int:
+    return _OVERHEAD + sum(_length(inner) for inner in reached([function]).values())
+
+
 class Compiling:
     """Count of the functions that loops still need.
 
@@ -96,10 +116,7 @@ class Compiling:
     def __init__(self, loops: Iterable[Any], *, here: bool = True) -> None:
         functions = reached(one for one in loops if not on_disk(one))
         missing = {name: one for name, one in functions.items() if not on_disk(one)}
-        self._work = {
-            name: _OVERHEAD + sum(_length(inner) for inner in reached([one]).values())
-            for name, one in missing.items()
-        }
+        self._work = {name: _work(one) for name, one in missing.items()}
         self._missing = missing
         self._finished: set[str] = set()
         self._looked = 0.0

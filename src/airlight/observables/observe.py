@@ -15,6 +15,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.observables.disc import disc_reflectance, disc_stokes, spherical_albedo
 from airlight.observables.limb import limb_radiance
 from airlight.observables.transit import transit
+from airlight.solvers.named_axes import WAVELENGTH
 from airlight.solvers.solution import Solution
 from airlight.solvers.solve import solution_of
 from airlight.units import Measure, values_in
@@ -156,13 +157,13 @@ def _dataset(
             for name, (dims, values, unit, label) in variables.items()
         }
     )
-    nm = ("wavelength", solution.wavelengths, {"units": "nm"})
+    nm = ("wavelength", solution.wavelengths, WAVELENGTH)
     known = [name for name in ("phase_angle", "tangent_height") if name in data]
     data = data.set_coords(known).assign_coords(wavelength=nm)
     name = solution.planet.name if solution.planet is not None else "planet"
     data.attrs.update(
-        title=f"{name}: {KINDS[of].sentence}", observable=of, planet=name,
-        solver=str(solution.report), notes="; ".join(notes),
+        title=f"{name}: {KINDS[of].sentence}", observable=of, notes="; ".join(notes),
+        **solution.provenance,
     )  # fmt: skip
     return data
 

@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 
 from airlight.errors import Cancelled, ParameterError
+from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import thread_count
 from airlight.paint.drawing_device import Choice, drawing_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import solve_planet
+from airlight.paint.star_points import add_catalogue, check_stars
 from airlight.pixels.sky_window import is_always_read
 from airlight.planets.picture_wavelengths import (
     LIVE,
@@ -23,6 +25,7 @@ from airlight.planets.picture_wavelengths import (
 )
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.ahead import DRAWING, drawing_ahead
+from airlight.scene.basin import on_basin_floor
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
 from airlight.units import values_in
@@ -103,7 +106,7 @@ def paint_scene(
         Whether a planet with a map of the ground is solved for the ground around the observer
         (``airlight.local_ground``), instead of for the mean of its planet.
     stars : bool
-        Whether the stars of the catalogue are added: of a scene of Earth with a time.
+        Whether the stars of the catalogue are added, of a planet whose ``body`` is known.
     refused : callable, optional
         Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
     progress, cancel : callable, optional
@@ -118,7 +121,8 @@ def paint_scene(
     ------
     ParameterError
         If there are fewer than three wavelengths, or one is outside the planet's range; if the
-        quality or the orders are unknown, or stars are wanted without a place and time on Earth.
+        quality or the orders are unknown, the observer is below the planet's deepest basin, or
+        stars are requested where none can be shown.
     ConvergenceError
         If the orders of scattering do not converge.
     Cancelled
@@ -184,6 +188,8 @@ def paint_solved(
         As ``paint_scene``.
     """
     planet = load_planet(planet, progress=progress, cancel=cancel)
+    if stars:
+        check_stars(planet.body, scene.camera.projection)
     nm: tuple[float, ...] | None = None
     if wavelengths is not None:
         nm = tuple(np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")).tolist())
@@ -193,9 +199,9 @@ def paint_solved(
         if device == "gpu" and refused is not None:
             refused("a device draws no Q and U")
         device = "cpu"
-    check_drawn(scene.camera.width, scene.camera.height, 3 if stokes else 1)
+    check_drawn(scene.camera.columns, scene.camera.rows, 3 if stokes else 1)
     count = LIVE if nm is None else len(nm)
-    chosen = drawing_device(device, planet, count, scene.camera.width, refused)
+    chosen = drawing_device(device, planet, count, scene.camera.columns, refused)
     weights, told = None, {}
     if nm is None:
         by_default = picture_wavelengths if chosen is None else texel_wavelengths
@@ -205,6 +211,10 @@ def paint_solved(
 
             weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
             told = {"colour": "from four wavelengths, fitted to the star"}
+    if scene.altitude < 0.0:
+        eyes = scene.altitude
+        planet, scene = on_basin_floor(planet, scene)
+        told["solved_floor"] = f"ground lowered to {eyes - scene.altitude:.10g} m"
     if local:
         planet = local_ground(
             planet,
@@ -222,8 +232,6 @@ def paint_solved(
         weights=weights, progress=progress, cancel=cancel,
     )  # fmt: skip
     if stars:
-        from airlight.paint.star_points import add_catalogue
-
         add_catalogue(frame.rgb, scene, solution, planet.body)
         told["stars"] = "to magnitude 6.5"
     if solution.report.ground:
@@ -243,9 +251,10 @@ def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
         return
     ahead = drawing_ahead()
     try:
-        yield
-        for loop in DRAWING:
-            if not ahead.wait(loop, cancel or (lambda: False)):
-                raise Cancelled("cancelled")
+        with FIRST_COMPILATION.elsewhere(DRAWING):
+            yield
+            for loop in DRAWING:
+                if not ahead.wait(loop, cancel or (lambda: False)):
+                    raise Cancelled("cancelled")
     finally:
         ahead.close()

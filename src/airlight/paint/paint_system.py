@@ -70,6 +70,7 @@ def paint_system(
     wavelengths: Sequence[float] | None = None,
     quality: str = "default",
     samples: int | None = None,
+    crop: tuple[int, int, int, int] | None = None,
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -89,6 +90,8 @@ def paint_system(
     samples : int, optional
         Samples per side of a pixel that the edge of a body or of a star crosses, 1 to 16; 4 by
         default.
+    crop : (int, int, int, int), optional
+        Window that is drawn, as for ``Camera``. [pixel]
     cache : bool
         Whether solutions are looked for on disk first, and stored there.
     progress, cancel : callable, optional
@@ -115,8 +118,8 @@ def paint_system(
     if wavelengths is not None and len(wavelengths) < 3:
         raise ParameterError("wavelengths", list(wavelengths), "3 or more, or none given")
     system.check_distances()
-    picture = _Picture(system, width, height, wavelengths, quality, samples, cache=cache,
-                       progress=progress, cancel=cancel)  # fmt: skip
+    picture = _Picture(system, width, height, wavelengths, quality, samples, crop=crop,
+                       cache=cache, progress=progress, cancel=cancel)  # fmt: skip
     return picture.frame(progress, cancel)
 
 
@@ -146,6 +149,7 @@ class _Picture:
         quality: str,
         samples: int,
         *,
+        crop: tuple[int, int, int, int] | None,
         cache: bool,
         progress: Progress | None,
         cancel: Cancel | None,
@@ -154,7 +158,7 @@ class _Picture:
         view = system.view
         self.camera = Camera(
             projection=view.projection, width=width, height=height,
-            field_of_view=view.field_of_view, polariser=view.polariser,
+            field_of_view=view.field_of_view, polariser=view.polariser, crop=crop,
         )  # fmt: skip
         #: Share of unpolarised light that the camera receives: of surfaces and stars.
         self.received = 1.0 if view.polariser is None else 0.5
@@ -216,7 +220,7 @@ class _Picture:
     ) -> _Air:  # fmt: skip
         latitude, longitude, altitude = self._place(body)
         up = (self.eye - body.centre) / np.linalg.norm(self.eye - body.centre)
-        layer = np.zeros((self.camera.height, self.camera.width, 3), np.float32)
+        layer = np.zeros((self.camera.rows, self.camera.columns, 3), np.float32)
         brightest = 0.0
         for number, light in enumerate(self.lights.on(body)):
             source = self.lights.seen_from(light, body)
@@ -260,7 +264,7 @@ class _Picture:
     def _drawn(
         self, drawing: Drawing, progress: Progress | None, cancel: Cancel | None
     ) -> Float32Array:
-        height, width = self.camera.height, self.camera.width
+        height, width = self.camera.rows, self.camera.columns
         rgb = np.zeros((height, width, 3), np.float32)
         drawing.fill_sky(cancel=cancel, progress=progress)
         step = max(1, _BLOCK_PIXELS // width)
@@ -273,7 +277,7 @@ class _Picture:
     # --- lines of sight -----------------------------------------------------------------------
 
     def frame(self, progress: Progress | None, cancel: Cancel | None) -> Frame:
-        height, width = self.camera.height, self.camera.width
+        height, width = self.camera.rows, self.camera.columns
         rgb = np.zeros((height, width, 3))
         step = max(1, _BLOCK_PIXELS // width)
         run_blocks(
@@ -294,9 +298,10 @@ class _Picture:
                 "device": "processor",
             },
             pixel_angle=self.camera.glare_angle,
-            circle=self.camera.circular,
+            circle=self.camera.circle,
             scene=self._metered(),
             star_radius=max((one.angular_radius for one in self._seen.values()), default=0.0),
+            origin=(self.camera.left, self.camera.top),
         )
 
     def _metered(self) -> Scene | None:
@@ -308,8 +313,8 @@ class _Picture:
         """Unit vectors in the frame of the scene, shape (rows, width, 3). [1]"""
         camera = self.camera
         assert camera.field_of_view is not None
-        x = np.arange(camera.width, dtype=np.float64) + across
-        y = np.arange(first, last, dtype=np.float64) + down
+        x = np.arange(camera.columns, dtype=np.float64) + (camera.left + across)
+        y = np.arange(first, last, dtype=np.float64) + (camera.top + down)
         rays = projected_rays(
             camera.projection, x, y, camera.width, camera.height,
             math.radians(camera.field_of_view),
@@ -409,7 +414,8 @@ class _Picture:
         light = (through * catalogue.irradiances(self.wavelengths)[shown]) @ weights
         light *= self.received
         seen = np.isfinite(x) & (through.max(axis=1) > 0.0)
-        add_points(rgb, x[seen], y[seen], light[seen] / solid[seen, None])
+        place = x[seen] - self.camera.left, y[seen] - self.camera.top
+        add_points(rgb, *place, light[seen] / solid[seen, None])
 
     def _apparent(self, true: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Directions in which far points are seen, and the transmittance towards them.

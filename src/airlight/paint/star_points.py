@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.ephemeris.instant import days_of
-from airlight.ephemeris.sky import Place, horizon_axes
+from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun
+from airlight.ephemeris.world import WORLDS
 from airlight.errors import ParameterError
 from airlight.geometry.bending import raised_star
 from airlight.render.through_air import through_air
 from airlight.scene import Scene
 from airlight.scene.pixel_position import pixel_positions
+from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.system.stars import stars
 
@@ -27,14 +29,17 @@ _BENDS: Final = 4
 def add_catalogue(
     rgb: NDArray[np.float32], scene: Scene, solution: MomentsSolution, body: str | None
 ) -> None:
-    """Add the stars that a scene of Earth shows at its time to a picture.
+    """Add the stars of a scene to a picture.
+
+    They stand where they do at the scene's time, or without one at the time of year and day at
+    which the sun stands where it does, see ``horizon_axes_by_sun``.
 
     Parameters
     ----------
-    rgb : array, shape (height, width, 3)
+    rgb : array, shape (rows, columns, 3)
         Linear sRGB, to which the stars are added. [W m⁻² sr⁻¹]
     scene : Scene
-        Scene with a ``time``; its lights hide what is behind their discs.
+        Scene; its lights hide what is behind their discs.
     solution : MomentsSolution
         Solution of the planet, whose air dims the stars.
     body : str or None
@@ -43,12 +48,14 @@ def add_catalogue(
     Raises
     ------
     ParameterError
-        If the scene has no time, or the planet is not Earth.
+        If the planet is none of the worlds whose sky is known, or the camera is orthographic.
     """
-    if scene.time is None or body != "earth":
-        raise ParameterError("stars", True, "a place and time on Earth")
-    place = Place(latitude=scene.latitude, longitude=scene.longitude, altitude=scene.altitude)
-    axes = horizon_axes(place, days_of(scene.time))
+    check_stars(body, scene.camera.projection)
+    place = Place(body=str(body), latitude=scene.latitude, longitude=scene.longitude)
+    if scene.time is None:
+        axes = horizon_axes_by_sun(place, scene.sun_zenith, scene.sun_azimuth)
+    else:
+        axes = horizon_axes(place, days_of(scene.time))
     catalogue = stars()
     east, north, up = axes @ catalogue.directions.T
     turn = math.radians(scene.sun_azimuth)
@@ -73,7 +80,30 @@ def add_catalogue(
     light_of *= 1.0 if camera.polariser is None else 0.5  # starlight is not polarised
     x, y, solid = pixel_positions(camera, rays @ camera.axes.T)
     seen = np.isfinite(x) & (through.max(axis=1) > 0.0)
-    add_points(rgb, x[seen], y[seen], light_of[seen] / solid[seen, None])
+    add_points(rgb, x[seen] - camera.left, y[seen] - camera.top, light_of[seen] / solid[seen, None])
+
+
+def check_stars(body: str | None, projection: str, field: str = "stars") -> None:
+    """Refuse stars where none can be shown.
+
+    Parameters
+    ----------
+    body : str or None
+        World of the planet.
+    projection : str
+        Projection of the camera.
+    field : str
+        Name in the error.
+
+    Raises
+    ------
+    ParameterError
+        If the planet is none of the worlds whose sky is known, or lines of sight are parallel.
+    """
+    if body not in WORLDS:
+        raise ParameterError(field, True, f"a planet whose body is {' or '.join(WORLDS)}")
+    if PROJECTIONS[projection].parallel:
+        raise ParameterError(field, True, f"none for {projection}, which sees a single direction")
 
 
 def apparent_points(

@@ -8,7 +8,7 @@ Water mirrors the sky itself, at the place that table and march give it beside t
 
 from __future__ import annotations
 
-from math import pi, sqrt
+from math import pi
 from typing import Final
 
 import numpy as np
@@ -19,7 +19,7 @@ from airlight.kernel.lanes import load, maximum, minimum, splat
 from airlight.optics.clouds import layer_distance, under_clouds
 from airlight.optics.reflection import WATER, sky_share, star_share
 from airlight.optics.water import wet_shares
-from airlight.pixels.ground_angles import ground_angles
+from airlight.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.scene.ground_detail import ground_detail
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solvers.moments.irradiance import ground_light
@@ -47,13 +47,11 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
         the factor of the detail below the map's resolution, and the cover of the clouds on the line
         of sight and on the star's light; those of a map that is missing stay. [1]
     """
-    impact = min(observer.r * sine, light.bottom)
-    depth = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0))
-    cosine = depth / light.bottom
-    _across, up = first_meeting(impact, sine, light.bottom)
+    cosine = ground_cosine(z, sine, observer, light)
+    _across, up = first_meeting(min(observer.r * sine, light.bottom), sine, light.bottom)
     # the distance as a quotient, of which single precision keeps all digits near the observer
-    height = observer.r - light.bottom
-    reach = height * (observer.r + light.bottom) / max(depth - observer.r * z, 1e-30)
+    both = max(light.bottom * cosine - observer.r * z, 1e-30)
+    reach = observer.optical_altitude * (observer.r + light.bottom) / both
     px, py, pz = reach * x, reach * y, up
     color[8] = 1.0
     if screen.detailed:  # of the straight line: how much a near one is bent is lost in rounding

@@ -28,6 +28,24 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
 
 
 @inlined
+def ground_cosine(z, sine, observer, light):
+    """Cosine of the zenith angle, at the ground, of the way back along a line of sight. [1]
+
+    The ground's radius less the line's nearest distance from the centre, R - (R + h) sin θ, is
+    R cos²θ/(1 + sin θ) - h sin θ: single precision has the difference to half a metre only.
+
+    Parameters
+    ----------
+    z, sine : float
+        Cosine and sine of the line's zenith angle at the observer. [1]
+    observer, light : Observer, MarchTables
+        Observer, and tables of the solution.
+    """
+    within = max(light.bottom * z * z / (1.0 + sine) - observer.optical_altitude * sine, 0.0)
+    return sqrt(within * (2.0 * light.bottom - within)) / light.bottom
+
+
+@inlined
 def bent_to_ground(z, sine, observer, light, columns):
     """Angle of refraction of a line of sight that ends on the ground. [rad]
 
@@ -41,8 +59,7 @@ def bent_to_ground(z, sine, observer, light, columns):
         Workspace. [m]
     """
     bottom, top = light.bottom, light.top
-    impact = min(observer.r * sine, bottom)
-    slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
+    slant = ground_cosine(z, sine, observer, light)
     columns_to_top(
         bottom, slant, bottom, top, light.first_nodes, light.column_rows, light.columns, columns
     )
@@ -76,8 +93,7 @@ def columns_to_ground(z, sine, observer, light, columns, beyond):
         Workspace: columns of the line's continuation behind the observer. [m]
     """
     bottom, top = light.bottom, light.top
-    impact = min(observer.r * sine, bottom)
-    slant = sqrt(max((bottom - impact) * (bottom + impact), 0.0)) / bottom
+    slant = ground_cosine(z, sine, observer, light)
     columns_to_top(
         bottom, slant, bottom, top, light.first_nodes, light.column_rows, light.columns, columns
     )
@@ -109,9 +125,8 @@ def ground_angles(x, z, sine, angle, observer, light):
         Cosines of ``star_factor``: of the star's zenith angle there, of the zenith angle towards
         the observer, and between the arriving line and the star. [1]
     """
-    impact = min(observer.r * sine, light.bottom)
-    leaving = sqrt(max((light.bottom - impact) * (light.bottom + impact), 0.0)) / light.bottom
-    across, up = first_meeting(impact, sine, light.bottom)
+    leaving = ground_cosine(z, sine, observer, light)
+    across, up = first_meeting(min(observer.r * sine, light.bottom), sine, light.bottom)
     cos_azimuth = x / sine if sine > 0.0 else 1.0
     mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)

@@ -56,6 +56,9 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         Values by name.
     """
     camera, medium = scene.camera, solution.paths.medium
+    if scene.altitude < 0.0:
+        allowed = "0 m or more above the ground of the solution: see airlight.lowered_ground"
+        raise ParameterError("scene.altitude", scene.altitude, allowed)
     true_r = solution.medium.bottom_radius + scene.altitude
     r = float(solution.paths.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
@@ -72,6 +75,7 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     )
     numbers = {
         "r": r,
+        "optical_altitude": r - bottom,
         "outside": float(outside),
         "horizon_mu": horizon_mu,
         "horizon_sine": horizon_sine,
@@ -82,7 +86,7 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         "field_of_view": np.radians(camera.field_of_view),
         "projection": list(PROJECTIONS).index(camera.projection),
         "pixel_angle": camera.pixel_angle,
-        "disc": disc,
+        "disc": 0.0 if camera.parallel else disc,
         "samples": 1.0,
         "edges": 1.0,
     }

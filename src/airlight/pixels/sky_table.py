@@ -35,6 +35,9 @@ class Observer(NamedTuple):
     ----------
     r : float
         Distance from the centre, as optical radius inside the shell. [m]
+    optical_altitude : float
+        ``r`` less the optical radius of the ground, which single precision has from ``r`` to half a
+        metre only. [m]
     outside : bool
         Whether the observer is above the top of the shell.
     horizon_mu, horizon_sine : float
@@ -49,6 +52,7 @@ class Observer(NamedTuple):
     """
 
     r: float
+    optical_altitude: float
     outside: bool
     horizon_mu: float
     horizon_sine: float

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import ceil, floor, sqrt
 from typing import Final, NamedTuple
 
@@ -84,14 +85,17 @@ def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) ->
     SkyWindow or None
         Window; None where a march of each pixel takes less time.
     """
-    azimuths, sky, ground = _seen_ranges(camera, observer, bottom, top)
-    coarse = _window(COARSEST, azimuths, sky, ground)
+    # a window of the picture reads the texels that the whole picture has there
+    seen = _seen_ranges(replace(camera, crop=None), observer, bottom, top)
+    coarse = _window(COARSEST, *seen)
     pixels = camera.width * camera.height
     if coarse.texels * _FEWEST_PIXELS_A_TEXEL > pixels:
         return None
     finer = min(max(sqrt(pixels / (_PIXELS_A_TEXEL * coarse.texels)), 1.0), _FINEST)
     shape = (round(finer * COARSEST[0]), round(finer * COARSEST[1]))
-    return _window(shape, azimuths, sky, ground)
+    if camera.crop is not None:
+        seen = _seen_ranges(camera, observer, bottom, top)
+    return _window(shape, *seen)
 
 
 def is_always_read(camera: Camera) -> bool:
@@ -116,13 +120,19 @@ def _window(
     return SkyWindow(*shape, *ends)
 
 
+def _sampled(first: int, count: int, side: int) -> FloatArray:
+    """Positions along a side of the picture, two steps beyond what is drawn of it. [pixel]"""
+    low, high = max(first - 2 * _STEP, 0), min(first + count + 2 * _STEP, side)
+    return np.linspace(low, high, max(2, -(-(high - low) // _STEP) + 1))
+
+
 def _seen_ranges(
     camera: Camera, observer: Observer, bottom: float, top: float
 ) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-    """Ranges of azimuth, in half turns, and of both halves' rows over all pixels. [1]"""
+    """Ranges of azimuth, in half turns, and of both halves' rows over all pixels drawn. [1]"""
     assert camera.field_of_view is not None
-    x = np.linspace(0.0, camera.width, max(2, -(-camera.width // _STEP) + 1))
-    y = np.linspace(0.0, camera.height, max(2, -(-camera.height // _STEP) + 1))
+    x = _sampled(camera.left, camera.columns, camera.width)
+    y = _sampled(camera.top, camera.rows, camera.height)
     fov = np.radians(camera.field_of_view)
     rays = projected_rays(camera.projection, x, y, camera.width, camera.height, fov)
     rays = rays @ camera.axes

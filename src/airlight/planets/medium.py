@@ -215,7 +215,10 @@ class Medium:
         if height < planet.thickness:
             density = density.below(height)
         nu = 1.0 - 2.0 * np.linspace(0.0, 1.0, PHASE_NODES) ** 2
-        constituents, light = planet.constituents, planet.lights(nm)[0]
+        constituents, lights = planet.constituents, planet.lights(nm)
+        if len(lights) != 1:
+            raise ParameterError("lights", len(lights), "1: a planet is solved for a single star")
+        light = lights[0]
         medium = cls(
             bottom_radius=planet.bottom_radius,
             top_radius=min(planet.bottom_radius + height, planet.top_radius),

@@ -120,14 +120,14 @@ class Drawing:
         Parameters
         ----------
         first, last : int
-            Range of rows.
-        rgb : array, shape (height, width, 3)
+            Range of rows, from the first that is drawn.
+        rgb : array, shape (rows, columns, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         element : int, optional
             ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U is drawn instead.
         """
-        px = np.arange(rgb.shape[1]) + 0.5
-        py = np.arange(first, last) + 0.5
+        px = np.arange(rgb.shape[1]) + (self._camera.left + 0.5)
+        py = np.arange(first, last) + (self._camera.top + 0.5)
         x, y = np.meshgrid(px, py)
         self.draw_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3), element)
 

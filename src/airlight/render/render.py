@@ -101,7 +101,7 @@ def render(
         raise ParameterError(
             "camera.polariser", scene.camera.polariser, "none beside Q and U of the light before it"
         )
-    width, height = scene.camera.width, scene.camera.height
+    width, height = scene.camera.columns, scene.camera.rows
     elements = (None, ALONG, ASLANT) if stokes else (None,)
     check_drawn(width, height, len(elements))
     pictures = lit_scenes(scene, solution)
@@ -121,14 +121,15 @@ def render(
         rgb=layers[0],
         polarised=layers[1:] if stokes else None,
         metadata={
-            "solver": str(solution.report),
+            "solver": solution.report.provenance,
             "wavelengths": f"{wavelengths} nm",
             "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
         },
         pixel_angle=scene.camera.glare_angle,
-        circle=scene.camera.circular,
+        circle=scene.camera.circle,
         scene=scene,
         star_radius=solution.lights[0].angular_radius,
+        origin=(scene.camera.left, scene.camera.top),
     )
 
 

@@ -10,15 +10,19 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.scene.directions import camera_axes, filter_axis
-from airlight.scene.limits import within
+from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.projections import PROJECTIONS, Projection
 from airlight.scene.projections.projected import projected_rays
-from airlight.units import Measured, measured
+from airlight.units import Measured, measured, values_in
 
 #: Longest side of a picture: a strip of six 8192² faces fits. [pixel]
 LONGEST_SIDE = 65536
 #: Largest number of pixels of a picture: that strip.
 MOST_PIXELS = 6 * 8192 * 8192
+
+
+def _is_whole(value: object) -> bool:
+    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,15 +40,17 @@ class Camera:
         Name of the projection: ``perspective``, ``fisheye`` (equidistant, a dome master),
         ``equirectangular`` (a panorama
         of the whole sphere), ``cubemap`` (a strip of six faces: right, left, up, down, ahead,
-        behind) or ``octahedral`` (the whole sphere on a square of equal solid angles).
+        behind), ``octahedral`` (the whole sphere on a square of equal solid angles) or
+        ``orthographic`` (parallel lines of sight: the disc of a planet).
     width, height : int
         Size of the picture: a panorama is twice as wide as high, a cube strip six times, an
         octahedral one square. [pixel]
     field_of_view : float, optional
         Angle between the left and the right edge for perspective, default 60; across the circle for
-        a fisheye, default 180. The others show all directions. [deg]
+        a fisheye, default 180. The others show all directions; that of an orthographic camera
+        follows from ``extent``. [deg]
     look_zenith : float, optional
-        Zenith angle of the line of sight, default 90 (fisheye: 0). [deg]
+        Zenith angle of the line of sight, default 90 (fisheye: 0; orthographic: 180). [deg]
     look_azimuth : float
         Azimuth of the line of sight. [deg]
     roll : float
@@ -52,6 +58,12 @@ class Camera:
     polariser : float, optional
         Ideal polarising filter: angle of its axis, counterclockwise from the camera's up; no filter
         by default. It halves light that is not polarised. [deg]
+    extent : float, optional
+        Length between the left and the right edge, which an orthographic camera needs; see
+        ``airlight.scene.projections.orthographic.disc_extent``. [m]
+    crop : (int, int, int, int), optional
+        Window of the picture that is drawn: its left and top edge, its width and height. Its pixels
+        are those of the whole picture. [pixel]
 
     Raises
     ------
@@ -73,6 +85,8 @@ class Camera:
     look_azimuth: Measured[float] = measured(0.0)
     roll: Measured[float] = measured(0.0)
     polariser: Measured[float | None] = measured(None)
+    extent: Measured[float | None] = measured(None)
+    crop: tuple[int, int, int, int] | None = None
 
     def __post_init__(self) -> None:
         if self.projection not in PROJECTIONS:
@@ -80,14 +94,16 @@ class Camera:
         form = self._form
         for side in ("width", "height"):
             value = getattr(self, side)
-            whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-            if not whole or not 1 <= value <= LONGEST_SIDE:
+            if not _is_whole(value) or not 1 <= value <= LONGEST_SIDE:
                 raise ParameterError(f"camera.{side}", value, f"1 to {LONGEST_SIDE} pixels")
         size = f"{self.width}x{self.height}"
-        if self.width * self.height > MOST_PIXELS:
+        if self.crop is not None:
+            object.__setattr__(self, "crop", self._checked_crop(size))
+        if self.columns * self.rows > MOST_PIXELS:
             raise ParameterError("camera.size", size, f"at most {MOST_PIXELS} pixels in all")
         if not form.fits(self.width, self.height):
             raise ParameterError("camera.size", size, f"{form.shape} for {form.name}")
+        self._check_parallel()
         defaults = {"field_of_view": form.field_of_view, "look_zenith": form.look_zenith}
         limits = {
             "field_of_view": form.field_of_view_limits,
@@ -103,6 +119,63 @@ class Camera:
             if value is None and name == "polariser":
                 continue
             object.__setattr__(self, name, within(f"camera.{name}", value, low, high, "deg"))
+
+    def _checked_crop(self, size: str) -> tuple[int, int, int, int]:
+        allowed = f"left, top, width and height of a window inside {size} pixels"
+        crop = self.crop
+        if not isinstance(crop, (tuple, list)) or len(crop) != 4 or not all(map(_is_whole, crop)):
+            raise ParameterError("camera.crop", crop, allowed)
+        left, top, width, height = (int(one) for one in crop)
+        inside = 0 <= left <= self.width - width and 0 <= top <= self.height - height
+        if not inside or width < 1 or height < 1:
+            raise ParameterError("camera.crop", crop, allowed)
+        return left, top, width, height
+
+    def _check_parallel(self) -> None:
+        """Check what only an orthographic camera has, and set its field of view."""
+        name, given = self.projection, self.field_of_view
+        if not self.parallel:
+            if self.extent is not None:
+                raise ParameterError("camera.extent", self.extent, f"none for {name}")
+            return
+        form = f"a length from left to right, such as '14000 km', for {name}"
+        if self.extent is None:
+            raise ParameterError("camera.extent", None, form)
+        extent = within("camera.extent", self.extent, 1.0, HIGHEST_ALTITUDE, "m")
+        angle = math.degrees(2.0 * math.asin(0.5 * extent / HIGHEST_ALTITUDE))
+        if given is not None and values_in(given, "deg", "camera.field_of_view") != angle:
+            raise ParameterError("camera.field_of_view", given, f"none for {name}: extent says it")
+        zenith = self.look_zenith
+        if zenith is not None and values_in(zenith, "deg", "camera.look_zenith") != 180.0:
+            allowed = f"180 deg for {name}, which looks at the planet's centre"
+            raise ParameterError("camera.look_zenith", zenith, allowed)
+        object.__setattr__(self, "extent", extent)
+        object.__setattr__(self, "field_of_view", angle)
+
+    @property
+    def parallel(self) -> bool:
+        """Whether lines of sight are parallel."""
+        return self._form.parallel
+
+    @property
+    def left(self) -> int:
+        """First column that is drawn. [pixel]"""
+        return 0 if self.crop is None else self.crop[0]
+
+    @property
+    def top(self) -> int:
+        """First row that is drawn. [pixel]"""
+        return 0 if self.crop is None else self.crop[1]
+
+    @property
+    def columns(self) -> int:
+        """Number of columns that are drawn. [pixel]"""
+        return self.width if self.crop is None else self.crop[2]
+
+    @property
+    def rows(self) -> int:
+        """Number of rows that are drawn. [pixel]"""
+        return self.height if self.crop is None else self.crop[3]
 
     @property
     def _form(self) -> Projection:
@@ -124,9 +197,9 @@ class Camera:
         return self.pixel_angle if self._form.connected else 0.0
 
     @property
-    def circular(self) -> bool:
-        """Whether the picture ends at the largest circle that fits."""
-        return self._form.circular
+    def circle(self) -> tuple[int, int] | None:
+        """Size of a picture that ends at the largest circle that fits; None for others. [pixel]"""
+        return (self.width, self.height) if self._form.circular else None
 
     @property
     def filter_axis(self) -> NDArray[np.float64]:
@@ -150,20 +223,20 @@ class Camera:
         Parameters
         ----------
         rows : slice, optional
-            Rows from the top; all if left out.
+            Drawn rows from the top; all if left out.
         offset : (float, float)
             Offset to the right of and below each pixel's centre, for several samples per pixel.
             [pixel]
 
         Returns
         -------
-        array, shape (rows, width, 3)
+        array, shape (rows, columns, 3)
             Unit vectors in the observer's local frame (x to the sun's side, y left of it, z to
             the zenith); zero where the picture shows nothing: outside a fisheye's circle. [1]
         """
-        chosen = np.arange(self.height, dtype=np.float64)[rows if rows is not None else slice(None)]
-        x = np.arange(self.width, dtype=np.float64) + (0.5 + offset[0])
-        y = chosen + (0.5 + offset[1])
+        chosen = np.arange(self.rows, dtype=np.float64)[rows if rows is not None else slice(None)]
+        x = np.arange(self.columns, dtype=np.float64) + (self.left + 0.5 + offset[0])
+        y = chosen + (self.top + 0.5 + offset[1])
         rays = projected_rays(
             self.projection, x, y, self.width, self.height, self._field_of_view_radians
         )

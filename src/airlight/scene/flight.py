@@ -11,7 +11,7 @@ import math
 from typing import Final
 
 from airlight.scene.great_circle import DEGREE, RADIAN, carried_star, compass, travelled
-from airlight.scene.scene import HIGHEST_ALTITUDE
+from airlight.scene.limits import HIGHEST_ALTITUDE
 
 #: Lowest altitude of flight. [m]
 LOWEST_ALTITUDE: Final = 1.0

@@ -33,21 +33,25 @@ class Frame:
     pixel_angle : float
         Angle of a pixel where the camera looks straight ahead, as glare takes it: 0 for the faces
         of a cube. [rad]
-    circle : bool
-        Whether the picture ends at the largest circle that fits, as a dome's.
+    circle : (int, int) or None
+        Size of the whole picture where that ends at the largest circle that fits, as a dome's.
+        [pixel]
     scene : Scene or None
         Scene that it shows.
     star_radius : float
         Angular radius of the star. [rad]
+    origin : (int, int)
+        Column and row of the whole picture at which the frame begins. [pixel]
     """
 
     rgb: NDArray[np.float32]
     polarised: NDArray[np.float32] | None = None
     metadata: dict[str, str] = field(default_factory=dict)
     pixel_angle: float = 0.0
-    circle: bool = False
+    circle: tuple[int, int] | None = None
     scene: Scene | None = None
     star_radius: float = 0.0
+    origin: tuple[int, int] = (0, 0)
 
     def __repr__(self) -> str:
         height, width = self.rgb.shape[:2]
@@ -56,8 +60,8 @@ class Frame:
 
     @property
     def lens(self) -> dict[str, Any]:
-        """Arguments of ``airlight.color.to_display`` for the glare of a lens."""
-        return {"pixel_angle": self.pixel_angle, "circle": self.circle}
+        """Arguments of ``airlight.color.to_display`` for a lens, of which this may be a window."""
+        return {"pixel_angle": self.pixel_angle, "circle": self.circle, "origin": self.origin}
 
     @property
     def stokes(self) -> NDArray[np.float64]:

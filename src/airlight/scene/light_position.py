@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.scene.directions import direction
 from airlight.scene.limits import within
 
@@ -90,7 +91,14 @@ class LightPosition:
         ----------
         sources : tuple of LightSource
             Sources of the planet: ``Solution.lights``.
+
+        Raises
+        ------
+        ParameterError
+            If the planet has no source of that index.
         """
+        if not 0 <= self.index < len(sources):
+            raise ParameterError("light.index", self.index, f"0 to {len(sources) - 1}")
         return sources[self.index]
 
     def metadata(self) -> str:

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from airlight.errors import ParameterError
 from airlight.units import Measure, quantity
+
+#: Largest altitude of an observer, and one below every known basin. [m]
+HIGHEST_ALTITUDE: Final = 1e12
+DEEPEST_ALTITUDE: Final = -1e4
 
 
 def within(field: str, value: Measure, low: float, high: float, unit: str) -> float:

@@ -15,9 +15,8 @@ from airlight.planets.parameters import replace
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.ground_weight import ground_distances
-from airlight.scene.limits import within
+from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.observer import planet_frame
-from airlight.scene.scene import HIGHEST_ALTITUDE
 from airlight.scene.surface_map import SurfaceMap, surface_map
 from airlight.units import Measure
 

@@ -120,9 +120,9 @@ def metering_weights(
 
     Returns
     -------
-    weights : array, shape (ceil(height / step), ceil(width / step))
+    weights : array, shape (ceil(rows / step), ceil(columns / step))
         Solid angles, below 0 near the discs of the lights, 0 outside the picture. [sr]
-    light : array, shape (ceil(height / step), ceil(width / step))
+    light : array, shape (ceil(rows / step), ceil(columns / step))
         Number of the light near a pixel, of several the first. [1]
 
     Examples
@@ -134,11 +134,13 @@ def metering_weights(
     """
     camera = scene.camera
     assert camera.field_of_view is not None
-    x = np.arange(0, camera.width, step) + 0.5
-    y = np.arange(0, camera.height, step) + 0.5
+    x = np.arange(camera.left, camera.left + camera.columns, step) + 0.5
+    y = np.arange(camera.top, camera.top + camera.rows, step) + 0.5
     suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
     pixel = step * camera.pixel_angle
     cosines = np.array([left_out(one.radius(angular_radius), pixel) for one in scene.lights])
+    if camera.parallel:  # no disc is drawn
+        cosines[:] = math.inf
     out, light = np.zeros((2, y.size, x.size))
     _fill(
         list(PROJECTIONS).index(camera.projection), x, y, float(camera.width),

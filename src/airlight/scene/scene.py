@@ -16,7 +16,7 @@ from airlight.scene.camera import Camera
 from airlight.scene.compass import bearing
 from airlight.scene.ground_detail import GROUNDS
 from airlight.scene.light_position import LightPosition
-from airlight.scene.limits import within
+from airlight.scene.limits import DEEPEST_ALTITUDE, HIGHEST_ALTITUDE, within
 from airlight.scene.observer import look_at as angles_of
 from airlight.scene.observer import planet_frame
 from airlight.units import Measure, Measured, measured, quantity
@@ -24,8 +24,6 @@ from airlight.units import Measure, Measured, measured, quantity
 if TYPE_CHECKING:
     from airlight.planets.reading.reader import PlanetLike
 
-#: Largest altitude of an observer. [m]
-HIGHEST_ALTITUDE = 1e12
 #: Altitude of an observer who stands on the ground, the default of scenes and commands. [m]
 STANDING: Final = 2.0
 
@@ -44,7 +42,9 @@ class Scene:
     camera : Camera
         Camera that gives the directions of the pixels.
     altitude : float
-        Altitude of the observer above the ground, 0 to 1e12; outside the air is allowed. [m]
+        Altitude of the observer, up to 1e12; outside the air is allowed. Below 0, down to the
+        deepest basin of the planet, the observer stands on its floor: ``stands_on_floor``. An
+        orthographic camera is 1e12 away. [m]
     sun_zenith : float
         Zenith angle of the sun at the observer, 0 to 180. [deg]
     latitude, longitude : float
@@ -92,7 +92,7 @@ class Scene:
             raise ParameterError("scene.others", others, "lights such as MoonLight")
         object.__setattr__(self, "others", others)
         for name, low, high, unit in (
-            ("altitude", 0.0, HIGHEST_ALTITUDE, "m"),
+            ("altitude", DEEPEST_ALTITUDE, HIGHEST_ALTITUDE, "m"),
             ("sun_zenith", 0.0, 180.0, "deg"),
             ("latitude", -90.0, 90.0, "deg"),
             ("longitude", -360.0, 360.0, "deg"),
@@ -101,6 +101,11 @@ class Scene:
             object.__setattr__(self, name, value)
         azimuth = bearing(self.sun_azimuth, "scene.sun_azimuth")
         object.__setattr__(self, "sun_azimuth", azimuth)
+        if self.camera.parallel:
+            if self.altitude not in (0.0, STANDING, HIGHEST_ALTITUDE):
+                allowed = "none for an orthographic camera, which is far away"
+                raise ParameterError("scene.altitude", self.altitude, allowed)
+            object.__setattr__(self, "altitude", HIGHEST_ALTITUDE)
 
     @classmethod
     def at(
@@ -131,8 +136,8 @@ class Scene:
             ``"2026-06-21 sunset"``; see ``airlight.ephemeris.time_text.read_time``.
         zone, season : optional
             Zone and longitude Ls of the sun [deg] that a text refers to; see ``read_time``.
-        altitude : float
-            Altitude of the observer. [m]
+        altitude : float, optional
+            Altitude of the observer, 2 by default. [m]
         look_at : str, optional
             Target of the camera: ``sun`` or ``moon`` where they are seen, a compass bearing, or
             another of ``look_at``; if left out, the camera's own angles count, with azimuth 0
@@ -178,7 +183,7 @@ class Scene:
         if look_at is not None:
             zenith, azimuth = angles_of(
                 look_at,
-                altitude=altitude,
+                altitude=max(altitude, 0.0),
                 sun_zenith=sun.zenith,
                 bottom_radius=planet.bottom_radius,
                 sun_azimuth=sun.azimuth,
@@ -231,6 +236,18 @@ class Scene:
             ),
         )
 
+    def north_up(self) -> Scene:
+        """Scene whose camera, which looks straight down, has the north at the top of its picture.
+
+        Examples
+        --------
+        >>> camera = Camera(look_zenith=180.0)
+        >>> Scene(camera=camera, sun_azimuth=105.0).north_up().camera.look_azimuth
+        -105.0
+        """
+        north = math.remainder(-self.sun_azimuth, 360.0)
+        return replace(self, camera=replace(self.camera, look_azimuth=north))
+
     @property
     def sun_direction(self) -> NDArray[np.float64]:
         """Unit vector towards the sun in the local frame, shape (3,). [1]"""
@@ -253,6 +270,7 @@ class Scene:
         moment = {} if self.time is None else {"time": universal_time(self.time)}
         angle = camera.polariser
         behind = {} if angle is None else {"polariser": f"{angle:.10g} deg"}
+        window = {} if camera.crop is None else {"crop": ",".join(map(str, camera.crop))}
         others = {f"light_{k}": one.metadata() for k, one in enumerate(self.others, start=2)}
         return {
             **moment,
@@ -269,4 +287,5 @@ class Scene:
             "look": f"{camera.look_zenith:.10g},{camera.look_azimuth:.10g} deg",
             "roll": f"{camera.roll:.10g} deg",
             **behind,
+            **window,
         }

@@ -25,6 +25,23 @@ FloatArray = NDArray[np.float64]
 TOGETHER: Final = "case"
 #: Last dimension of every result, which no argument has.
 LAST: Final = "wavelength"
+#: Attributes of the wavelength; its standard name is that of the CF conventions.
+WAVELENGTH: Final = {
+    "units": "nm",
+    "standard_name": "radiation_wavelength",
+    "long_name": "wavelength in vacuum",
+}
+#: Attributes of arguments as coordinates beside their units, where the CF conventions name them.
+COORDINATES: Final[dict[str, dict[str, str]]] = {
+    "altitude": {"standard_name": "height", "long_name": "altitude above the ground"},
+    "sun_zenith": {
+        "standard_name": "solar_zenith_angle",
+        "long_name": "zenith angle of the star at the observer",
+    },
+    "view_zenith": {"long_name": "zenith angle of the line of sight at the observer"},
+    "azimuth": {"long_name": "azimuth of the line of sight from the star"},
+    "distance": {"long_name": "length of the path from the observer"},
+}
 
 
 @dataclass(frozen=True)
@@ -114,7 +131,10 @@ class NamedAxes:
         ([2000.0, 2000.0, 2000.0], ('view_zenith',), (3,))
         """
         numbers = {name: one.numbers(name) for name, one in arguments.items()}
-        attributes = {name: {"units": one.long_unit} for name, one in arguments.items()}
+        attributes = {
+            name: {"units": one.long_unit, **COORDINATES.get(name, {})}
+            for name, one in arguments.items()
+        }
         if any(is_labelled(one.value) for one in arguments.values()):
             return cls._by_name(arguments, numbers, attributes)
         shape = _common_shape(numbers)
@@ -192,7 +212,7 @@ class NamedAxes:
         return xarray.DataArray(
             values.reshape(*self.shape, wavelengths.size),
             dims=(*self.dims, LAST),
-            coords={**self.coordinates, LAST: (LAST, wavelengths, {"units": "nm"})},
+            coords={**self.coordinates, LAST: (LAST, wavelengths, WAVELENGTH)},
             name=name.replace(" ", "_"),
             attrs={"units": unit, "long_name": name, **attributes},
         )

@@ -23,6 +23,7 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.named_axes import Argument, NamedAxes
+from airlight.solvers.provenance import provenance
 from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.stokes_frame import STOKES, to_meridian
 from airlight.tables.columns import columns
@@ -70,9 +71,16 @@ class Report:
     ground: str = ""
 
     def __str__(self) -> str:
-        took = f"{self.seconds:.2f} s" if self.seconds else "from the cache"
+        return self._described(f", {self.seconds:.2f} s" if self.seconds else ", from the cache")
+
+    @property
+    def provenance(self) -> str:
+        """The same line without wall time or cache: equal for equal computations."""
+        return self._described("")
+
+    def _described(self, took: str) -> str:
         return (
-            f"{self.solver}: {self.sweeps} sweeps, last change {max(self.residual):.1e}, {took} "
+            f"{self.solver}: {self.sweeps} sweeps, last change {max(self.residual):.1e}{took} "
             f"({self.settings})" + "".join(f"; {one}" for one in (self.note, self.ground) if one)
         )
 
@@ -119,6 +127,11 @@ class Solution(ABC):
         line = planet.ground.local_line(float(nm[np.argmin(np.abs(nm - GREEN))]))
         self.planet, self.report = planet, replace(self.report, ground=line)
         return self
+
+    @property
+    def provenance(self) -> dict[str, str]:
+        """Attributes of results, see ``airlight.solvers.provenance``."""
+        return provenance(self.planet, self.report.provenance, self.report.settings)
 
     @cached_property
     def paths(self) -> LightPaths:
@@ -429,7 +442,8 @@ class Solution(ABC):
             {
                 name: self._labelled(values * self.lights[0].irradiance, axes, words, "W m-2 nm-1")
                 for name, (words, values) in parts.items()
-            }
+            },
+            attrs=self.provenance,
         )
 
     def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
@@ -439,7 +453,4 @@ class Solution(ABC):
     def _labelled(
         self, values: NDArray[Any], axes: NamedAxes, name: str, unit: str
     ) -> xarray.DataArray:
-        labelled: xarray.DataArray = axes.labelled(
-            values, self.wavelengths, name, unit, solver=str(self.report)
-        )
-        return labelled
+        return axes.labelled(values, self.wavelengths, name, unit, **self.provenance)  # type: ignore[no-any-return]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, overload
 import numpy as np
 
 from airlight.errors import ParameterError
+from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
@@ -159,6 +160,10 @@ def solve(
     """
     if solver not in SOLVERS:
         raise ParameterError("solver", solver, ", ".join(SOLVERS))
+    if solver == "moments":
+        from airlight.solvers.moments.loops import LOOPS
+
+        FIRST_COMPILATION.expect(LOOPS)
     planet = load_planet(planet)
     package = SOLVERS[solver]
     settings = import_module(f"{package}.settings").settings_for(quality)

@@ -9,13 +9,13 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, Final, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
-from airlight.exports.whole_file import whole_file
+from airlight.exports.whole_file import check_target, whole_file
 from airlight.solvers.stokes_frame import (
     STOKES,
     angle_of_polarisation,
@@ -32,6 +32,10 @@ COLUMNS: dict[str, tuple[float, float]] = {
     "view_zenith_deg": (0.0, 180.0),
     "azimuth_deg": (-360.0, 360.0),
 }
+
+
+#: Suffixes of tables that are written.
+SUFFIXES: Final = (".csv", ".nc")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,6 +58,28 @@ class Cases:
     header: list[str]
     rows: list[list[str]]
     values: NDArray[np.float64]
+
+
+def check_table(path: str, suffixes: Sequence[str] = SUFFIXES) -> None:
+    """Refuse, before long work, a table that cannot be written, or not in its suffix's format.
+
+    Parameters
+    ----------
+    path : str
+        Path of the future file; ``-`` is the standard output.
+    suffixes : sequence of str
+        Suffixes of the formats that can be written.
+
+    Raises
+    ------
+    FileError
+        If it is none of these, or as for ``check_target``.
+    """
+    if path == "-":
+        return
+    if Path(path).suffix.lower() not in suffixes:
+        raise FileError(path, f"the name of a table ends in {' or '.join(suffixes)}")
+    check_target(path)
 
 
 def read_cases(path: str) -> Cases:
@@ -276,7 +302,7 @@ def write_cases(
     Parameters
     ----------
     path : str
-        Path of the file, which appears whole or not at all; ``-`` is the standard output.
+        Path of the .csv, which appears whole or not at all; ``-`` is the standard output.
     cases : Cases
         Table, written as it was read.
     wavelengths : sequence of float
@@ -294,6 +320,7 @@ def write_cases(
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
+    check_table(path, (".csv",))
     if path == "-":
         _write(sys.stdout, cases, wavelengths, radiance, standard_error, stokes)
         return

@@ -22,6 +22,7 @@ from airlight.planets.planet import Planet
 from airlight.sweep.cases import (
     Cases,
     case_blocks,
+    check_table,
     polarised_answers,
     radiance_columns,
     write_head,
@@ -124,6 +125,7 @@ def answer_rows(
     WorkerError
         If workers or their scheduler are lost.
     """
+    check_table(target, (".csv",))
     with case_blocks(source, BLOCK) as (head, blocks):
         total = sum(len(block.rows) for block in blocks)
     nm = tuple(float(one) for one in wavelengths)

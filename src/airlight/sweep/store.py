@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from collections.abc import Mapping
 from importlib import util
 from pathlib import Path
 from typing import Any, Final
@@ -12,17 +13,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.exports.whole_folder import check_folder_name
+from airlight.solvers.named_axes import COORDINATES, WAVELENGTH
+from airlight.solvers.provenance import software
 from airlight.sweep.grid import AXES, Grid
+from airlight.sweep.varied_axis import varied_axis
 
 #: Attribute that holds the axes, by which a later run knows its own grid.
 _AXES: Final = "airlight_axes"
 #: Name of the array of fingerprints; 0 is a block that is missing.
 _BLOCKS: Final = "block_fingerprint"
-_UNIT: Final = "W m-2 sr-1 nm-1"
+#: Unit of radiances.
+UNIT: Final = "W m-2 sr-1 nm-1"
 #: Arrays of polarised light beside the radiance, in their order: unit, name.
 POLARISED: Final = {
-    "Q": (_UNIT, "Stokes parameter Q: upright less level, in the meridian plane of the view"),
-    "U": (_UNIT, "Stokes parameter U: at 45 deg counterclockwise from upright less at -45 deg"),
+    "Q": (UNIT, "Stokes parameter Q: upright less level, in the meridian plane of the view"),
+    "U": (UNIT, "Stokes parameter U: at 45 deg counterclockwise from upright less at -45 deg"),
     "dolp": ("1", "degree of linear polarisation"),
     "aolp": ("deg", "angle of polarisation from the vertical plane, counterclockwise"),
 }
@@ -41,6 +47,7 @@ def check_store(path: Path, field: str) -> None:
     if util.find_spec("zarr") is None:
         allowed = "a sweep beside zarr: pip install airlight[sweep]"
         raise ParameterError(field, str(path), allowed)
+    check_folder_name(path, ".zarr")
     try:
         parent = path.resolve().parent
         there = parent.is_dir()
@@ -65,8 +72,8 @@ class SweepStore:
         Folder of the Zarr group; made if it is new.
     grid : Grid
         Grid.
-    title : str
-        Words about the sweep, kept as an attribute.
+    about : mapping of str to str
+        Attributes beside planets and version: what was computed, and its settings.
     stokes : bool
         Whether it holds ``POLARISED`` too.
 
@@ -76,7 +83,9 @@ class SweepStore:
         If the folder holds a sweep of another grid.
     """
 
-    def __init__(self, path: Path, grid: Grid, title: str, *, stokes: bool = False) -> None:
+    def __init__(
+        self, path: Path, grid: Grid, about: Mapping[str, str], *, stokes: bool = False
+    ) -> None:
         import zarr
 
         self.path = path
@@ -85,11 +94,13 @@ class SweepStore:
         part = path.with_name(f".{path.name}.part")
         shutil.rmtree(part, ignore_errors=True)
         if not (path / ".zgroup").is_file():
-            _made(part, grid, axes, title, stokes=stokes)
+            _made(part, grid, axes, stokes=stokes)
             part.replace(path)
         group: Any = zarr.open_group(str(path), mode="r+", zarr_format=2)
         if group.attrs.get(_AXES) != axes:
             raise FileError(path, "holds the sweep of another grid; name another folder")
+        group.attrs.update({"planet": ", ".join(grid.names), **about, **software()})
+        zarr.consolidate_metadata(str(path), zarr_format=2)
         self._arrays = [group[name] for name in ("radiance", *(POLARISED if stokes else ()))]
         self._blocks = group[_BLOCKS]
         self._known: NDArray[np.uint64] = np.asarray(self._blocks[...])
@@ -115,25 +126,26 @@ def _axes(grid: Grid) -> dict[str, Any]:
     return {"planet": list(grid.names), "vary": vary, **angles, "wavelength": list(grid.nm)}
 
 
-def _made(path: Path, grid: Grid, axes: str, title: str, *, stokes: bool) -> None:
+def _made(path: Path, grid: Grid, axes: str, *, stokes: bool) -> None:
     """Make the group: coordinates by xarray, and arrays to be filled."""
     import xarray
     import zarr
 
     coordinates: dict[str, Any] = {"planet": ("planet", np.array(grid.names))}
     for name, values in grid.vary.items():
-        plain = all(isinstance(value, (int, float)) for value in values)
-        coordinates[name] = (name, np.array(values if plain else [str(v) for v in values]))
+        numbers, unit = varied_axis(grid.planets[0], name, values)
+        coordinates[name] = (name, numbers, {"units": unit} if unit else {})
     for name, (_, _, unit) in AXES.items():
-        coordinates[name] = (name, np.array(getattr(grid, name)), {"units": unit})
-    coordinates["wavelength"] = ("wavelength", np.array(grid.nm), {"units": "nm"})
-    xarray.Dataset(coords=coordinates, attrs={"title": title, _AXES: axes}).to_zarr(
+        about = {"units": unit, **COORDINATES[name]}
+        coordinates[name] = (name, np.array(getattr(grid, name)), about)
+    coordinates["wavelength"] = ("wavelength", np.array(grid.nm), WAVELENGTH)
+    xarray.Dataset(coords=coordinates, attrs={_AXES: axes}).to_zarr(
         path, mode="w", zarr_format=2, consolidated=False
     )
     group: Any = zarr.open_group(str(path), mode="r+", zarr_format=2)
     suns, views = grid.steps
     inner = (1, suns, views, len(grid.azimuth), len(grid.nm))
-    arrays = {"radiance": (_UNIT, "spectral radiance of air and ground")}
+    arrays = {"radiance": (UNIT, "spectral radiance of air and ground")}
     for array, (unit, words) in (arrays | (POLARISED if stokes else {})).items():
         group.create_array(
             array, shape=grid.shape, chunks=(*(1 for _ in grid.variants), *inner),
@@ -146,4 +158,3 @@ def _made(path: Path, grid: Grid, axes: str, title: str, *, stokes: bool) -> Non
         dtype="uint64", fill_value=0,
         attributes={"_ARRAY_DIMENSIONS": names, "long_name": "fingerprint of each block, 0 none"},
     )  # fmt: skip
-    zarr.consolidate_metadata(str(path), zarr_format=2)

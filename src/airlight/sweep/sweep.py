@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -18,6 +18,7 @@ from airlight.errors import ParameterError
 from airlight.kernel.cost import LINES, announce_all
 from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.planet import Planet
+from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.solution import solve_work
 from airlight.solvers.stokes_frame import (
     STOKES,
@@ -26,7 +27,7 @@ from airlight.solvers.stokes_frame import (
 )
 from airlight.sweep.grid import Grid
 from airlight.sweep.shared_solution import shared_solution
-from airlight.sweep.store import SweepStore
+from airlight.sweep.store import SweepStore, check_store
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
@@ -128,15 +129,20 @@ def sweep(
         If a planet cannot be read, or is not known at a wavelength; or Stokes parameters are
         requested of scalar transfer.
     FileError
-        If the folder holds another grid, or one with or without Stokes parameters.
+        If the folder is named as a file of another format, or holds another grid, or one with or
+        without Stokes parameters.
     WorkerError
         If workers or their scheduler are lost.
     """
     if stokes and not polarisation:
         raise ParameterError("stokes", True, "a sweep with polarisation left on")
+    check_store(Path(path), "path")
     light = "radiance" if polarisation else "radiance of scalar transfer"
     light = "radiance and Stokes parameters" if stokes else light
-    store = SweepStore(Path(path), grid, f"{light}, quality {quality}", stokes=stokes)
+    settings = replace(settings_for(quality), polarisation=polarisation)
+    about = {"title": f"{light}, quality {quality}", "solver": "moments"}
+    about["settings"] = settings.as_text()
+    store = SweepStore(Path(path), grid, about, stokes=stokes)
     how = quality, polarisation, stokes
     code = code_digest(_SOURCE)
     missing: list[tuple[int, ...]] = []

@@ -218,20 +218,12 @@ def _read(file: Section, changes: Mapping[str, Mapping[str, Any]]) -> System:
         bodies.append(_placed_body(Body.read(one, one.wavelengths()), time, one))
     for one in file.sections("lights", "one or more [[lights]] tables"):
         lights.append(_placed_light(Light.read(one), time, one))
-    values["stars"] = _stars(file)
+    values["stars"] = file.switch("stars")
     values |= {"bodies": tuple(bodies), "lights": tuple(lights), "time": time}
     values["observer"] = Observer.read(file.section("observer", "a table [observer]"))
     values["view"] = View.read(file.section("camera", "a table [camera]"))
     file.finish()
     return System(**values)
-
-
-def _stars(file: Section) -> bool:
-    """Whether the catalogue's stars are drawn."""
-    given = file.raw("stars") if "stars" in file else False
-    if not isinstance(given, bool):
-        raise ParameterError("stars", given, "true or false")
-    return given
 
 
 def _time(file: Section) -> datetime | None:

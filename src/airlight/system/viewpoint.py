@@ -27,7 +27,7 @@ POLARISER: Final = Key(
 )  # fmt: skip
 PROJECTION: Final = Key(
     label="projection", help="Projection of the picture.", kind="choice",
-    words=lambda: tuple(PROJECTIONS),
+    words=lambda: tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
 )  # fmt: skip
 FIELD_OF_VIEW: Final = Key(
     label="field of view", help="Angle from left to right, or across a fisheye.", unit="deg",

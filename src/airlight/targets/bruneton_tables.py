@@ -8,7 +8,7 @@ brings a solution to this form; ``SkyTables`` is the look-up of a folder's numbe
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -27,6 +27,7 @@ from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.irradiance import IrradianceLayout
 from airlight.tables.layout import Positions
 from airlight.tables.transmittance import TransmittanceLayout
+from airlight.targets.fits.texel_light import STEP, TexelFit
 from airlight.targets.fits.weighted_lobe import WeightedLobe, fit_weighted_lobe
 
 FloatArray = NDArray[np.float64]
@@ -34,6 +35,10 @@ Stored = NDArray[Any]
 
 #: Wavelengths of red, green and blue. [nm]
 WAVELENGTHS: Final = (680.0, 550.0, 440.0)
+#: Texels of r, mu, mu_s and nu, which the programs fix.
+_SIZE: Final = (32, 128, 32, 8)
+#: Sun's cosine below which a program leaves M out before surfaces, in part or whole.
+_LEFT_OUT: Final = 0.01
 #: Points at which the bake itself is compared, whose errors are not reported: the fewest.
 _FEW: Final = 64
 #: Light below this share of the brightest does not tell the colours of M.
@@ -155,9 +160,14 @@ def fill_tables(
     progress : callable, optional
         See ``airlight.kernel.threads``.
     """
+    medium = solution.medium
+    _, particles = groups(medium)
+    fine = bool(particles) and not combined
+    radii, views, suns, angles = _SIZE
     baked = bake(
         solution,
         "bruneton",
+        size=(radii, views, suns, STEP * (angles - 1) + 1 if fine else angles),
         packing="separate",
         mu_s_min=None if lowest_sun is None else float(min(np.cos(np.radians(lowest_sun)), 0.0)),
         higher_orders=True,
@@ -165,10 +175,10 @@ def fill_tables(
         points=_FEW,
         progress=progress,
     )
-    medium = solution.medium
     light = medium.lights[0].irradiance
-    layout = baked.tables["scattering"].layout
-    assert isinstance(layout, BrunetonLayout)
+    baked_layout = baked.tables["scattering"].layout
+    assert isinstance(baked_layout, BrunetonLayout)
+    layout = replace(baked_layout, angles=angles)
     lobe, smooth, mie = _smooth_and_mie(medium, baked, layout, one_row=combined)
     smooth, mie, colours = smooth * light, mie * light, mie_colours(medium)
     packed = np.concatenate([smooth, mie[..., :1]], axis=-1)
@@ -186,7 +196,9 @@ def fill_tables(
         darkest=darkest,
     )
     # In alpha's company S is what gives the right sum with restored colours, which may be less.
-    higher = np.minimum(baked.tables["higher-order"].physical * light, packed[..., :3])
+    every = STEP if fine else 1
+    orders = baked.tables["higher-order"].physical[..., ::every, :] * light
+    higher = np.minimum(orders, packed[..., :3])
     return Filled(tables=tables, higher=higher, lobe=lobe)
 
 
@@ -265,13 +277,28 @@ def _smooth_and_mie(
     lobe = fit_weighted_lobe(
         names, lambda k, nu: phases.at(kinds[k], nu), depth, layout.angles, one_row=one_row
     )
-    smooth = np.array(baked.tables["scattering"].physical)
+    exact = baked.tables["scattering"].physical
+    once = [baked.tables[kind].physical for kind in kinds]
+    every = (exact.shape[-2] - 1) // (layout.angles - 1)
+    smooth = np.array(exact[..., ::every, :])
     mie = np.zeros_like(smooth)
-    for k, kind in enumerate(kinds):
-        once = baked.tables[kind].physical
-        smooth += once * lobe.smooth[k].T
-        mie += once * lobe.lobe[k].T
-    return lobe, smooth, mie
+    for k, one in enumerate(once):
+        smooth += one[..., ::every, :] * lobe.smooth[k].T
+        mie += one[..., ::every, :] * lobe.lobe[k].T
+    if every == 1:
+        return lobe, smooth, mie
+    fit = TexelFit(
+        lobe.g, layout.angles, lambda nu: np.stack([phases.at(kind, nu) for kind in kinds])
+    )
+    start = np.concatenate([smooth, mie], axis=-2)
+    flat = (-1, *exact.shape[-2:])
+    # before a surface the program leaves M out while the sun is below the horizon
+    signed = layout.positions().mu_s.reshape(layout.shape)[..., 0].ravel() > _LEFT_OUT
+    found = fit.fitted(
+        exact.reshape(flat), [one.reshape(flat) for one in once],
+        start.reshape(-1, *start.shape[-2:]), signed=signed,
+    ).reshape(start.shape)  # fmt: skip
+    return lobe, found[..., : layout.angles, :], found[..., layout.angles :, :]
 
 
 def _colours_ahead(

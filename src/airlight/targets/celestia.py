@@ -237,6 +237,7 @@ def ssc_of(atmosphere: dict[str, Value], planet: Planet | None) -> str:
         f"# Atmosphere of {planet.name if planet else own} for Celestia, written by airlight.\n"
         "# Lengths in km, coefficients in 1/km at 680, 550 and 440 nm.\n"
         "# MieAsymmetry, negative forward, is for older versions, MieHGAnisotropy for later ones.\n"
+        "# Versions before August 2026 know MieScaleHeight alone, for molecules too.\n"
         f'Modify "{body}" "{parent}"\n{{\n\tAtmosphere\n\t{{\n{lines}\n\t}}\n}}\n'
     )
 
@@ -293,9 +294,21 @@ def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) 
     )  # fmt: skip
     notes = (
         "Celestia draws light scattered once, and none from the ground",
-        "scale heights of their own need Celestia of August 2026; before, all have MieScaleHeight",
+        *_of_older(atmosphere),
     )
     return findings(solution, fit, held, notes=notes, progress=progress)
+
+
+def _of_older(atmosphere: dict[str, Value]) -> tuple[str, ...]:
+    """Note about versions that know one scale height, where the planet has two."""
+    gas, mie = (_number(atmosphere, key) for key in ("RayleighScaleHeight", "MieScaleHeight"))
+    if gas == mie or not any(_triple(atmosphere, "Rayleigh").values):
+        return ()
+    line = (
+        f"versions before August 2026 read MieScaleHeight, {mie:.3g} km, for molecules too, whose "
+        f"optical depth there is {mie / gas:.0%} of the planet's; all errors are of later versions"
+    )
+    return (line,)
 
 
 def _number(atmosphere: dict[str, Value], key: str) -> float:

@@ -44,6 +44,13 @@ OZONE_UNIT: Final = 6e-7
 SUN_INTENSITY: Final = 6.9
 #: Factor of the ground's colour: that of OpenSpace's own Earth. [1]
 GROUND_RADIANCE: Final = 0.6
+#: Radii of what shines and of what casts a shadow, by ``Planet.body``: nodes of OpenSpace's own
+#: Earth. IAU 2015 Resolution B3; IAU WGCCRE 2015. [m]
+_SHADOWS: Final = {"earth": (("Sun", 695_700_000.0), ("Moon", 1_737_400.0))}
+#: Assets that bring these nodes, beside the body's own.
+_SHADOW_NODES: Final = {
+    "earth": ("scene/solarsystem/sun/sun", "scene/solarsystem/planets/earth/moon/moon"),
+}
 #: Albedos that differ by no more are one number. [1]
 _EVEN: Final = 0.01
 #: Asset that brings the body, and identifier of its node, by ``Planet.body``.
@@ -187,13 +194,22 @@ def asset_of(renderable: Mapping[str, Any], planet: Planet | None) -> str:
     """
     own = name_of(planet)
     source, parent = _BODIES.get((planet.body or "") if planet else "", ("", own))
-    require = f'asset.require("{source}")\n' if source else ""
+    where = (planet.body or "") if planet else ""
+    nodes = (*((source,) if source else ()), *_SHADOW_NODES.get(where, ()))
+    require = "".join(f'asset.require("{node}")\n' for node in nodes)
+    shadows = {}
+    if where in _SHADOWS:
+        (shining, sun), (casting, moon) = _SHADOWS[where]
+        shadows["ShadowGroup"] = {
+            "Sources": [{"Name": shining, "Radius": sun}],
+            "Casters": [{"Name": casting, "Radius": moon}],
+        }
     label = planet.name if planet else own
     body = _lua(
         {
             "Identifier": f"{own}AtmosphereAirlight",
             "Parent": parent,
-            "Renderable": dict(renderable),
+            "Renderable": {**renderable, **shadows},
             "GUI": {
                 "Name": f"{label} Atmosphere (airlight)",
                 "Path": "/Solar System/Atmospheres",

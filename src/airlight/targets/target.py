@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from airlight.errors import ParameterError
-from airlight.exports.header import version
 from airlight.exports.whole_folder import (
     MANIFEST,
     fingerprint,
@@ -21,6 +20,7 @@ from airlight.exports.whole_folder import (
 )
 from airlight.kernel.threads import Progress
 from airlight.solvers.light_paths import only_straight
+from airlight.solvers.provenance import version
 from airlight.solvers.solution import Solution
 
 #: Keys of the account in a manifest.
@@ -261,7 +261,7 @@ class Target:
             "version": self.version,
             "planet": solution.planet.name if solution.planet is not None else "unnamed",
             "fingerprint": solution.medium.fingerprint(),
-            "solver": str(solution.report),
+            "solver": solution.report.provenance,
             "wavelengths_nm": solution.wavelengths.tolist(),
             **content["about"],
             **{name: content[name] for name in _ACCOUNT},

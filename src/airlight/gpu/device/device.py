@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import sys
+import tempfile
 import threading
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from typing import Any, Final
@@ -50,6 +54,9 @@ BROWSER_LIMITS: Final = {
 }
 #: Features requested where available: they time passes and change no picture.
 _WELCOME: Final = frozenset({"timestamp-query"})
+
+#: Environment variable with the folder of a session's sockets.
+_RUNTIME: Final = "XDG_RUNTIME_DIR"
 
 _lock = threading.Lock()
 
@@ -138,17 +145,39 @@ def open_device(choice: str | None = None) -> Device:
 def _opened(choice: str) -> Device:
     if choice == "off":
         raise NoDevice(f"it is switched off ({CHOICE}=off)")
-    adapter = _adapter(_wgpu(), choice)
-    try:
-        device = _requested(adapter)
-    except RuntimeError as error:
-        raise NoDevice(f"{adapter.summary} cannot be opened: {_last_line(error)}") from error
+    with _runtime_folder():
+        adapter = _adapter(_wgpu(), choice)
+        try:
+            device = _requested(adapter)
+        except RuntimeError as error:
+            raise NoDevice(f"{adapter.summary} cannot be opened: {_last_line(error)}") from error
     return Device(
         device=device,
         adapter=adapter,
         name=adapter.summary,
         software=adapter.info["adapter_type"] == "CPU",
     )
+
+
+@contextlib.contextmanager
+def _runtime_folder() -> Iterator[None]:
+    """Name a folder for sockets where the environment names none.
+
+    Drivers look there for a Wayland display, whose library complains on the standard error stream
+    of each search without a folder, as in containers and batch jobs. An empty one has no display.
+    """
+    if os.environ.get(_RUNTIME, "").startswith("/") or not sys.platform.startswith("linux"):
+        yield
+        return
+    before = os.environ.get(_RUNTIME)
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ[_RUNTIME] = folder
+        try:
+            yield
+        finally:
+            del os.environ[_RUNTIME]
+            if before is not None:
+                os.environ[_RUNTIME] = before
 
 
 def _requested(adapter: Any) -> Any:

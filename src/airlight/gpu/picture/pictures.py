@@ -264,7 +264,7 @@ class Pictures:
         Cancelled
             If ``cancel`` requested it.
         """
-        width, height = scene.camera.width, scene.camera.height
+        width, height = scene.camera.columns, scene.camera.rows
         check_drawn(width, height)
         lights = lit_scenes(scene, self._shown())
         drawn = width * height * checked_samples(samples) ** 2 * len(lights)
@@ -294,11 +294,13 @@ class Pictures:
         import wgpu
 
         scene, solution = light.scene, light.solution
-        width, height = scene.camera.width, scene.camera.height
+        camera = scene.camera
+        width, height = camera.columns, camera.rows
         limit = self.device.device.limits["max-texture-dimension-2d"]
         if width > limit:
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
-        numbers = self._numbers(light, (width, height), exact, orders, disc)
+        numbers = self._numbers(light, (camera.width, camera.height), exact, orders, disc)
+        numbers["first_column"] = camera.left
         if checked_samples(samples) > 1 and not numbers["edges"]:
             raise ParameterError("samples", samples, "1 for an exact picture of a software device")
         numbers["samples"] = samples
@@ -315,9 +317,10 @@ class Pictures:
                 if cancel is not None and cancel():
                     raise Cancelled
                 count = min(rows, height - first)
+                strip = {**numbers, "first_row": camera.top + first}
                 self._passes.run(
-                    picture_shader(exact), _ENTRY, {**numbers, "first_row": first}, [view],
-                    (LINEAR,), (0, 0, width, count), light=number,
+                    picture_shader(exact), _ENTRY, strip, [view], (LINEAR,),
+                    (0, 0, width, count), light=number,
                 )  # fmt: skip
                 rgb[first : first + count] = read_texture(self.device, target)[:count, :, :3]
                 release(rgb[first : first + count])
@@ -328,15 +331,16 @@ class Pictures:
         return Frame(
             rgb=rgb,
             metadata={
-                "solver": str(solution.report),
+                "solver": solution.report.provenance,
                 "wavelengths": ", ".join(f"{nm:g}" for nm in solution.wavelengths) + " nm",
                 "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
                 "device": self.device.name,
             },
             pixel_angle=scene.camera.glare_angle,
-            circle=scene.camera.circular,
+            circle=scene.camera.circle,
             scene=scene,
             star_radius=solution.lights[0].angular_radius,
+            origin=(camera.left, camera.top),
         )
 
     def draw(
@@ -404,7 +408,7 @@ class Pictures:
             kept.drawn = drawn
         shown = {
             **display_numbers(exposure, tone_map, encoding), "glare": checked_amount(glare),
-            "circle": scene.camera.circular, **(uniforms or {}),
+            "circle": scene.camera.circle is not None, **(uniforms or {}),
         }  # fmt: skip
         kept.show(shown, scene.camera.glare_angle, view, target_format)
 

@@ -245,9 +245,11 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
         FRAME.bundle(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip
-    row = f"at.y + {FRAME.uniform('first_row').text}"
+    column, row = (f"at.{at} + {FRAME.uniform(name).text}" for at, name in (
+        ("x", "first_column"), ("y", "first_row"),
+    ))  # fmt: skip
     lines = [
-        *filled_by(made, ("at.x", row), dialect),
+        *filled_by(made, (column, row), dialect),
         *(dialect.kept(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
     ]
     light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"

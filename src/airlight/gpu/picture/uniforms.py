@@ -22,11 +22,12 @@ class Strip(NamedTuple):
 
     Attributes
     ----------
-    first_row : float
-        Row of the picture that is the target's first. [pixel]
+    first_row, first_column : float
+        Row and column of the picture that are the target's first. [pixel]
     """
 
     first_row: float
+    first_column: float
 
 
 class Lens(NamedTuple):

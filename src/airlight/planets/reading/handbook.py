@@ -107,6 +107,8 @@ def _value(key: Key) -> str:
         parts.append("text")
     elif key.kind == "table":
         parts.append("a table")
+    elif key.kind == "switch":
+        parts.append("`true`, `false`")
     elif key.kind == "number":
         parts.append(_range(key))
         if key.spectral:

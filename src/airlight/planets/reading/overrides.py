@@ -107,6 +107,25 @@ def parsed(text: str) -> tuple[str, Any]:
     return path.strip(), _value(value.strip())
 
 
+def indexed_path(values: Mapping[str, Any], path: str) -> str:
+    """Path of an override with its constituent by index in place of its name.
+
+    Raises
+    ------
+    ParameterError
+        If the path leads nowhere.
+
+    Examples
+    --------
+    >>> indexed_path({"constituents": [{"name": "dust", "amount": 1}]}, "dust.amount")
+    'constituents[0].amount'
+    """
+    found = ""
+    for step in _steps(values, path):
+        found = joined(found, step)
+    return found
+
+
 def with_hint(
     error: ParameterError, values: Mapping[str, Any], overrides: Mapping[str, Any]
 ) -> ParameterError:

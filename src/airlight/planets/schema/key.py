@@ -57,7 +57,8 @@ class Key:
     note : str
         Further sentences for the handbook, after ``help``.
     kind : str
-        ``number`` (also lists of numbers, and ``words`` instead), ``choice``, ``text``, ``table``.
+        ``number`` (also lists of numbers, and ``words`` instead), ``choice``, ``text``, ``switch``,
+        ``table``.
     unit : str
         Unit of the field, of ``range``, and of a number that the file gives without a unit.
     range : (float, float)
@@ -220,6 +221,8 @@ class Key:
             return section.choice(name, self.words())
         if self.kind == "text":
             return section.text(name, self.example)
+        if self.kind == "switch":
+            return section.switch(name)
         if self.listed:
             return section.numbers(name, self.unit, self.example)
         if self.spectral:

@@ -88,6 +88,13 @@ class Section:
             raise ParameterError(self.name_of(key), value, suggestion(value, options))
         return value
 
+    def switch(self, key: str) -> bool:
+        """True or false; false if the key is absent."""
+        value = self.raw(key) if key in self else False
+        if not isinstance(value, bool):
+            raise ParameterError(self.name_of(key), value, "true or false")
+        return value
+
     def number(self, key: str, unit: str, example: str) -> float:
         """Quantity in the unit, which a number has to have, unless it is zero."""
         allowed = f"a number such as {example!r}" if unit == "1" else f"such as {example!r}"

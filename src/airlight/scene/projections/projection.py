@@ -37,9 +37,12 @@ class Projection:
     look_zenith : float
         Default zenith angle of the view. [deg]
     connected : bool
-        Whether neighbouring pixels are neighbours in the sky.
+        Whether neighbouring pixels are neighbours in the sky, so that a lens spreads light between
+        them.
     circular : bool
         Whether the picture ends at the largest circle that fits.
+    parallel : bool
+        Whether lines of sight are parallel: the camera sees a planet from far away.
     """
 
     name: str
@@ -51,6 +54,7 @@ class Projection:
     aspect: int | None = None
     connected: bool = True
     circular: bool = False
+    parallel: bool = False
     shape: str = "any shape"
     size: tuple[int, int] = (1280, 720)
     sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)

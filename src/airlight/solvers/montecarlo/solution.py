@@ -56,7 +56,7 @@ class MonteCarloReport(Report):
     unreached: int = 0
     lines: int = 0
 
-    def __str__(self) -> str:
+    def _described(self, took: str) -> str:
         ground = f"; {self.ground}" if self.ground else ""
         if not self.lines:
             return f"{self.solver}: nothing asked yet ({self.settings}){ground}"
@@ -65,7 +65,7 @@ class MonteCarloReport(Report):
             missed = f", {self.unreached} of {self.lines} lines of sight NOT within the error asked"
         return (
             f"{self.solver}: {self.histories:.3g} histories, largest error "
-            f"{max(self.residual):.1e}{missed}, {self.seconds:.2f} s ({self.settings}){ground}"
+            f"{max(self.residual):.1e}{missed}{took} ({self.settings}){ground}"
         )
 
 
@@ -347,7 +347,7 @@ class MonteCarloSolution(Solution):
                 data[name] = self._labelled(
                     stokes_values * sun, beside, name.replace("_", " "), unit
                 )
-        data.attrs["solver"] = str(self.report)
+        data.attrs.update(self.provenance)
         return data
 
 

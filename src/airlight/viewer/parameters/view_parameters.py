@@ -16,10 +16,11 @@ from airlight.color.tone_maps import TONE_MAPS
 from airlight.scene.camera import Camera
 from airlight.scene.flight import LOWEST_ALTITUDE
 from airlight.scene.ground_detail import GROUNDS
+from airlight.scene.limits import HIGHEST_ALTITUDE
 from airlight.scene.moon_light import MEAN_RADIUS
 from airlight.scene.picture_size import fitting
 from airlight.scene.projections import PROJECTIONS
-from airlight.scene.scene import HIGHEST_ALTITUDE, Scene
+from airlight.scene.scene import Scene
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.second_light import KINDS, second_lights
 
@@ -108,7 +109,8 @@ VIEW_VALUES: Final = (
               low=1.0, high=170.0, least=1e-3, most=360.0, step=1.0, default=60.0,
               help="Horizontal field of view, up to 170; the full circle of a fisheye.",
               synonyms=("zoom", "fov", "lens", "focal length", "telephoto", "wide angle")),
-    _choice("view.projection", "projection", "camera", tuple(PROJECTIONS),
+    _choice("view.projection", "projection", "camera",
+            tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
             "Projection of the picture.", default="perspective",
             synonyms=("fisheye", "panorama", "lens", "cube map", "360")),
     _choice("view.ground", "ground", "camera", GROUNDS,

@@ -164,6 +164,7 @@ export class Picture {
     const drawn = JSON.stringify([this.skies, this.shape, this.laws, numbers]);
     if (drawn === this.drawn) return;
     this.program.set("first_row", 0);
+    this.program.set("first_column", 0);
     this.sum("picture", numbers, width, height);
     this.drawn = drawn;
   }

@@ -32,6 +32,7 @@ export function observerNumbers(planet, altitude, sun) {
   );
   return {
     r: Math.fround(bottom) + (r - bottom),
+    optical_altitude: r - bottom,
     outside: Number(outside),
     horizon_mu: horizonMu,
     horizon_sine: horizonSine,

@@ -1,0 +1,115 @@
+"""A line about the first compilation, which takes long: after two seconds of it.
+
+What compiles before a solve may be short, and the solve's loops long: these have a line of their
+own.
+
+It goes to the listener of ``airlight.kernel.cost``, as the command line has one, and otherwise to
+the logger ``airlight``, whose warnings Python writes to the standard error stream by itself.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import multiprocessing
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, Final
+
+from numba.core import event
+
+from airlight.kernel.compiling import name_of, on_disk, work_left
+from airlight.kernel.cost import announce, duration
+
+#: Time of compiling after which the line is said. [s]
+PATIENCE: Final = 2.0
+#: Processor time of an amount of work as ``work_left`` counts it, on a core of 2.1 GHz. [s]
+_SECONDS: Final = 8e-5
+
+
+class FirstCompilation(event.Listener):
+    """Listener of Numba that says that functions are compiled, and about how long it takes."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._depth = 0
+        self._loops: dict[str, Any] = {}
+        self._elsewhere: tuple[Any, ...] = ()
+        self._finished: set[str] = set()
+        self._spent = self._processor = 0.0
+        self._began = (0.0, 0.0)
+        self._silent = multiprocessing.parent_process() is not None  # whose parent says it
+        self._said = self._silent
+        self._timer: threading.Timer | None = None
+
+    def expect(self, loops: Iterable[Any]) -> None:
+        """Count loops that will run besides the one that is being compiled."""
+        with self._lock:
+            fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
+            self._loops |= fresh
+            if self._said and not self._silent and not all(map(on_disk, fresh.values())):
+                self._said, self._spent, self._processor = False, 0.0, 0.0
+
+    @contextlib.contextmanager
+    def elsewhere(self, loops: Iterable[Any]) -> Iterator[None]:
+        """Count loops that another process compiles meanwhile, and for which this one waits."""
+        waited_for = tuple(one for one in loops if not on_disk(one))
+        if self._said or not waited_for:
+            yield
+            return
+        self._elsewhere = waited_for
+        timer = threading.Timer(PATIENCE, self._say, (announce.get(),))
+        timer.daemon = True
+        timer.start()
+        try:
+            yield
+        finally:
+            timer.cancel()
+
+    def on_start(self, started: Any) -> None:
+        """Begin to count time where no compilation is under way."""
+        with self._lock:
+            self._depth += 1
+            if self._depth > 1 or self._said:
+                return
+            loop = started.data["dispatcher"]
+            self._loops[name_of(loop)] = loop
+            self._began = (time.perf_counter(), time.process_time())
+            waited = max(PATIENCE - self._spent, 0.0)
+            self._timer = threading.Timer(waited, self._say, (announce.get(),))
+            self._timer.daemon = True
+            self._timer.start()
+
+    def on_end(self, ended: Any) -> None:
+        """Add the time of a compilation that has ended."""
+        with self._lock:
+            self._finished.add(name_of(ended.data["dispatcher"]))
+            self._depth -= 1
+            if self._depth == 0 and self._timer is not None:
+                self._timer.cancel()
+                self._timer = None
+                self._spent += time.perf_counter() - self._began[0]
+                self._processor += time.process_time() - self._began[1]
+
+    def _say(self, listener: Callable[[str], None] | None) -> None:
+        """Say the line; the time is of a processor as busy as it was."""
+        with self._lock:
+            if self._said:
+                return
+            self._said = True
+            loops, finished = list(self._loops.values()), frozenset(self._finished)
+            clock, processor = self._spent, self._processor
+            if self._depth:
+                clock += time.perf_counter() - self._began[0]
+                processor += time.process_time() - self._began[1]
+        busy = max(clock / processor, 1.0) if processor > 0.0 else 1.0
+        work = max(work_left(loops, finished), work_left(self._elsewhere, ()))
+        seconds = max(busy * _SECONDS * work, 1.0)
+        line = f"compiling, about {duration(seconds)}; the code is kept for later runs"
+        (listener or logging.getLogger("airlight").warning)(line)
+
+
+#: Listener of this process.
+FIRST_COMPILATION: Final = FirstCompilation()
+event.register("numba:compile", FIRST_COMPILATION)

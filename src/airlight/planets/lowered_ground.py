@@ -1,0 +1,102 @@
+"""Planet whose ground is the floor of a basin, below the level that altitudes count from."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from airlight.ephemeris.world import WORLDS
+from airlight.errors import ParameterError
+from airlight.planets.matter.profiles.continued import Continued
+from airlight.planets.parameters import replace
+from airlight.planets.planet import Planet
+from airlight.planets.reading.reader import PlanetLike, load_planet
+from airlight.units import Measure, quantity
+
+#: Height of an observer's eyes above the floor of a basin. [m]
+EYES: Final = 2.0
+
+
+def lowered_ground(planet: PlanetLike, altitude: Measure) -> Planet:
+    """Planet with all of its ground lowered to an altitude below 0.
+
+    Profiles go on below their reference level, see ``Continued``, and coefficients, optical depths
+    and columns of the planet's file keep their meaning above it. Altitudes above the new ground are
+    larger by its depth.
+
+    Parameters
+    ----------
+    planet : Planet, str, Path or Solution
+        Planet, see ``load_planet``; it is returned as it is for an altitude of 0 or more.
+    altitude : float
+        Altitude of the floor, down to the deepest basin of the planet's ``body``. [m]
+
+    Returns
+    -------
+    Planet
+
+    Raises
+    ------
+    ParameterError
+        If the planet has no such basin.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> shore = lowered_ground(load_planet("earth"), -430.0)  # the Dead Sea
+    >>> shore.bottom_radius, shore.top_radius
+    (6370570.0, 6471000.0)
+    """
+    planet, altitude = load_planet(planet), quantity(altitude, "m", "altitude", bare=True)
+    if altitude >= 0.0:
+        return planet
+    _deepest(planet, altitude)
+    depth, ground = -altitude, planet.ground
+    return replace(
+        planet,
+        bottom_radius=planet.bottom_radius - depth,
+        ground=replace(ground, cloud_altitude=ground.cloud_altitude + depth),
+        constituents=tuple(
+            replace(one, profile=Continued(profile=one.profile, depth=depth))
+            for one in planet.constituents
+        ),
+    )
+
+
+def stands_on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
+    """Planet for an observer below 0, who stands on its ground, and his altitude above that.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet; it and the altitude are returned as they are for an altitude of 0 or more.
+    altitude : float
+        Altitude of his eyes, ``EYES`` above the floor, or less at the bottom of the basin. [m]
+
+    Raises
+    ------
+    ParameterError
+        If the planet has no such basin.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> shore, height = stands_on_floor(load_planet("earth"), -430.0)
+    >>> shore.bottom_radius, height
+    (6370568.0, 2.0)
+    """
+    if altitude >= 0.0:
+        return planet, altitude
+    floor = max(altitude - EYES, _deepest(planet, altitude))
+    return lowered_ground(planet, floor), altitude - floor
+
+
+def _deepest(planet: Planet, altitude: float) -> float:
+    """Deepest basin of a planet, at or below an altitude. [m]"""
+    if planet.body is None:
+        allowed = "0 m or more: a planet without a body has no known basins"
+        raise ParameterError("altitude", altitude, allowed)
+    basin = WORLDS[planet.body].deepest_basin
+    if not altitude >= basin:
+        allowed = f"{basin:g} m, the deepest basin of {planet.body}, or more"
+        raise ParameterError("altitude", altitude, allowed)
+    return basin

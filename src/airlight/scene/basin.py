@@ -1,0 +1,39 @@
+"""Scenes on the floor of a basin, below the level that altitudes count from."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from airlight.planets.lowered_ground import stands_on_floor
+from airlight.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+
+
+def on_basin_floor(planet: Planet, scene: Scene) -> tuple[Planet, Scene]:
+    """Planet whose ground is lowered to an observer below 0, and the scene on that ground.
+
+    Parameters
+    ----------
+    planet : Planet
+    scene : Scene
+        Scene; it and the planet are returned as they are for an altitude of 0 or more.
+
+    Raises
+    ------
+    ParameterError
+        If the altitude is below the planet's deepest basin.
+
+    Examples
+    --------
+    >>> from airlight.planets import load_planet
+    >>> planet, scene = on_basin_floor(load_planet("mars"), Scene(altitude=-7e3))
+    >>> planet.bottom_radius, scene.altitude
+    (3382498.0, 2.0)
+    """
+    if scene.altitude >= 0.0:
+        return planet, scene
+    planet, height = stands_on_floor(planet, scene.altitude)
+    return planet, replace(scene, altitude=height)

@@ -1,0 +1,78 @@
+"""The line about the first compilation: after two seconds, once, in a log and from Python."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+#: Loop whose compilation takes as long as it sleeps, and a listener whose patience is short.
+SLOW = """
+import time
+from numba.core import event
+from airlight.kernel import cost, first_compilation, kernel
+first_compilation.PATIENCE = {patience}
+
+class Slow(event.Listener):
+    def on_start(self, started): time.sleep({sleep})
+    def on_end(self, ended): pass
+
+if {listens}:
+    cost.announce.set(lambda line: print("told:", line))
+
+@kernel
+def one(x):
+    return x + 1.0
+
+@kernel
+def two(x):
+    return one(x) + 1.0
+
+event.register("numba:compile", Slow())
+one(1.0), two(2.0), two(3)
+"""
+
+
+def run(tmp_path: Path, **values: object) -> subprocess.CompletedProcess[str]:
+    file = tmp_path / "slow.py"
+    file.write_text(SLOW.format(**{"patience": 0.05, "sleep": 0.3, "listens": False, **values}))
+    environment = {**os.environ, "AIRLIGHT_CACHE": str(tmp_path / "cache")}
+    return subprocess.run(
+        [sys.executable, str(file)], env=environment, capture_output=True, text=True, check=True
+    )
+
+
+def test_a_long_compilation_is_said_once_on_the_standard_error_stream(tmp_path: Path) -> None:
+    # Python writes the warnings of a logger that nobody listens to
+    done = run(tmp_path)
+    assert re.fullmatch(r"compiling, about [\d.]+ \w+; the code is kept .*\n", done.stderr)
+    assert done.stdout == ""
+    # what is kept on disk is not compiled again
+    assert run(tmp_path).stderr == ""
+
+
+def test_a_listener_gets_the_line(tmp_path: Path) -> None:
+    done = run(tmp_path, listens=True)
+    assert done.stdout.startswith("told: compiling, about ")
+    assert done.stdout.count("\n") == 1
+    assert done.stderr == ""
+
+
+def test_a_short_compilation_is_silent(tmp_path: Path) -> None:
+    assert run(tmp_path, patience=60.0, sleep=0.0).stderr == ""
+
+
+@pytest.mark.slow
+def test_the_first_render_in_a_log_says_that_it_compiles(tmp_path: Path) -> None:
+    # without a terminal and without compiled code, which takes longer than two seconds
+    command = "from airlight.cli import run_process; run_process()"
+    words = ["radiance", "earth-atmosphere-plus", "--sun-zenith", "60", "--view-zenith", "0",
+             "--quality", "preview"]  # fmt: skip
+    environment = {**os.environ, "AIRLIGHT_CACHE": str(tmp_path)}
+    done = subprocess.run([sys.executable, "-c", command, *words], env=environment,
+                          capture_output=True, text=True, check=True)  # fmt: skip
+    assert len(re.findall(r"^airlight: compiling, about [\d.]+ ", done.stderr, re.M)) == 1
