@@ -2,8 +2,8 @@
 
     python benchmarks/random_layers.py --count 200 --error 0.005 --quality default preview
 
-Layers: a tent, a slab with ramps, fog, a bell curve or haze at the top of the shell; 10 m to 5 km
-thick, at 0 to 90 km, optical depth 0.01 to 30, scattering or absorbing, above gas and a grey ground,
+Layers: a tent, a slab with ramps, fog, a bell curve or haze at the top of the shell, 10 m to 5 km
+thick, at 0 to 90 km, optical depth 0.01 to 30, scattering or absorbing, in gas over a grey ground,
 of Earth, Mars and a planet of 500 km. Six lines of sight each, from 2 m and from 400 km, sun 0 to
 88 degrees. Prints one line a layer, then median, 95 % and largest of |difference| and of what two
 standard errors of the Monte Carlo do not explain, over radiances above 1e-6 of the star's

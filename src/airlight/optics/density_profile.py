@@ -35,7 +35,7 @@ _MOST_CORNERS: Final = 12
 #: Density over its largest above which a layer counts as dense.
 DENSE: Final = 0.01
 #: Largest width of a thin layer, aloft and on the ground, over the thickness of the shell.
-_THIN: Final = 0.09
+THIN: Final = 0.07
 _THIN_ON_GROUND: Final = 0.015
 
 
@@ -236,25 +236,25 @@ class DensitySegments:
         )
 
 
-def thin_runs(profile: FloatArray, altitude: FloatArray) -> list[tuple[float, float]]:
+def thin_runs(
+    profile: FloatArray, altitude: FloatArray, widest: float = THIN
+) -> list[tuple[float, float]]:
     """Bottom and top of each thin layer in which a profile exceeds 1 % of its maximum. [m]
 
     Parameters
     ----------
     profile, altitude : array, shape (n,)
         Densities [1] at ascending altitudes, from the ground to the top of the shell. [m]
-
-    Returns
-    -------
-    list of two floats
-        Layers narrower than 9 % of the shell, or than 1.5 % if they lie on the ground.
+    widest : float
+        Largest width of a layer aloft, over the thickness of the shell; of one on the ground it is
+        0.015. [1]
     """
     dense = np.concatenate([[False], profile > DENSE * profile.max(), [False]])
     changes = np.flatnonzero(dense[1:] != dense[:-1])
     runs = []
     for first, last in zip(changes[::2], changes[1::2] - 1, strict=True):
         width = altitude[last] - altitude[first]
-        if 0.0 < width < (_THIN_ON_GROUND if first == 0 else _THIN) * altitude[-1]:
+        if 0.0 < width < (_THIN_ON_GROUND if first == 0 else widest) * altitude[-1]:
             runs.append((float(altitude[first]), float(altitude[last])))
     return runs
 

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from airlight.optics.density_profile import DENSE, DensitySegments, thin_runs
+from airlight.optics.density_profile import DENSE, THIN, DensitySegments, thin_runs
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -25,6 +25,12 @@ _APART: Final = 0.015
 _SAME: Final = 0.002
 
 
+#: Largest width of a thin layer, over the shell's thickness, where its absorption optical depth is
+#: above a limit.
+_WIDEST: Final = 0.25
+_ABSORBING: Final = 0.3
+
+
 class ThinLayer(NamedTuple):
     """Layer that is thin compared with the shell.
 
@@ -38,28 +44,36 @@ class ThinLayer(NamedTuple):
     top: float
 
 
-def thin_layers(density: DensitySegments, extinction: FloatArray) -> list[ThinLayer]:
+def thin_layers(
+    density: DensitySegments, scattering: FloatArray, absorption: FloatArray
+) -> list[ThinLayer]:
     """Layers that are thin compared with the shell, from the lowest up.
+
+    They are narrower than 7 % of the shell, or 25 % where they absorb much of the light, or 1.5 %
+    on the ground.
 
     Parameters
     ----------
     density : DensitySegments
         Profiles of the constituents.
-    extinction : array, shape (nc,)
-        Largest extinction coefficient of each constituent at relative density 1. [m⁻¹]
+    scattering, absorption : array, shape (nc,)
+        Largest coefficients of each constituent at relative density 1. [m⁻¹]
 
     Examples
     --------
     >>> from airlight.optics.density_profile import exponential, tent
     >>> air = DensitySegments.from_rows([exponential(8e3, 1e5), tent(10e3, 100.0, 1e5)])
-    >>> [(round(one.bottom), round(one.top)) for one in thin_layers(air, np.array([1e-5, 1e-3]))]
+    >>> layers = thin_layers(air, np.array([1e-5, 1e-3]), np.zeros(2))
+    >>> [(round(one.bottom), round(one.top)) for one in layers]
     [(9901, 10099)]
     """
     altitude, columns = density.node_altitudes, density.columns()
     found: set[ThinLayer] = set()
-    for profile, column, strength in zip(density.at(altitude), columns, extinction, strict=True):
-        if strength * column >= FAINT:
-            found.update(ThinLayer(*ends) for ends in thin_runs(profile, altitude))
+    for i, profile in enumerate(density.at(altitude)):
+        if (scattering[i] + absorption[i]) * columns[i] >= FAINT:
+            absorbs = absorption[i] * columns[i] > _ABSORBING
+            runs = thin_runs(profile, altitude, _WIDEST if absorbs else THIN)
+            found.update(ThinLayer(*ends) for ends in runs)
     return sorted(found)
 
 

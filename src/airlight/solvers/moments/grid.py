@@ -28,7 +28,7 @@ _WIDTH: Final = 0.6
 _SHIFT: Final = 0.3
 #: Part of the nodes that is left in the shadow, and depths below the horizon, over its dip, between
 #: which they thin out.
-_SHADOW: Final = 0.3
+_SHADOW: Final = 0.2
 _LEAVES: Final = (2.0, 3.0)
 #: E-folds by which light fades below the horizon while the sun sinks by its dip: 9 to 12 on Earth
 #: from 96° to 110°, 6 to 10 on Titan. Half of them in one step, at most.

@@ -204,15 +204,14 @@ class Optics:
         settings : Settings
             Settings with the degrees of clear and of thick air.
         """
-        highest = settings.thick_degree
+        layers = bool(_layers(medium))
+        highest = settings.layer_degree if layers else settings.thick_degree
         moments = medium.phase_moments(highest)
         polarised = settings.polarisation
         strong = np.abs(moments).max(axis=(0, 1)) > NEGLIGIBLE
         needed = int(np.flatnonzero(strong).max()) if strong.any() else 0
         thick = bool((cls(medium, settings.degree, polarised).peak_weight > 0.9).any())
-        # In a thin layer light is scattered twice along it, where little else is scattered.
-        thick = thick or bool(thin_layers(medium.density, medium.extinction.max(axis=1)))
-        degree = max(2, min(needed, highest if thick else settings.degree))
+        degree = max(2, min(needed, highest if thick or layers else settings.degree))
         return cls(medium, degree, polarised)
 
     @cached_property
@@ -290,7 +289,7 @@ class Optics:
         step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
         column = np.concatenate([np.zeros((1, table.shape[1])), np.cumsum(step, axis=0)])
         smooth = self._reduced[1][:, 0]
-        layers = thin_layers(medium.density, medium.extinction.max(axis=1))
+        layers = _layers(medium)
         return Depths(altitude, column @ smooth.max(axis=1), tuple(layers))
 
     def air(self, block: slice) -> Air:
@@ -311,6 +310,12 @@ class Optics:
         )
 
 
+def _layers(medium: Medium) -> list[ThinLayer]:
+    """Thin layers of a medium."""
+    strongest = medium.scattering.max(axis=1), medium.absorption.max(axis=1)
+    return thin_layers(medium.density, *strongest)
+
+
 def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) -> FloatArray:
     """Altitudes at which the panels of rays end, ascending, inside the shell. [m]
 
@@ -328,7 +333,7 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     """
     least, faint = (_FAINT_AND_WIDE, FAINT) if sweeps else (0.0, _SEEN)
     strength = medium.scattering.max(axis=1)
-    layers = thin_layers(medium.density, medium.extinction.max(axis=1))
+    layers = _layers(medium)
     thin = np.array([end for layer in layers for end in layer if 0.0 < end < medium.thickness])
     if parts == 1:
         edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
@@ -371,7 +376,7 @@ def column_radii(medium: Medium, settings: Settings) -> FloatArray:
     needed = (np.abs(np.diff(density, axis=0)) / (_ROW_CHANGE * largest)).max(axis=1)
     strongest = medium.extinction.max(axis=1)
     step = 0.5 * (density[1:] + density[:-1]) * np.diff(altitude)[:, None]
-    for layer in thin_layers(medium.density, strongest):
+    for layer in _layers(medium):
         inside = (altitude[:-1] >= layer.bottom) & (altitude[1:] <= layer.top)
         above = np.cumsum((step * inside[:, None])[::-1], axis=0)[::-1]
         above = np.log(above + _LEAST_ABOVE * above[0] + 1e-300)

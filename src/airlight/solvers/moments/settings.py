@@ -18,6 +18,8 @@ class Settings:
         Highest degree of the harmonics for air with thin aerosol.
     thick_degree : int
         Highest degree where forward peaks are scattered many times (dust, haze).
+    layer_degree : int
+        Highest degree where a layer is thin: light is scattered twice along it.
     radii, suns : int
         Nodes in radius and in sun elevation.
     zenith_angles : int
@@ -51,6 +53,7 @@ class Settings:
 
     degree: int
     thick_degree: int
+    layer_degree: int
     radii: int
     suns: int
     zenith_angles: int
@@ -78,6 +81,7 @@ QUALITIES: Final = {
     "preview": Settings(
         degree=4,
         thick_degree=6,
+        layer_degree=12,
         radii=14,
         suns=36,
         zenith_angles=6,
@@ -98,8 +102,9 @@ QUALITIES: Final = {
     "default": Settings(
         degree=9,
         thick_degree=16,
+        layer_degree=16,
         radii=24,
-        suns=56,
+        suns=58,
         zenith_angles=12,
         horizon_angles=6,
         high_angles=5,
@@ -117,6 +122,7 @@ QUALITIES: Final = {
     "fine": Settings(
         degree=16,
         thick_degree=24,
+        layer_degree=24,
         radii=40,
         suns=104,
         zenith_angles=20,
