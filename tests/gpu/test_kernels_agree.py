@@ -33,6 +33,7 @@ from airlight.scene.projections.cubemap import cube_ray
 from airlight.scene.projections.equirectangular import panorama_ray
 from airlight.scene.projections.fisheye import fisheye_ray
 from airlight.scene.projections.octahedral import octahedral_ray
+from airlight.scene.projections.orthographic import orthographic_ray
 from airlight.scene.projections.perspective import perspective_ray
 from airlight.scene.projections.projected import projected_ray, projected_rays
 from airlight.solvers.moments import convergence, harmonics, levels, march, packing, ray_optics
@@ -250,6 +251,7 @@ RAYS = [
     Case(panorama_ray, (X, Y, 1280.0, 640.0, SPHERE), atol=DIRECTION),
     Case(cube_ray, (X, Y / 3.0, 1280.0, 1280.0 / 6.0, SPHERE), atol=DIRECTION),
     Case(octahedral_ray, (X, 2.0 * Y, 1280.0, 1280.0, SPHERE), atol=DIRECTION),
+    Case(orthographic_ray, (X, Y, 1280.0, 640.0, 1.0), atol=DIRECTION),
 ]
 
 GROUND = [

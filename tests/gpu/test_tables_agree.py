@@ -448,6 +448,10 @@ WHOLE = {
         "_mean_across", "coarser_texel", "finer_texel", "_blurred_across", "blurred_texel",
         "spread_texel", "glared_texel",
     ),
+    "test_glare.py::test_beyond_the_circle_of_a_dome_a_device_shows_no_glare": ("beyond_circle",),
+    "test_ground_detail.py::test_the_ground_before_a_low_observer_is_that_of_the_processor": (
+        "ground_cosine",
+    ),
     "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_processor": (
         "ground_detail", "smooth_noise", "lattice_value", "quintic", "shuffled", "below_289",
         "in_period",
