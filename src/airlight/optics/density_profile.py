@@ -35,7 +35,7 @@ _MOST_CORNERS: Final = 12
 #: Density over its largest above which a layer counts as dense.
 DENSE: Final = 0.01
 #: Largest width of a thin layer, aloft and on the ground, over the thickness of the shell.
-THIN: Final = 0.07
+THIN: Final = 0.12
 _THIN_ON_GROUND: Final = 0.015
 
 

@@ -26,9 +26,11 @@ _SAME: Final = 0.002
 
 
 #: Largest width of a thin layer, over the shell's thickness, where its absorption optical depth is
-#: above a limit.
+#: above a limit; and where the air's scattering optical depth is.
 _WIDEST: Final = 0.25
 _ABSORBING: Final = 0.3
+_IN_DEEP_AIR: Final = 0.07
+_DEEP: Final = 1.5
 
 
 class ThinLayer(NamedTuple):
@@ -49,8 +51,8 @@ def thin_layers(
 ) -> list[ThinLayer]:
     """Layers that are thin compared with the shell, from the lowest up.
 
-    They are narrower than 7 % of the shell, or 25 % where they absorb much of the light, or 1.5 %
-    on the ground.
+    They are narrower than 12 % of the shell (7 % where the air scatters so often that a solver's
+    levels follow its depth), or 25 % where they absorb much of the light, or 1.5 % on the ground.
 
     Parameters
     ----------
@@ -69,10 +71,11 @@ def thin_layers(
     """
     altitude, columns = density.node_altitudes, density.columns()
     found: set[ThinLayer] = set()
+    thin = THIN if scattering @ columns < _DEEP else _IN_DEEP_AIR
     for i, profile in enumerate(density.at(altitude)):
         if (scattering[i] + absorption[i]) * columns[i] >= FAINT:
             absorbs = absorption[i] * columns[i] > _ABSORBING
-            runs = thin_runs(profile, altitude, _WIDEST if absorbs else THIN)
+            runs = thin_runs(profile, altitude, _WIDEST if absorbs else thin)
             found.update(ThinLayer(*ends) for ends in runs)
     return sorted(found)
 
