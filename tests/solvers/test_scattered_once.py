@@ -5,23 +5,35 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+import pytest
 from numpy.testing import assert_allclose
 
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
-from airlight.planets import Planet
+from airlight.planets import Constituent, Planet, replace
+from airlight.planets.matter.phases import HenyeyGreenstein
+from airlight.planets.matter.profiles import Tent
 from airlight.planets.medium import Medium
 from airlight.solvers.scattered_once import scattered_once
 from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import single_scattering
 
 
+@pytest.mark.parametrize("layer", [None, (10e3, 100.0, 0.3), (3e3, 20.0, 1.0)])
 def test_quick_and_careful_quadrature_agree_by_day(
-    reference_earth: Callable[..., Planet],
+    reference_earth: Callable[..., Planet], layer: tuple[float, float, float] | None
 ) -> None:
-    # Second method: adaptive quadrature of the profiles themselves, without tables.
+    # Second method: adaptive quadrature of the profiles themselves, without tables. The same with
+    # a layer of given centre and half width [m], and optical depth.
     planet = reference_earth(albedo=0.3)
+    if layer is not None:
+        centre, width, depth = layer
+        cloud = Constituent(
+            name="cloud", profile=Tent(center=centre, half_width=width), scattering=depth / width,
+            phase_function=HenyeyGreenstein(asymmetry=0.8),
+        )  # fmt: skip
+        planet = replace(planet, constituents=(*planet.constituents, cloud))
     medium = Medium.from_planet(planet, planet.wavelengths)
     bottom, top = medium.bottom_radius, medium.top_radius
     rng = np.random.default_rng(11)

@@ -20,11 +20,14 @@ from airlight.geometry.sun_disc import sun_elevation, visible_fraction
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.planets.medium import Medium
+from airlight.solvers.layered_columns import column_radii, layer_ends
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.sight import Sight
 from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
+    TABLE_SHAPE,
     ColumnTable,
+    cut_at_corners,
     density_table,
     new_path,
     trace_resolved,
@@ -40,7 +43,7 @@ _BLOCK: Final = 2048
 
 
 @compiled_loop
-def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspace, out):
+def _scattered(sight, panels, rule, ends, shell, star_radius, optics, tables, workspace, out):
     r, mu, mu_s, nu, length = sight
     bottom, top = shell
     scattering, extinction, strongest = optics
@@ -54,6 +57,7 @@ def _scattered(sight, panels, rule, shell, star_radius, optics, tables, workspac
             continue
         first, second = shadow_edges(r[p], mu[p], mu_s[p], nu[p], bottom)
         count = place_edges(r[p], mu[p], length[p], panels, first, second, edges)
+        count = cut_at_corners(r[p], mu[p], bottom, ends, edges, count)
         points = trace_resolved(
             r[p], mu[p], edges, count, rule, bottom, top - bottom, nodes, strongest, path
         )
@@ -92,7 +96,9 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     """
     only_straight(medium, "a table of light scattered once")
     bottom, top = medium.bottom_radius, medium.top_radius
-    columns = ColumnTable.build(bottom, top, medium.density)
+    radii = column_radii(medium, TABLE_SHAPE[0])
+    columns = ColumnTable.build(bottom, top, medium.density, TABLE_SHAPE, radii)
+    ends = layer_ends(medium)
     nodes = medium.density.first_nodes, density_table(medium.density)
     tables = (nodes, column_rows(columns, medium.density), mean_density_ratios(columns))
     rule = gauss_legendre(_NODES).as_tuple()
@@ -104,14 +110,14 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     def block(index: int) -> None:
         rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
         workspace = (
-            new_path(_NODES * (2 * _PANELS + 10), constituents),
+            new_path(_NODES * (2 * _PANELS + 10 + 2 * ends.size), constituents),
             np.empty(MAX_EDGES),
             np.empty(constituents),
         )
         lines = tuple(x[rows] for x in (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length))
         _scattered(
-            lines, _PANELS, rule, (bottom, top), medium.lights[0].angular_radius, optics, tables,
-            workspace, out[rows],
+            lines, _PANELS, rule, ends, (bottom, top), medium.lights[0].angular_radius, optics,
+            tables, workspace, out[rows],
         )  # fmt: skip
 
     run_blocks(block, -(-n // _BLOCK), cancel=cancel)

@@ -17,8 +17,10 @@ from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_cell, view_cell
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import graded, uniform
+from airlight.solvers.layered_columns import column_radii
 from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
+    TABLE_SHAPE,
     ColumnTable,
     accumulate,
     cut_at_corners,
@@ -82,7 +84,9 @@ class LineOptics(NamedTuple):
 def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
     """Arrays of a medium for lines of ``steps`` steps."""
     scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
-    table = ColumnTable.build(medium.bottom_radius, medium.top_radius, medium.density)
+    radii = column_radii(medium, TABLE_SHAPE[0])
+    shell = medium.bottom_radius, medium.top_radius
+    table = ColumnTable.build(*shell, medium.density, TABLE_SHAPE, radii)
     rule = (graded if settings.graded else uniform)(steps)
     return LineOptics(
         medium.bottom_radius,

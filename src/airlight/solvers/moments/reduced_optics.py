@@ -23,36 +23,24 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, kernel, vectorized
-from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
-from airlight.optics.layer_edges import FAINT, ThinLayer, layer_edges, thin_layers
+from airlight.kernel import compiled_loop, kernel
+from airlight.optics.layer_edges import FAINT, ThinLayer, layer_edges
 from airlight.planets.medium import Medium
+from airlight.solvers.layered_columns import FAINT_AND_WIDE, layer_ends, layers_of
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import ELEMENTS
 from airlight.solvers.moments.levels import Depths, panel_cuts
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.ray_optics import Air
 from airlight.solvers.moments.settings import Settings
-from airlight.tables.columns import density_table, even_radii
+from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
 
 #: Vertical scattering optical depth about which forward peaks begin to be cut off. [1]
 THIN: Final = 0.1
-#: Largest optical depth between rows of the table of columns in layers aloft, largest change of a
-#: profile between them over its maximum, and largest number of rows over that of clear air.
-_ROW_DEPTH: Final = 0.15
-_ROW_CHANGE: Final = 0.15
-#: Largest change from row to row of the logarithm of the column above within a thin layer, down to
-#: a small part of the layer's column, and of that of the distance to the top below it.
-_ROW_FALL: Final = 0.15
-_LEAST_ABOVE: Final = 0.01
-_MOST_ROWS: Final = 8
-#: Smallest scattering optical depth of a wide layer aloft at whose edges the panels of sweeps end:
-#: a fainter one changes skies by less than 0.4 % there, and ends would cost 10 % of the solve.
-_FAINT_AND_WIDE: Final = 0.01
-#: That of any layer aloft at whose edges the panels of lines of sight end: at dusk, when it alone
-#: is lit, a cloud of depth 1e-4 at 55 km was up to 40 % too bright or dark.
+#: Smallest scattering optical depth of a layer aloft at whose edges the panels of lines of sight
+#: end: at dusk, when it alone is lit, a cloud of depth 1e-4 at 55 km was up to 40 % off.
 _SEEN: Final = 1e-6
 #: Distance from a layer's edge within which a cut of thick air is left out, over the thickness.
 _NEAR_EDGE: Final = 1.5e-3
@@ -204,7 +192,7 @@ class Optics:
         settings : Settings
             Settings with the degrees of clear and of thick air.
         """
-        layers = bool(_layers(medium))
+        layers = bool(layers_of(medium))
         highest = settings.layer_degree if layers else settings.thick_degree
         moments = medium.phase_moments(highest)
         polarised = settings.polarisation
@@ -289,7 +277,7 @@ class Optics:
         step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
         column = np.concatenate([np.zeros((1, table.shape[1])), np.cumsum(step, axis=0)])
         smooth = self._reduced[1][:, 0]
-        layers = _layers(medium)
+        layers = layers_of(medium)
         return Depths(altitude, column @ smooth.max(axis=1), tuple(layers))
 
     def air(self, block: slice) -> Air:
@@ -310,12 +298,6 @@ class Optics:
         )
 
 
-def _layers(medium: Medium) -> list[ThinLayer]:
-    """Thin layers of a medium."""
-    strongest = medium.scattering.max(axis=1), medium.absorption.max(axis=1)
-    return thin_layers(medium.density, *strongest)
-
-
 def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) -> FloatArray:
     """Altitudes at which the panels of rays end, ascending, inside the shell. [m]
 
@@ -331,10 +313,10 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
         Whether the rays are those of sweeps, which need no ends in layers that are faint and wide.
         A line of sight of eight points saw a stratosphere of depth 0.007 10 % too bright.
     """
-    least, faint = (_FAINT_AND_WIDE, FAINT) if sweeps else (0.0, _SEEN)
+    least, faint = (FAINT_AND_WIDE, FAINT) if sweeps else (0.0, _SEEN)
     strength = medium.scattering.max(axis=1)
-    layers = _layers(medium)
-    thin = np.array([end for layer in layers for end in layer if 0.0 < end < medium.thickness])
+    layers = layers_of(medium)
+    thin = layer_ends(medium)
     if parts == 1:
         edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
         return np.union1d(_beside(edges, layers, medium.thickness), thin)
@@ -354,46 +336,3 @@ def _beside(edges: FloatArray, layers: list[ThinLayer], thickness: float) -> Flo
     for layer in layers:
         edges = edges[(edges < layer.bottom - near) | (edges > layer.top + near)]
     return edges
-
-
-def column_radii(medium: Medium, settings: Settings) -> FloatArray:
-    """Radii of the table of columns towards the star: closer where a layer is thin or deep. [m]
-
-    Between rows the table is exact for air that thins exponentially. For a cloud with an upper end
-    it errs by the square of the optical depth from row to row: 5 % of a cloud's light for 1.
-
-    Parameters
-    ----------
-    medium : Medium
-    settings : Settings
-        Settings with the number of rows of clear air.
-    """
-    bottom, rows = medium.bottom_radius, settings.column_radii
-    density, altitude = density_table(medium.density), medium.density.node_altitudes
-    clear = vectorized(altitude_coordinate)(bottom + altitude, bottom, medium.top_radius)
-    steps = (rows - 1) * np.diff(clear)
-    largest = np.maximum(density.max(axis=0), 1e-300)
-    needed = (np.abs(np.diff(density, axis=0)) / (_ROW_CHANGE * largest)).max(axis=1)
-    strongest = medium.extinction.max(axis=1)
-    step = 0.5 * (density[1:] + density[:-1]) * np.diff(altitude)[:, None]
-    for layer in _layers(medium):
-        inside = (altitude[:-1] >= layer.bottom) & (altitude[1:] <= layer.top)
-        above = np.cumsum((step * inside[:, None])[::-1], axis=0)[::-1]
-        above = np.log(above + _LEAST_ABOVE * above[0] + 1e-300)
-        fall = np.abs(np.diff(above, axis=0, append=above[-1:])).max(axis=1)
-        needed = np.maximum(needed, fall / _ROW_FALL)
-        # Below a layer its column is the same, and the distance to the top is not.
-        farther = np.log(medium.thickness - np.minimum(altitude, layer.bottom))
-        needed = np.maximum(needed, np.abs(np.diff(farther)) / _ROW_FALL)
-    brightest = medium.scattering.max(axis=1)
-    if layer_edges(medium.density, brightest, faint_and_wide=_FAINT_AND_WIDE).size:
-        needed = np.maximum(needed, step @ strongest / _ROW_DEPTH)
-    more = np.maximum(needed - steps, 0.0)
-    more *= min(1.0, (_MOST_ROWS - 1) * rows / max(float(more.sum()), 1e-300))
-    row = np.concatenate([[0.0], np.cumsum(steps + more)])
-    count = round(row[-1]) + 1
-    if count == rows:
-        return even_radii(bottom, medium.top_radius, rows)
-    x = np.interp(np.linspace(0.0, row[-1], count), row, clear)
-    radii = vectorized(radius_from_coordinate)(x, bottom, medium.top_radius)
-    return np.asarray(np.clip(radii, bottom, medium.top_radius))

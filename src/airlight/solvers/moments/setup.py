@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from airlight.kernel.lanes import FEW
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
+from airlight.solvers.layered_columns import column_radii
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, harmonics, moment_count
@@ -27,7 +28,7 @@ from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
 from airlight.solvers.moments.ray_optics import Air, Azimuths
 from airlight.solvers.moments.rays import Rays, trace_rays
-from airlight.solvers.moments.reduced_optics import Optics, column_radii, panel_ends
+from airlight.solvers.moments.reduced_optics import Optics, panel_ends
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.thinned_rays import thinned
 from airlight.solvers.moments.visible_rays import rays_in_sight
@@ -195,7 +196,7 @@ class Setup:
     @cached_property
     def column_radii(self) -> FloatArray:
         """Radii of the rows of the table of columns towards the star. [m]"""
-        return column_radii(self.medium, self.settings)
+        return column_radii(self.medium, self.settings.column_radii)
 
     @property
     def column_directions(self) -> int:
