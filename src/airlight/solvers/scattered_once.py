@@ -99,6 +99,8 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     radii = column_radii(medium, TABLE_SHAPE[0])
     columns = ColumnTable.build(bottom, top, medium.density, TABLE_SHAPE, radii)
     ends = layer_ends(medium)
+    if ends.size:
+        ends = np.union1d(ends, medium.density.corners)
     nodes = medium.density.first_nodes, density_table(medium.density)
     tables = (nodes, column_rows(columns, medium.density), mean_density_ratios(columns))
     rule = gauss_legendre(_NODES).as_tuple()
