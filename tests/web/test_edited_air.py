@@ -140,7 +140,8 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
         name: {"values": table.ravel().tolist(), "shape": list(table.shape)}
         for name, table in {
             "start": plan.block.rays.start, "radius": plan.block.rays.radius,
-            "row": plan.setup.grid.row, "sun_cosines": plan.setup.grid.sun_cosines,
+            "first_nodes": plan.setup.grid.first_nodes, "row": plan.setup.grid.row,
+            "sun_cosines": plan.setup.grid.sun_cosines,
         }.items()
     }  # fmt: skip
     cubics = from_text(data["completion"]["cubics"]).tolist()

@@ -25,8 +25,8 @@ def effective_top(density: DensitySegments) -> float:
     --------
     >>> from airlight.optics.density_profile import exponential
     >>> high = DensitySegments.from_rows([exponential(8e3, 63e6)])
-    >>> round(effective_top(high), -3)  # 8 km ln 1e7
-    129000.0
+    >>> round(effective_top(high), -4)  # 8 km ln 1e7 = 129 km, and the next node
+    130000.0
     >>> effective_top(DensitySegments.from_rows([exponential(8e3, 1e5)]))
     100000.0
     """

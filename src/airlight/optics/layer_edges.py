@@ -66,8 +66,8 @@ def thin_layers(
     >>> from airlight.optics.density_profile import exponential, tent
     >>> air = DensitySegments.from_rows([exponential(8e3, 1e5), tent(10e3, 100.0, 1e5)])
     >>> layers = thin_layers(air, np.array([1e-5, 1e-3]), np.zeros(2))
-    >>> [(round(one.bottom), round(one.top)) for one in layers]
-    [(9901, 10099)]
+    >>> [(round(one.bottom, -1), round(one.top, -1)) for one in layers]
+    [(9900.0, 10100.0)]
     """
     altitude, columns = density.node_altitudes, density.columns()
     found: set[ThinLayer] = set()

@@ -56,7 +56,7 @@ def directions(grid: Grid, counts: tuple[int, ...]) -> Directions:
 
     Examples
     --------
-    >>> ground = Grid(1.0, 1.02, np.ones(1), *[np.zeros(0)] * 3)
+    >>> ground = Grid(1.0, 1.02, np.ones(1), *[np.zeros(0)] * 4)
     >>> directions(ground, (1, 1)).mu.round(3).tolist()
     [[-0.069, -0.569, 0.069, 0.569]]
     """

@@ -18,8 +18,6 @@ class Settings:
         Highest degree of the harmonics for air with thin aerosol.
     thick_degree : int
         Highest degree where forward peaks are scattered many times (dust, haze).
-    layer_degree : int
-        Highest degree where a layer is thin: light is scattered twice along it.
     radii, suns : int
         Nodes in radius and in sun elevation.
     zenith_angles : int
@@ -44,6 +42,8 @@ class Settings:
         by day, on most lines, and on those that graze the ground.
     cut_panels : int
         Panels a leg there, before these cuts.
+    layer_degree : int
+        Highest degree where a layer is thin: light is scattered twice along it.
     energy_tolerance : float
         Largest light that a solution may make or lose, over the light incident, without a
         warning. [1]
@@ -53,7 +53,6 @@ class Settings:
 
     degree: int
     thick_degree: int
-    layer_degree: int
     radii: int
     suns: int
     zenith_angles: int
@@ -69,6 +68,7 @@ class Settings:
     march_panels: int
     cut_nodes: tuple[int, int, int]
     cut_panels: int
+    layer_degree: int = 16
     energy_tolerance: float = 1e-2
     polarisation: bool = True
 
@@ -102,7 +102,6 @@ QUALITIES: Final = {
     "default": Settings(
         degree=9,
         thick_degree=16,
-        layer_degree=16,
         radii=24,
         suns=58,
         zenith_angles=12,
