@@ -162,6 +162,11 @@ class DensitySegments:
         return node_altitudes(self.first_nodes, self.thickness)
 
     @cached_property
+    def at_nodes(self) -> FloatArray:
+        """Relative densities at the altitude nodes, shape (nc, n). [1]"""
+        return self.at(self.node_altitudes)
+
+    @cached_property
     def corners(self) -> FloatArray:
         """Altitudes of the corners of profiles, ascending, shape (n,). [m]
 
@@ -171,7 +176,7 @@ class DensitySegments:
         if self.known_corners is not None:
             return self.known_corners
         found: set[float] = set()
-        for edges, profile in zip(self.edges, self.at(self.node_altitudes), strict=True):
+        for edges, profile in zip(self.edges, self.at_nodes, strict=True):
             inside = np.unique(edges[(edges > edges[0]) & (edges < edges[-1])])
             if not 0 < inside.size <= _MOST_CORNERS:
                 ends = np.ravel(thin_runs(profile, self.node_altitudes))

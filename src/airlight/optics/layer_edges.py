@@ -72,7 +72,7 @@ def thin_layers(
     altitude, columns = density.node_altitudes, density.columns()
     found: set[ThinLayer] = set()
     thin = THIN if scattering @ columns < _DEEP else _IN_DEEP_AIR
-    for i, profile in enumerate(density.at(altitude)):
+    for i, profile in enumerate(density.at_nodes):
         if (scattering[i] + absorption[i]) * columns[i] >= FAINT:
             absorbs = absorption[i] * columns[i] > _ABSORBING
             runs = thin_runs(profile, altitude, _WIDEST if absorbs else thin)

@@ -36,7 +36,7 @@ _BLOCK = 1024
 
 def density_table(density: DensitySegments) -> FloatArray:
     """Relative densities at the altitude nodes, for linear interpolation, shape (n, nc). [1]"""
-    return np.ascontiguousarray(density.at(density.node_altitudes).T)
+    return np.ascontiguousarray(density.at_nodes.T)
 
 
 @compiled_loop
