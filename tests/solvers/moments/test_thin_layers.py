@@ -116,8 +116,8 @@ def test_the_balance_of_an_absorbing_earth_closes_and_a_false_field_does_not() -
 
 
 def test_light_that_is_lost_is_reported() -> None:
-    # Twenty thousand metres of mean free path on a planet of 500 km, where light goes around: the
-    # grid of this quality loses some, and says so.
+    # A conservative layer of depth 20, 50 km above a planet of 500 km: light goes around it. The
+    # grid of this quality loses 3 %, and says so.
     hard = planet(Tent(center=50.5e3, half_width=86.0), 20.0, g=0.6, radius=500e3, top=60e3)
     with pytest.warns(AirlightWarning, match=r"energy is not conserved: .* at 550 nm \(limit"):
         solution = solve(hard, quality="default", polarisation=False, cache=False)
