@@ -35,7 +35,7 @@ def test_the_column_between_nodes_is_that_of_the_profile(name: str) -> None:
     density = DensitySegments.from_rows([exponential(8e3, TOP), PROFILES[name]])
     values, altitude = density_table(density), density.node_altitudes
     column = np.trapezoid(values, altitude, axis=0)
-    assert_allclose(column, density.columns(), rtol=3e-3)
+    assert_allclose(column, density.columns, rtol=3e-3)
 
 
 @pytest.mark.parametrize("name", PROFILES)

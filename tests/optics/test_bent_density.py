@@ -22,7 +22,7 @@ def shell(rows: list, refractivity: np.ndarray) -> BentShell:
 def test_vertical_columns_are_those_of_the_profiles() -> None:
     # A vertical ray is not bent: ∫ ρ (dr/dx) dx = ∫ ρ dr. Pieces of the profile err by 5e-5.
     profiles = DensitySegments.from_rows(ROWS)
-    assert_allclose(shell(ROWS, NO_TENT).density.columns()[:3], profiles.columns(), rtol=5e-5)
+    assert_allclose(shell(ROWS, NO_TENT).density.columns[:3], profiles.columns, rtol=5e-5)
 
 
 def test_optical_radius_is_the_radius_times_the_index() -> None:
@@ -35,7 +35,7 @@ def test_optical_radius_is_the_radius_times_the_index() -> None:
 
 def test_true_length_of_a_vertical_ray_is_the_shell_s_height() -> None:
     # The same integral of dr/dx alone.
-    assert_allclose(shell(ROWS, NO_TENT).length.columns()[0], THICK, rtol=5e-5)
+    assert_allclose(shell(ROWS, NO_TENT).length.columns[0], THICK, rtol=5e-5)
 
 
 def test_light_that_would_follow_the_ground_is_refused() -> None:

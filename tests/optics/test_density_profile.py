@@ -172,7 +172,7 @@ def test_padding_and_points_outside_the_shell_change_nothing():
     expected = [at(row, h) for row in rows]
     assert_allclose(segments.at(h), expected, rtol=0, atol=0)
     assert_allclose(segments.at(THICKNESS)[2], np.exp(-12.5), rtol=1e-12)
-    assert_allclose(segments.columns(), [row_column(row) for row in rows], rtol=1e-14)
+    assert_allclose(segments.columns, [row_column(row) for row in rows], rtol=1e-14)
 
 
 def test_lookup_works_from_compiled_code():

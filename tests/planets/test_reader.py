@@ -46,7 +46,7 @@ def test_the_file_of_the_format_means_what_it_says(good):
     assert_allclose(medium.ground_albedo, 0.1, rtol=0, atol=0)
     assert_allclose(medium.solar_irradiance, 1.0, rtol=0, atol=0)
     assert_allclose(np.degrees(medium.star_angular_radius), 0.2678, rtol=1e-12)
-    assert_allclose(medium.density.columns(), [7999.9702, 1200.0, 15000.0], rtol=0, atol=5e-5)
+    assert_allclose(medium.density.columns, [7999.9702, 1200.0, 15000.0], rtol=0, atol=5e-5)
 
 
 def test_units_may_be_any_of_their_kind(good):
@@ -83,7 +83,7 @@ def test_scale_height_and_density_follow_from_bulk_parameters(good):
     old = f'{AIR}\nphase_function = {{ kind = "rayleigh" }}'
     by_mass = '{ rayleigh = "air", mass_density = "1.225 kg/m^3", molar_mass = "28.9644 g/mol" }'
     medium = medium_of(replaced(text, old, f"scattering = {by_mass}"))
-    assert_allclose(medium.density.columns()[0], 8434.5, rtol=5e-5)
+    assert_allclose(medium.density.columns[0], 8434.5, rtol=5e-5)
     assert_allclose(1e6 * medium.scattering[0], [4.848, 11.487, 28.710], rtol=2e-4)
 
 

@@ -9,13 +9,13 @@ is found without a search. Profiles that vary slowly have one step a cell.
 
 from __future__ import annotations
 
-from math import sqrt
+from math import exp, sqrt
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
-from airlight.kernel import inlined
+from airlight.kernel import compiled_loop, inlined
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -54,31 +54,45 @@ def altitude_nodes(edges: FloatArray, coefficients: FloatArray) -> FloatArray:
     return np.concatenate([[0.0], np.cumsum(counts)])
 
 
-def _refine(edges: FloatArray, rows: FloatArray, cells: FloatArray, steps: FloatArray) -> None:
+@compiled_loop
+def _refine(edges, rows, cells, steps):
     """Raise the numbers of steps of the cells to what one profile needs."""
-    wide = np.diff(edges) > 0.0
-    bounds, rows = np.append(edges[:-1][wide], edges[-1]), rows[wide]
-    a, b, c, d = rows.T
-    width = np.diff(bounds)
-    low = np.maximum(a + d, 0.0)
-    high = np.maximum(a * np.exp(b * width) + c * width + d, 0.0)
-    most = max(float(low.max()), float(high.max()), 1e-300)
-    height = np.diff(cells)
-    # Pieces between neighbouring cells or segments: in each the slope is monotone.
-    ends = np.unique(np.concatenate([cells, bounds]))
-    middle = 0.5 * (ends[1:] + ends[:-1])
-    segment = np.clip(np.searchsorted(bounds, middle) - 1, 0, width.size - 1)
-    cell = np.clip(np.searchsorted(cells, middle) - 1, 0, CELLS - 1)
-    slope = np.zeros(middle.size)
-    for x in (ends[:-1] - bounds[segment], ends[1:] - bounds[segment]):
-        grown = a[segment] * np.exp(b[segment] * x)
-        some = grown + c[segment] * x + d[segment] > 0.0
-        slope = np.maximum(slope, np.where(some, np.abs(grown * b[segment] + c[segment]), 0.0))
-    np.maximum.at(steps, cell, slope * height[cell] / (_CHANGE * most))
-    for k in np.flatnonzero(np.abs(low[1:] - high[:-1]) > _CHANGE * most):
-        narrower = min(width[i] for i in (k, k + 1) if max(low[i], high[i]) > _CHANGE * most)
-        at = int(np.clip(np.searchsorted(cells, bounds[k + 1]) - 1, 0, CELLS - 1))
-        steps[at] = max(steps[at], _JUMP_NODES * height[at] / narrower)
+    low, high, most = np.zeros(len(rows)), np.zeros(len(rows)), 1e-300
+    for s in range(len(rows)):
+        a, b, c, d = rows[s]
+        width = edges[s + 1] - edges[s]
+        if width > 0.0:
+            low[s] = max(a + d, 0.0)
+            high[s] = max(a * exp(b * width) + c * width + d, 0.0)
+            most = max(most, low[s], high[s])
+    # Pieces between neighbouring ends of cells or segments: in each the slope is monotone.
+    cell, before, bottom = 0, -1, 0.0
+    for s in range(len(rows)):
+        width = edges[s + 1] - edges[s]
+        if width <= 0.0:
+            continue
+        a, b, c, d = rows[s]
+        if before >= 0 and abs(low[s] - high[before]) > _CHANGE * most:
+            narrower = np.inf
+            for k in (before, s):
+                if max(low[k], high[k]) > _CHANGE * most:
+                    narrower = min(narrower, edges[k + 1] - edges[k])
+            at = cell if cells[cell] < edges[s] else max(cell - 1, 0)
+            height = cells[at + 1] - cells[at]
+            steps[at] = max(steps[at], _JUMP_NODES * height / narrower)
+        before = s
+        while True:
+            top = min(cells[cell + 1], edges[s + 1])
+            for altitude in (bottom, top):
+                grown = a * exp(b * (altitude - edges[s]))
+                if grown + c * (altitude - edges[s]) + d > 0.0:
+                    change = abs(grown * b + c) * (cells[cell + 1] - cells[cell])
+                    steps[cell] = max(steps[cell], change / (_CHANGE * most))
+            bottom = top
+            if top == cells[cell + 1] and cell < CELLS - 1:
+                cell += 1
+            if top == edges[s + 1]:
+                break
 
 
 def node_altitudes(first: FloatArray, thickness: float) -> FloatArray:

@@ -188,7 +188,7 @@ class DensitySegments:
         """Profiles of a shell that ends at an altitude, with the same columns. [m]"""
         cut = DensitySegments(np.minimum(self.edges, altitude), self.coefficients)
         factor = np.ones_like(self.coefficients)
-        factor[..., [0, 2, 3]] = (self.columns() / np.maximum(cut.columns(), 1e-300))[:, None, None]
+        factor[..., [0, 2, 3]] = (self.columns / np.maximum(cut.columns, 1e-300))[:, None, None]
         scaled = self.coefficients * factor
         cut.edges.flags.writeable = scaled.flags.writeable = False
         return DensitySegments(cut.edges, scaled)
@@ -222,6 +222,7 @@ class DensitySegments:
         _relative_densities(h.ravel(), self.edges, self.coefficients, out)
         return out.reshape(len(self.edges), *h.shape)
 
+    @cached_property
     def columns(self) -> FloatArray:
         """Vertical column of every constituent, ∫ density dh over the whole shell.
 
@@ -232,7 +233,7 @@ class DensitySegments:
 
         Examples
         --------
-        >>> column = DensitySegments.from_rows([exponential(8e3, 1e5)]).columns()[0]
+        >>> column = DensitySegments.from_rows([exponential(8e3, 1e5)]).columns[0]
         >>> f"{column:.4f}"  # 8 km (1 - exp(-100/8))
         '7999.9702'
         """

@@ -31,7 +31,7 @@ def effective_top(density: DensitySegments) -> float:
     100000.0
     """
     thickness, altitude = density.thickness, density.node_altitudes
-    profiles = density.at(altitude)
+    profiles = density.at_nodes
     steps = 0.5 * (profiles[:, 1:] + profiles[:, :-1]) * np.diff(altitude)
     above = np.cumsum(steps[:, ::-1], axis=1)[:, ::-1]
     counts = (above > _ABOVE * above[:, :1]).any(axis=0)

@@ -69,7 +69,7 @@ def thin_layers(
     >>> [(round(one.bottom, -1), round(one.top, -1)) for one in layers]
     [(9900.0, 10100.0)]
     """
-    altitude, columns = density.node_altitudes, density.columns()
+    altitude, columns = density.node_altitudes, density.columns
     found: set[ThinLayer] = set()
     thin = THIN if scattering @ columns < _DEEP else _IN_DEEP_AIR
     for i, profile in enumerate(density.at_nodes):
@@ -127,7 +127,7 @@ def layer_edges(
     altitude = _samples(density)
     ends: list[tuple[float, bool]] = []
     peaks: list[float] = []
-    columns = density.columns()
+    columns = density.columns
     for i, profile in enumerate(density.at(altitude)):
         peak = int(profile.argmax())
         if scattering[i] * columns[i] < faint or profile[peak] < _ALOFT * profile[0]:

@@ -11,10 +11,12 @@ import numpy.typing as npt
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.planets.matter.gases import GasScattering, density_of_state
+from airlight.planets.relative_densities import relative_densities
 from airlight.spectra.tables import read_spectrum
 from airlight.units import values_in
 
 if TYPE_CHECKING:
+    from airlight.optics.density_profile import DensitySegments
     from airlight.planets.constituent import Constituent
     from airlight.planets.planet import Planet
 
@@ -59,8 +61,6 @@ AIRMASS: Final = 1.5
 LEAST: Final = 5e-5
 #: Wavelengths among which the strongest is looked for. [nm]
 _VISIBLE: Final = np.arange(380.0, 781.0)
-#: Steps of the integral of the squared density over altitude.
-_STEPS: Final = 2_000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,16 +139,27 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
 
 
 def gas_columns(planet: Planet) -> dict[str, float]:
-    """Vertical columns of gases, by formula: of the planet's own, or of its world's. [m⁻²]"""
+    """Vertical columns of gases, by formula: of the planet's own, or of its world's. [m⁻²]
+
+    They are kept with the planet.
+    """
+    kept: dict[str, float] | None = vars(planet).get("_gas_columns")
+    if kept is None:
+        kept = vars(planet)["_gas_columns"] = _gas_columns(planet)
+    return kept
+
+
+def _gas_columns(planet: Planet) -> dict[str, float]:
     columns: dict[str, float] = {}
-    for one in planet.constituents:
+    densities = relative_densities(planet)
+    for i, one in enumerate(planet.constituents):
         composition, whole = _mixture(one)
-        height = one.profile.column(planet.thickness) if composition else 0.0
+        height = densities.columns[i]
         for formula, fraction in composition:
             density = one.amount * fraction * whole
             columns[formula] = columns.get(formula, 0.0) + density * height
             if formula == "O2":
-                pairs = density**2 / PAIR_DENSITY * _squared_column(one, planet.thickness)
+                pairs = density**2 / PAIR_DENSITY * _squared_column(densities, i)
                 columns[PAIR] = columns.get(PAIR, 0.0) + pairs
     if columns and "O2" not in columns:
         return columns
@@ -177,13 +188,10 @@ def _absorbs(planet: Planet, formula: str, table: str) -> bool:
     return False
 
 
-def _squared_column(constituent: Constituent, thickness: float) -> float:
-    """Integral of the squared relative density over altitude. [m]"""
-    from airlight.optics.density_profile import DensitySegments
-
-    altitude = (np.arange(_STEPS) + 0.5) * thickness / _STEPS
-    segments = DensitySegments.from_rows([constituent.profile.row(thickness)])
-    return float(np.square(segments.at(altitude)[0]).sum() * thickness / _STEPS)
+def _squared_column(densities: DensitySegments, index: int) -> float:
+    """Integral of a constituent's squared relative density over altitude. [m]"""
+    squares = np.square(densities.at_nodes[index])
+    return float(np.trapezoid(squares, densities.node_altitudes))
 
 
 def _left_out(name: str, table: str, column: float, wavelengths: npt.ArrayLike) -> LeftOut:

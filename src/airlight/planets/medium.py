@@ -18,14 +18,16 @@ from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics.bent_density import BentShell
-from airlight.optics.density_profile import DensitySegments, Row
+from airlight.optics.density_profile import DensitySegments
 from airlight.optics.effective_top import effective_top
+from airlight.optics.layer_edges import ThinLayer, thin_layers
 from airlight.optics.reflection import WHITE, Reflection
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
 from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Planet
+from airlight.planets.relative_densities import relative_densities
 from airlight.planets.spectral import check_wavelength_list
 from airlight.units import values_in
 
@@ -208,9 +210,7 @@ class Medium:
             if one.matter is not None:
                 with _blamed(f"constituents[{i}]"):
                     one.matter.prepare(nm, progress=progress, cancel=cancel)
-        density = DensitySegments.from_rows(
-            [_row(planet, i) for i in range(len(planet.constituents))]
-        )
+        density = relative_densities(planet)
         height = effective_top(density)
         if height < planet.thickness:
             density = density.below(height)
@@ -261,7 +261,13 @@ class Medium:
     @cached_property
     def columns(self) -> FloatArray:
         """Vertical column of each constituent, ∫ relative density dh, shape (nc,). [m]"""
-        return self.density.columns()
+        return self.density.columns
+
+    @cached_property
+    def thin_layers(self) -> tuple[ThinLayer, ...]:
+        """Layers that are thin compared with the shell, see ``optics.layer_edges``."""
+        strongest = self.scattering.max(axis=1), self.absorption.max(axis=1)
+        return tuple(thin_layers(self.density, *strongest))
 
     @cached_property
     def bent_shell(self) -> BentShell | None:
@@ -456,14 +462,6 @@ def _blamed(where: str) -> Iterator[None]:
         yield
     except ParameterError as error:
         raise ParameterError(f"{where}.{error.field}", error.value, error.allowed) from None
-
-
-def _row(planet: Planet, index: int) -> Row:
-    try:
-        return planet.constituents[index].profile.row(planet.thickness)
-    except ParameterError as error:
-        field_name = f"constituents[{index}].profile.{error.field}"
-        raise ParameterError(field_name, error.value, error.allowed) from None
 
 
 def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:

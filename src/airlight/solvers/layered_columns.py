@@ -1,4 +1,4 @@
-"""Thin layers of a medium, and radii of a table of columns that follow them."""
+"""Ends of a medium's thin layers, and radii of a table of columns that follow them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import vectorized
 from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
-from airlight.optics.layer_edges import ThinLayer, layer_edges, thin_layers
+from airlight.optics.layer_edges import layer_edges
 from airlight.planets.medium import Medium
 from airlight.tables.columns import density_table, even_radii
 
@@ -29,15 +29,9 @@ _MOST_ROWS: Final = 8
 FAINT_AND_WIDE: Final = 0.01
 
 
-def layers_of(medium: Medium) -> list[ThinLayer]:
-    """Thin layers of a medium, see ``thin_layers``."""
-    strongest = medium.scattering.max(axis=1), medium.absorption.max(axis=1)
-    return thin_layers(medium.density, *strongest)
-
-
 def layer_ends(medium: Medium) -> FloatArray:
     """Altitudes inside the shell at which a thin layer begins or ends, ascending, (n,). [m]"""
-    ends = [end for layer in layers_of(medium) for end in layer if 0.0 < end < medium.thickness]
+    ends = [end for layer in medium.thin_layers for end in layer if 0.0 < end < medium.thickness]
     return np.unique(np.array(ends, float))
 
 
@@ -61,7 +55,7 @@ def column_radii(medium: Medium, rows: int) -> FloatArray:
     needed = (np.abs(np.diff(density, axis=0)) / (_ROW_CHANGE * largest)).max(axis=1)
     strongest = medium.extinction.max(axis=1)
     step = 0.5 * (density[1:] + density[:-1]) * np.diff(altitude)[:, None]
-    for layer in layers_of(medium):
+    for layer in medium.thin_layers:
         inside = (altitude[:-1] >= layer.bottom) & (altitude[1:] <= layer.top)
         above = np.cumsum((step * inside[:, None])[::-1], axis=0)[::-1]
         above = np.log(above + _LEAST_ABOVE * above[0] + 1e-300)

@@ -53,13 +53,14 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     mu = grid.sun_cosines
     suns = 0.5 * (np.diff(mu, prepend=-1.0) + np.diff(mu, append=1.0))
     radii, beam = _direct_beam(setup)
-    amount = _shell_amounts(setup, radii)
+    below = _amounts_below(setup)
+    amount = _between(setup, below, radii)
     lit = np.tensordot(_logarithmic_mean(beam[:-1], beam[1:]), suns, (1, 0))
     scattered = np.einsum("rc,cw,rw->w", amount, optics.scattering, lit)
     taken = np.einsum("rc,cw,rw->w", amount, optics.extinction, lit)
     ground = 2.0 * pi * bottom**2 * ((suns * np.maximum(mu, 0.0)) @ beam[0])
     diffuse = np.tensordot(np.asarray(field[:, :, 0], float), suns, (1, 0)) * sqrt(4.0 * pi)
-    amount = _shell_amounts(setup, setup.gathering.radii)
+    amount = _between(setup, below, setup.gathering.radii)
     diffuse = _logarithmic_mean(diffuse[:-1], diffuse[1:])
     absorbed = np.einsum("rc,cw,rw->w", amount, optics.extinction - optics.scattering, diffuse)
     # Moments are of the directions from which light comes: upward light has negative cosines.
@@ -98,16 +99,20 @@ def _logarithmic_mean(low: FloatArray, high: FloatArray) -> FloatArray:
     return np.where(even, 0.5 * (low + high), (low - high) / np.where(even, 1.0, ratio))
 
 
-def _shell_amounts(setup: Setup, radii: FloatArray) -> FloatArray:
-    """∫ 2π r² density dr between neighbouring radii, shape (count - 1, nc). [m³]"""
+def _amounts_below(setup: Setup) -> FloatArray:
+    """∫ 2π r² density dr up to each altitude node, shape (n, nc). [m³]"""
     density, bottom = setup.medium.density, setup.grid.bottom_radius
     altitude, at_nodes = density.node_altitudes, density_table(density)
     middle = 0.5 * (altitude[1:] + altitude[:-1])
     shell = 0.5 * (at_nodes[1:] + at_nodes[:-1])
     shell *= (2.0 * pi * (bottom + middle) ** 2 * np.diff(altitude))[:, None]
-    below = np.concatenate([np.zeros((1, shell.shape[1])), np.cumsum(shell, axis=0)])
-    amounts = [np.diff(np.interp(radii - bottom, altitude, one)) for one in below.T]
-    return np.stack(amounts, axis=1)
+    return np.concatenate([np.zeros((1, shell.shape[1])), np.cumsum(shell, axis=0)])
+
+
+def _between(setup: Setup, below: FloatArray, radii: FloatArray) -> FloatArray:
+    """Part of ``_amounts_below`` between neighbouring radii, shape (count - 1, nc). [m³]"""
+    altitude, nodes = radii - setup.grid.bottom_radius, setup.medium.density.node_altitudes
+    return np.stack([np.diff(np.interp(altitude, nodes, one)) for one in below.T], axis=1)
 
 
 def _direct_beam(setup: Setup) -> tuple[FloatArray, FloatArray]:

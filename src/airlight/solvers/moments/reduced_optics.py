@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, kernel
 from airlight.optics.layer_edges import FAINT, ThinLayer, layer_edges
 from airlight.planets.medium import Medium
-from airlight.solvers.layered_columns import FAINT_AND_WIDE, layer_ends, layers_of
+from airlight.solvers.layered_columns import FAINT_AND_WIDE, layer_ends
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import ELEMENTS
 from airlight.solvers.moments.levels import Depths, panel_cuts
@@ -192,7 +192,7 @@ class Optics:
         settings : Settings
             Settings with the degrees of clear and of thick air.
         """
-        layers = bool(layers_of(medium))
+        layers = bool(medium.thin_layers)
         highest = settings.layer_degree if layers else settings.thick_degree
         moments = medium.phase_moments(highest)
         polarised = settings.polarisation
@@ -277,8 +277,7 @@ class Optics:
         step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
         column = np.concatenate([np.zeros((1, table.shape[1])), np.cumsum(step, axis=0)])
         smooth = self._reduced[1][:, 0]
-        layers = layers_of(medium)
-        return Depths(altitude, column @ smooth.max(axis=1), tuple(layers))
+        return Depths(altitude, column @ smooth.max(axis=1), medium.thin_layers)
 
     def air(self, block: slice) -> Air:
         """Pack the optics of some wavelengths in whole groups of eight lanes.
@@ -315,8 +314,7 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     """
     least, faint = (FAINT_AND_WIDE, FAINT) if sweeps else (0.0, _SEEN)
     strength = medium.scattering.max(axis=1)
-    layers = layers_of(medium)
-    thin = layer_ends(medium)
+    layers, thin = medium.thin_layers, layer_ends(medium)
     if parts == 1:
         edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
         return np.union1d(_beside(edges, layers, medium.thickness), thin)
@@ -330,7 +328,7 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     return np.unique(np.concatenate([kept, _beside(edges, layers, medium.thickness), thin]))
 
 
-def _beside(edges: FloatArray, layers: list[ThinLayer], thickness: float) -> FloatArray:
+def _beside(edges: FloatArray, layers: tuple[ThinLayer, ...], thickness: float) -> FloatArray:
     """Those edges of layers that are not in or next to thin layers, which have their own. [m]"""
     near = _NEAR_EDGE * thickness
     for layer in layers:
