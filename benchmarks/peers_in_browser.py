@@ -185,7 +185,7 @@ Row = tuple[float, float, np.ndarray]
 def processor(quality: str) -> Row:
     """Our solver on the processor."""
     from airlight.planets.medium import Medium
-    from airlight.solvers.moments.solution import solve
+    from airlight.solvers.moments.solve import solve
 
     medium = Medium.from_planet(world(), WAVELENGTHS)
     settings = scalar(quality)
@@ -221,7 +221,7 @@ def scalar(quality: str) -> Any:
 def in_page(browser: Any, clock: Callable[[], float], folder: Path) -> tuple[float, float]:
     """Processor time and time of the page's solver in the browser. [s]"""
     from airlight.planets.medium import Medium
-    from airlight.solvers.moments.solution import solve
+    from airlight.solvers.moments.solve import solve
     from airlight.viewer.browser import page as pages
     from airlight.viewer.browser.page_text import page_text
     from airlight.viewer.session.session import Session

@@ -143,7 +143,11 @@ def main() -> None:
         given.keep.mkdir(parents=True, exist_ok=True)
     found: dict[str, list[tuple[float, float]]] = {one: [] for one in given.quality}
     for seed in range(given.first, given.first + given.count):
-        about, planet, where = case(seed)
+        try:
+            about, planet, where = case(seed)
+        except airlight.ParameterError as error:  # denser than a planet may be
+            print(json.dumps({"seed": seed, "rejected": str(error)}), flush=True)
+            continue
         radiance, noise = reference(seed, planet, where, given.error, given.keep)
         counts = radiance > LEAST
         for quality in given.quality:

@@ -28,7 +28,8 @@ from airlight.solvers.moments.iterate import gather
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
-from airlight.solvers.moments.solution import MomentsSolution, solve
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.moments.solve import solve
 from airlight.solvers.moments.sweep import sweep_radius
 
 WAVELENGTHS = [450.0, 530.0, 600.0, 680.0]

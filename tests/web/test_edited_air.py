@@ -26,7 +26,7 @@ from airlight.solvers.moments.convergence import change_at, count_at, remaining_
 from airlight.solvers.moments.packing import level_weights, pack, thickness
 from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES
-from airlight.solvers.moments.solution import solve
+from airlight.solvers.moments.solve import solve
 from airlight.solvers.moments.vertical_coupling import Wandering
 from airlight.viewer.browser.page_solver import MOST, page_settings, solver_data
 from airlight.viewer.browser.tables_text import from_text

@@ -20,7 +20,8 @@ from airlight.gpu.picture.pictures import Pictures
 from airlight.planets import load_planet
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.settings import QUALITIES
-from airlight.solvers.moments.solution import MomentsSolution, solve
+from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.moments.solve import solve
 from airlight.viewer.browser.page import page_data
 from airlight.viewer.browser.page_solver import page_settings
 from airlight.viewer.browser.page_text import page_text

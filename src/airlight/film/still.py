@@ -21,7 +21,7 @@ from airlight.scene.frame import Frame
 from airlight.scene.ground_overlay import lights_file
 from airlight.scene.local_ground import local_ground
 from airlight.scene.surface_map import map_file, water_file
-from airlight.solvers.moments.solution import solve_work
+from airlight.solvers.moments.solve import solve_work
 from airlight.system import System
 
 if TYPE_CHECKING:

@@ -12,6 +12,9 @@ from airlight.optics.density_profile import DensitySegments
 _ABOVE: Final = 1e-7
 #: Effective top, over the thickness of the shell, above which the shell stays as it is.
 _HIGH: Final = 0.7
+#: Effective top over the altitude of that part: successive orders of scattering converge slowly in
+#: a deep cloud that ends at the top of the shell.
+_MARGIN: Final = 1.1
 
 
 def effective_top(density: DensitySegments) -> float:
@@ -25,8 +28,8 @@ def effective_top(density: DensitySegments) -> float:
     --------
     >>> from airlight.optics.density_profile import exponential
     >>> high = DensitySegments.from_rows([exponential(8e3, 63e6)])
-    >>> round(effective_top(high), -4)  # 8 km ln 1e7 = 129 km, and the next node
-    130000.0
+    >>> round(effective_top(high), -4)  # 1.1 times 8 km ln 1e7 = 129 km
+    140000.0
     >>> effective_top(DensitySegments.from_rows([exponential(8e3, 1e5)]))
     100000.0
     """
@@ -36,5 +39,5 @@ def effective_top(density: DensitySegments) -> float:
     above = np.cumsum(steps[:, ::-1], axis=1)[:, ::-1]
     counts = (above > _ABOVE * above[:, :1]).any(axis=0)
     highest = int(np.flatnonzero(counts).max(initial=-1))
-    top = float(altitude[highest + 1]) if highest >= 0 else thickness
+    top = _MARGIN * float(altitude[highest + 1]) if highest >= 0 else thickness
     return top if top < _HIGH * thickness else thickness

@@ -47,7 +47,11 @@ class ThinLayer(NamedTuple):
 
 
 def thin_layers(
-    density: DensitySegments, scattering: FloatArray, absorption: FloatArray
+    density: DensitySegments,
+    scattering: FloatArray,
+    absorption: FloatArray,
+    *,
+    widest: float | None = None,
 ) -> list[ThinLayer]:
     """Layers that are thin compared with the shell, from the lowest up.
 
@@ -60,6 +64,8 @@ def thin_layers(
         Profiles of the constituents.
     scattering, absorption : array, shape (nc,)
         Largest coefficients of each constituent at relative density 1. [m⁻¹]
+    widest : float, optional
+        Largest width aloft instead, over the thickness of the shell. [1]
 
     Examples
     --------
@@ -75,7 +81,7 @@ def thin_layers(
     for i, profile in enumerate(density.at_nodes):
         if (scattering[i] + absorption[i]) * columns[i] >= FAINT:
             absorbs = absorption[i] * columns[i] > _ABSORBING
-            runs = thin_runs(profile, altitude, _WIDEST if absorbs else thin)
+            runs = thin_runs(profile, altitude, widest or (_WIDEST if absorbs else thin))
             found.update(ThinLayer(*ends) for ends in runs)
     return sorted(found)
 

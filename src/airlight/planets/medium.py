@@ -90,6 +90,8 @@ class Medium:
         Path of a picture of clouds.
     cloud_altitude : float
         Altitude of their layer. [m]
+    resolve_layers : bool
+        Whether grids follow layers aloft of any width as they follow thin ones.
     reflection : Reflection
         Law by which the ground reflects, for an albedo of 1.
 
@@ -119,6 +121,7 @@ class Medium:
     ground_lights: str | None = None
     ground_clouds: str | None = None
     cloud_altitude: float = 0.0
+    resolve_layers: bool = False
     reflection: Reflection = WHITE
 
     def __post_init__(self) -> None:
@@ -267,7 +270,8 @@ class Medium:
     def thin_layers(self) -> tuple[ThinLayer, ...]:
         """Layers that are thin compared with the shell, see ``optics.layer_edges``."""
         strongest = self.scattering.max(axis=1), self.absorption.max(axis=1)
-        return tuple(thin_layers(self.density, *strongest))
+        widest = 1.0 if self.resolve_layers else None
+        return tuple(thin_layers(self.density, *strongest, widest=widest))
 
     @cached_property
     def bent_shell(self) -> BentShell | None:

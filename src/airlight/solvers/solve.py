@@ -29,12 +29,12 @@ if TYPE_CHECKING:
     from airlight.solvers.montecarlo.solution import MonteCarloSolution
     from airlight.units import Measures
 
-#: Packages of the solvers, imported on demand. Each has ``settings.settings_for`` and
-#: ``solution.solve(medium, settings, *, cache, progress, cancel)``.
+#: Modules of the solvers, imported on demand. Each has ``solve(medium, settings, *, cache,
+#: progress, cancel)``, and beside it a module ``settings`` with ``settings_for``.
 SOLVERS: Final = {
-    "moments": "airlight.solvers.moments",
-    "direct": "airlight.solvers.direct",
-    "montecarlo": "airlight.solvers.montecarlo",
+    "moments": "airlight.solvers.moments.solve",
+    "direct": "airlight.solvers.direct.solution",
+    "montecarlo": "airlight.solvers.montecarlo.solution",
 }
 
 
@@ -165,8 +165,8 @@ def solve(
 
         FIRST_COMPILATION.expect(LOOPS)
     planet = load_planet(planet)
-    package = SOLVERS[solver]
-    settings = import_module(f"{package}.settings").settings_for(quality)
+    module = SOLVERS[solver]
+    settings = import_module(f"{module.rpartition('.')[0]}.settings").settings_for(quality)
     if not polarisation and hasattr(settings, "polarisation"):
         settings = replace(settings, polarisation=False)
     given = planet.wavelengths if wavelengths is None else wavelengths
@@ -175,7 +175,7 @@ def solve(
         _check_memory(settings, np.size(nm))
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
     warn_of_missing_bands(planet, medium.wavelengths)
-    solution: Solution = import_module(f"{package}.solution").solve(
+    solution: Solution = import_module(module).solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )
     return solution.of(planet)

@@ -19,7 +19,7 @@ from airlight.kernel.cost import LINES, announce_all
 from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.settings import settings_for
-from airlight.solvers.moments.solution import solve_work
+from airlight.solvers.moments.solve import solve_work
 from airlight.solvers.stokes_frame import (
     STOKES,
     angle_of_polarisation,

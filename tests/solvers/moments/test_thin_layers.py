@@ -20,6 +20,7 @@ from airlight.planets.star import Star
 from airlight.solvers.moments.energy_balance import energy_error
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.montecarlo.settings import Settings
+from airlight.validation.plane_parallel import flat_cases, ground_share, references
 
 RADIUS, TOP = 6371e3, 100e3
 #: From the ground and from 400 km, sun high and low.
@@ -125,11 +126,11 @@ def test_light_that_is_lost_is_reported() -> None:
 
 
 def test_the_height_of_a_shell_does_not_matter() -> None:
-    # Above 130 km there is no air: 1e-7 of it. The radius of the shell is a convention; the suns of
-    # the grid follow the height that is left, by half a per cent at this quality.
+    # Above 130 km there is no air: 1e-7 of it, and grids end a tenth above. The radius of the shell
+    # is a convention; the suns of the grid follow the height that is left.
     low = load_planet("earth-atmosphere-plus")
     views = {"altitude": [0.0, 4e5], "sun_zenith": [[30.0], [88.0]], "view_zenith": [80.0, 110.0]}
-    truth = solve(replace(low, top_radius=6360e3 + 130e3), quality="preview").radiance(**views)
+    truth = solve(replace(low, top_radius=6360e3 + 142e3), quality="preview").radiance(**views)
     for height in (400e3, 57e6):
         high = solve(replace(low, top_radius=6360e3 + height), quality="preview", cache=False)
         assert high.medium.thickness < 150e3
@@ -146,3 +147,14 @@ def test_ordinary_planets_have_one_step_a_cell_and_no_warning() -> None:
         solution = solve("mars", [550.0], "preview", cache=False)
     first = solution.medium.density.first_nodes
     assert_allclose(np.diff(first), 1.0)
+
+
+@pytest.mark.parametrize("room", [1.0, 1.1, 3.0])
+def test_deep_clouds_that_fill_much_of_their_shell_are_resolved(room: float) -> None:
+    # flat air, against discrete ordinates (``validation.plane_parallel``): its shell is cut
+    case = next(one for one in flat_cases() if one.name.startswith("cloud of depth 30"))
+    top = case.planet.bottom_radius + 8e3 * room
+    cut = replace(case.planet, top_radius=top)
+    solution = solve(cut, [case.wavelength], polarisation=False, cache=False)
+    assert_allclose(ground_share(solution), references()[case.name].ground, rtol=1e-2)
+    assert np.abs(solution.report.energy).max() < 5e-3

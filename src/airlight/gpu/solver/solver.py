@@ -26,7 +26,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.energy_balance import energy_error
+from airlight.solvers.moments.energy_balance import energy_error, makes_light
 from airlight.solvers.moments.iterate import Moments
 from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import Settings
@@ -108,6 +108,8 @@ def solve_on(
         residual=residual[:count],
         energy=energy_error(plan.setup, field[..., :count]),
     )
+    if makes_light(moments.energy, settings.energy_tolerance):
+        raise ThickAir
     solution = MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
     _fields[solution] = device, fields
     return solution

@@ -70,6 +70,22 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     return np.asarray((leaving + absorbed - scattered) / (taken + ground))
 
 
+def makes_light(energy: FloatArray, tolerance: float) -> bool:
+    """Whether a solution makes more than half of the tolerated light, as across unresolved edges.
+
+    Interpolation across the edge of a deep cloud between two levels makes light: where it is half
+    of the tolerance, radiances err by all of it.
+
+    Parameters
+    ----------
+    energy : array, shape (nl,)
+        Result of ``energy_error``. [1]
+    tolerance : float
+        ``Settings.energy_tolerance``. [1]
+    """
+    return bool(energy.max() > 0.5 * tolerance)
+
+
 def imbalance(energy: FloatArray, wavelengths: FloatArray, tolerance: float) -> str:
     """Line about light that is made or lost; empty within the tolerance.
 

@@ -5,38 +5,32 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from pathlib import Path
-from time import perf_counter
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import warn
 from airlight.geometry.bending import bend_angle, turned
-from airlight.kernel import compiled_loop, disk
+from airlight.kernel import compiled_loop
 from airlight.kernel.borrowing import borrowed
-from airlight.kernel.cost import timed
-from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
-from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.kernel.threads import run_blocks
 from airlight.optics.reflection import leaving_cosine
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.energy_balance import imbalance
-from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.irradiance import (
     direct_irradiance,
     facing_irradiance,
     ground_radiance,
     sky_irradiance,
 )
-from airlight.solvers.moments.iterate import WAYS, Moments, solve_moments
+from airlight.solvers.moments.iterate import WAYS, Moments
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.settings import Settings, settings_for
+from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.widened_peaks import peak_widening, sharpness
 from airlight.solvers.sight import Sight
@@ -387,120 +381,3 @@ def _march_all(
                 behind = load(found, lanes + at) * load(ground, at)
                 store(found, at, load(found, at) + behind)
         out[k] = found[: out.shape[1]]
-
-
-def solve(
-    medium: Medium,
-    settings: Settings,
-    *,
-    cache: bool = True,
-    progress: Progress | None = None,
-    cancel: Cancel | None = None,
-) -> MomentsSolution:
-    """Solve a medium, or read its solution from the cache.
-
-    Parameters
-    ----------
-    medium : Medium
-        Medium to solve.
-    settings : Settings
-        Grid sizes and tolerance.
-    cache : bool
-        Whether to look for the solution on disk and to store it there.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-    """
-    key = _key(medium, settings)
-    paths = LightPaths.of(medium)
-    if cache:
-        stored = disk.load(key)
-        if stored is not None:
-            moments = _from_arrays(Setup(paths=paths, settings=settings), stored)
-            if moments is not None:
-                return _warned(MomentsSolution(medium, settings, moments, 0.0, paths))
-    started = perf_counter()
-    count = medium.wavelengths.size
-    with timed("solve", solve_work(settings, count), f"solving the light of {count} wavelengths"):
-        moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
-    solution = MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
-    if cache:
-        disk.save(
-            key,
-            {
-                "field": moments.field,
-                "sky": moments.sky,
-                "columns": moments.columns,
-                "residual": moments.residual,
-                "energy": moments.energy,
-                "counts": np.array([moments.degree, moments.sweeps, moments.way]),
-            },
-        )
-    return _warned(solution)
-
-
-def _warned(solution: MomentsSolution) -> MomentsSolution:
-    """Solution, after a warning if it makes or loses light."""
-    moments, settings = solution.moments, solution.settings
-    line = imbalance(moments.energy, solution.wavelengths, settings.energy_tolerance)
-    if line:
-        warn(line)
-    return solution
-
-
-def solve_work(quality: str | Settings, wavelengths: int) -> float:
-    """Amount of work of five sweeps of dusty air: moments times points of rays. [1]
-
-    Without the degree and the points that a planet needs, which take as long as a preview.
-
-    Parameters
-    ----------
-    quality : str or Settings
-        Quality of the solution.
-    wavelengths : int
-        Number of wavelengths.
-    """
-    settings = settings_for(quality)
-    degree = settings.thick_degree
-    rays = 2.0 * settings.zenith_angles * max(settings.azimuths, 3 * degree // 4)
-    points = settings.radii * settings.suns * rays * settings.nodes
-    return 5.0 * -(-wavelengths // LANES) * points * moment_count(degree)
-
-
-def _key(medium: Medium, settings: Settings) -> str:
-    import hashlib
-
-    text = f"moments {fingerprint(Path(__file__))} {settings.as_text()} {medium.fingerprint()}"
-    return hashlib.sha256(text.encode()).hexdigest()[:40]
-
-
-def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
-    """Moments in a cache file, or None if it holds something else."""
-    try:
-        degree, sweeps, way = (int(x) for x in arrays["counts"])
-        medium, suns = setup.medium, setup.settings.suns
-        count, radii = medium.wavelengths.size, setup.gathering.radii.size
-        shape = (radii, suns, moment_count(degree), count)
-        sound = (
-            arrays["field"].shape == shape
-            and arrays["field"].dtype == np.float32
-            and arrays["sky"].shape == (radii, suns, count)
-            and arrays["residual"].shape == arrays["energy"].shape == (count,)
-            and arrays["columns"].shape == setup.table_shape
-            and bool(np.isfinite(arrays["field"]).all())
-        )
-        if not sound:
-            return None
-        return Moments(
-            degree=degree,
-            grid=setup.grid,
-            parts=setup.parts,
-            field=arrays["field"],
-            sky=arrays["sky"],
-            columns=arrays["columns"],
-            sweeps=sweeps,
-            residual=arrays["residual"],
-            energy=arrays["energy"],
-            way=way,
-        )
-    except (KeyError, ValueError, IndexError, TypeError):
-        return None

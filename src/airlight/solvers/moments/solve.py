@@ -1,0 +1,188 @@
+"""Solve of a medium by the moments: solution from the disk or computed, with a check of energy."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+from dataclasses import replace
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from airlight.errors import ConvergenceError, warn
+from airlight.kernel import disk
+from airlight.kernel.cost import timed
+from airlight.kernel.fingerprints import fingerprint
+from airlight.kernel.lanes import LANES
+from airlight.kernel.threads import Cancel, Progress
+from airlight.planets.medium import Medium
+from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.energy_balance import imbalance, makes_light
+from airlight.solvers.moments.harmonics import moment_count
+from airlight.solvers.moments.iterate import Moments, solve_moments
+from airlight.solvers.moments.settings import Settings, settings_for
+from airlight.solvers.moments.setup import Setup
+from airlight.solvers.moments.solution import MomentsSolution
+
+
+def solve(
+    medium: Medium,
+    settings: Settings,
+    *,
+    cache: bool = True,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> MomentsSolution:
+    """Solve a medium, or read its solution from the cache.
+
+    Where the solution makes light or does not converge, and a layer aloft is wider than a thin one,
+    the medium is solved once more with grids that follow all layers.
+
+    Parameters
+    ----------
+    medium : Medium
+        Medium to solve.
+    settings : Settings
+        Grid sizes and tolerance.
+    cache : bool
+        Whether to look for the solution on disk and to store it there.
+    progress, cancel : callable, optional
+        See ``airlight.kernel.threads``.
+    """
+    resolved = replace(medium, resolve_layers=True)
+    wider = resolved.thin_layers != medium.thin_layers
+    key = _key(medium, settings)
+    keys = {False: key, True: _resolved_key(key)}
+
+    def obtained(one: Medium) -> MomentsSolution:
+        stored = _stored(keys[one.resolve_layers], one, settings) if cache else None
+        if stored is not None:
+            return stored
+        computed = _computed(one, settings, progress=progress, cancel=cancel)
+        if cache:
+            _keep(keys[one.resolve_layers], computed.moments)
+        return computed
+
+    try:
+        solution = obtained(medium)
+    except ConvergenceError:
+        if not wider:
+            raise
+        return _warned(obtained(resolved))
+    if wider and makes_light(solution.moments.energy, settings.energy_tolerance):
+        with contextlib.suppress(ConvergenceError):
+            solution = min(solution, obtained(resolved), key=_largest_imbalance)
+    return _warned(solution)
+
+
+def _computed(
+    medium: Medium, settings: Settings, *, progress: Progress | None, cancel: Cancel | None
+) -> MomentsSolution:
+    paths = LightPaths.of(medium)
+    started = perf_counter()
+    count = medium.wavelengths.size
+    with timed("solve", solve_work(settings, count), f"solving the light of {count} wavelengths"):
+        moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
+    return MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
+
+
+def _stored(key: str, medium: Medium, settings: Settings) -> MomentsSolution | None:
+    """Solution from the disk, or None."""
+    stored = disk.load(key)
+    if stored is None:
+        return None
+    paths = LightPaths.of(medium)
+    moments = _from_arrays(Setup(paths=paths, settings=settings), stored)
+    return None if moments is None else MomentsSolution(medium, settings, moments, 0.0, paths)
+
+
+def _keep(key: str, moments: Moments) -> None:
+    disk.save(
+        key,
+        {
+            "field": moments.field,
+            "sky": moments.sky,
+            "columns": moments.columns,
+            "residual": moments.residual,
+            "energy": moments.energy,
+            "counts": np.array([moments.degree, moments.sweeps, moments.way]),
+        },
+    )
+
+
+def _largest_imbalance(solution: MomentsSolution) -> float:
+    return float(np.abs(solution.moments.energy).max())
+
+
+def _warned(solution: MomentsSolution) -> MomentsSolution:
+    """Solution, after a warning if it makes or loses light."""
+    moments, settings = solution.moments, solution.settings
+    line = imbalance(moments.energy, solution.wavelengths, settings.energy_tolerance)
+    if line:
+        warn(line)
+    return solution
+
+
+def solve_work(quality: str | Settings, wavelengths: int) -> float:
+    """Amount of work of five sweeps of dusty air: moments times points of rays. [1]
+
+    Without the degree and the points that a planet needs, which take as long as a preview.
+
+    Parameters
+    ----------
+    quality : str or Settings
+        Quality of the solution.
+    wavelengths : int
+        Number of wavelengths.
+    """
+    settings = settings_for(quality)
+    degree = settings.thick_degree
+    rays = 2.0 * settings.zenith_angles * max(settings.azimuths, 3 * degree // 4)
+    points = settings.radii * settings.suns * rays * settings.nodes
+    return 5.0 * -(-wavelengths // LANES) * points * moment_count(degree)
+
+
+def _key(medium: Medium, settings: Settings) -> str:
+    text = f"moments {fingerprint(Path(__file__))} {settings.as_text()} {medium.fingerprint()}"
+    return hashlib.sha256(text.encode()).hexdigest()[:40]
+
+
+def _resolved_key(key: str) -> str:
+    """Key of the solution whose grids follow all layers."""
+    return hashlib.sha256(f"{key} resolve_layers".encode()).hexdigest()[:40]
+
+
+def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
+    """Moments in a cache file, or None if it holds something else."""
+    try:
+        degree, sweeps, way = (int(x) for x in arrays["counts"])
+        medium, suns = setup.medium, setup.settings.suns
+        count, radii = medium.wavelengths.size, setup.gathering.radii.size
+        shape = (radii, suns, moment_count(degree), count)
+        sound = (
+            arrays["field"].shape == shape
+            and arrays["field"].dtype == np.float32
+            and arrays["sky"].shape == (radii, suns, count)
+            and arrays["residual"].shape == arrays["energy"].shape == (count,)
+            and arrays["columns"].shape == setup.table_shape
+            and bool(np.isfinite(arrays["field"]).all())
+        )
+        if not sound:
+            return None
+        return Moments(
+            degree=degree,
+            grid=setup.grid,
+            parts=setup.parts,
+            field=arrays["field"],
+            sky=arrays["sky"],
+            columns=arrays["columns"],
+            sweeps=sweeps,
+            residual=arrays["residual"],
+            energy=arrays["energy"],
+            way=way,
+        )
+    except (KeyError, ValueError, IndexError, TypeError):
+        return None
