@@ -6,14 +6,13 @@ one meanwhile; this one then loads it.
 
 from __future__ import annotations
 
-import os
 import subprocess
-import sys
 import threading
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any, Final
 
+from airlight.child_processes import start_python
 from airlight.kernel.compiling import CompileListener, Compiling, on_disk
 
 #: Interval of looking whether a function is compiled. [s]
@@ -54,11 +53,9 @@ class CompiledAhead:
         module, _, function = compiler.partition(":")
         text = f"from {__name__} import report; report({module!r}, {function!r})"
         try:
-            self._process = subprocess.Popen(
-                [sys.executable, "-c", text], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL, text=True,
-                env={**os.environ, "PYTHONPATH": os.pathsep.join(one for one in sys.path if one)},
-            )  # fmt: skip
+            self._process = start_python(
+                text, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+            )
         except OSError:
             self._ended.set()
             return
