@@ -57,7 +57,7 @@ BETWEEN = "import subprocess, sys; sys.exit(subprocess.call(sys.argv[1:]))"
 def peak_of(code: str) -> float:
     """Peak resident set of a process of its own. [MiB]"""
     done = subprocess.run(
-        [sys.executable, "-I", "-c", BETWEEN, sys.executable, "-c", SETUP + code + PEAK],
+        [sys.executable, "-I", "-c", BETWEEN, sys.executable, "-P", "-c", SETUP + code + PEAK],
         check=True,
         capture_output=True,
         text=True,

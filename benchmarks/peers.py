@@ -125,7 +125,7 @@ def measured(case: dict[str, Any]) -> tuple[float, float, float, Any] | str:
     """Processor time, time on the clock [s], peak memory [MiB], values; or why there are none."""
     words = [json.dumps(case), str(Path(__file__).parent)]
     done = subprocess.run(
-        [sys.executable, "-c", CHILD, *words], capture_output=True, text=True, check=False
+        [sys.executable, "-P", "-c", CHILD, *words], capture_output=True, text=True, check=False
     )
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()

@@ -76,7 +76,7 @@ print(json.dumps([time.process_time() - began, time.perf_counter() - clock,
 def measured(what: str, size: int) -> tuple[float, float, float]:
     """Processor time, time on the clock [s] and peak memory [MiB] of one process."""
     done = subprocess.run(
-        [sys.executable, "-c", CHILD, what, str(size)],
+        [sys.executable, "-P", "-c", CHILD, what, str(size)],
         check=True,
         stdout=subprocess.PIPE,
         text=True,

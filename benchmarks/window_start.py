@@ -77,8 +77,8 @@ def run(planet: str, cold: bool, verbose: bool) -> dict[str, tuple[float, float,
         environment["AIRLIGHT_CACHE"] = folder
     try:
         done = subprocess.run(
-            [sys.executable, "-c", CHILD, str(time.time()), planet], env=environment, check=True,
-            stdout=subprocess.PIPE, text=True,
+            [sys.executable, "-P", "-c", CHILD, str(time.time()), planet], env=environment,
+            check=True, stdout=subprocess.PIPE, text=True,
         )  # fmt: skip
     finally:
         if cold:

@@ -55,11 +55,11 @@ def main() -> None:
             "NUMBA_DISABLE_INTEL_SVML": "1",  # a library that others need not have
         }
         home = {"cwd": place, "env": {**os.environ, **own}, "check": True}
-        subprocess.run([sys.executable, "-c", LOOPS], **home)
+        subprocess.run([sys.executable, "-P", "-c", LOOPS], **home)
         for words in COMMANDS:
             print(f"airlight {words}", flush=True)
             command = "from airlight.cli import run_process; raise SystemExit(run_process())"
-            subprocess.run([sys.executable, "-c", command, *words.split()], **home)
+            subprocess.run([sys.executable, "-P", "-c", command, *words.split()], **home)
         count = copy_machine_code(cache / "kernels", SHIPPED)
     size = sum(file.stat().st_size for file in SHIPPED.rglob("*") if file.is_file())
     print(f"{SHIPPED}: {count} functions, {size / 1e6:.1f} MB")

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, Final, Generic, Protocol, TypeAlias, TypeVar
 
+from airlight.cache_folders import cache_folder, make_folder, trusted_folder
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -106,7 +107,10 @@ def _registry() -> pint.UnitRegistry[Any]:
     import pint
 
     try:
-        return pint.UnitRegistry(cache_folder=":auto:")  # parsed definitions, a tenth of a second
+        cache = trusted_folder(cache_folder(), "units")  # which pint unpickles
+        if cache is not None:
+            make_folder(cache)
+        return pint.UnitRegistry(cache_folder=cache)  # parsed definitions, a tenth of a second
     except Exception:  # a home without a writable cache, or a damaged one
         return pint.UnitRegistry()
 

@@ -15,9 +15,10 @@ from typing import Annotated, Any, Final
 import typer
 from typer.core import TyperGroup
 
+from airlight.child_processes import SAFE_PATH
 from airlight.cli.console import note, noted_warnings
 from airlight.cli.examples import examples
-from airlight.cli.interrupt import INTERRUPTED, answered, end_when_interrupted
+from airlight.cli.interrupt import INTERRUPTED, end_when_interrupted, leave, say_cancelled
 from airlight.errors import AirlightError, Cancelled
 
 #: Exit status of an error.
@@ -122,8 +123,12 @@ def run_process() -> int:
     """
     gc.set_threshold(100_000, 50, 50)
     atexit.register(gc.freeze)
+    os.environ.update(SAFE_PATH)  # for what libraries start too
     end_when_interrupted()
-    return main()
+    status = main()
+    if status == INTERRUPTED:  # libraries would say at their end what they miss
+        leave(status)
+    return status
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -164,8 +169,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return ERROR
         status = ended.code if isinstance(ended, SystemExit) else INTERRUPTED
     if status == INTERRUPTED:
-        answered.set()
-        note("cancelled")
+        say_cancelled()
     return status if isinstance(status, int) else 0
 
 

@@ -16,6 +16,7 @@ import sys
 import threading
 from typing import Final
 
+from airlight.child_processes import end_all
 from airlight.cli.console import note
 
 #: Time that a command has to end by itself. [s]
@@ -24,6 +25,7 @@ PATIENCE: Final = 0.4
 INTERRUPTED: Final = 130
 #: Set when the command itself has said that it was cancelled.
 answered: Final = threading.Event()
+_saying: Final = threading.Lock()
 
 
 def end_at_once() -> None:
@@ -58,6 +60,8 @@ def end_when_interrupted() -> None:
     sys.unraisablehook = _unraisable
     heard, told = os.pipe()
     os.set_blocking(told, False)
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, _interrupted)
     signal.signal(signal.SIGTERM, _terminated)
     signal.set_wakeup_fd(told, warn_on_full_buffer=False)
     threading.Thread(target=_watch, args=(heard,), name="airlight-interrupt", daemon=True).start()
@@ -68,7 +72,7 @@ def _watch(heard: int) -> None:
         number = os.read(heard, 1)
         if number and number[0] in (signal.SIGINT, signal.SIGTERM):
             threading.Event().wait(PATIENCE)
-            _leave(128 + number[0])
+            leave(128 + number[0])
 
 
 def _unraisable(what: sys.UnraisableHookArgs) -> None:
@@ -77,22 +81,41 @@ def _unraisable(what: sys.UnraisableHookArgs) -> None:
         sys.__unraisablehook__(what)
 
 
+def _interrupted(*_: object) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second one would interrupt the tidying
+    raise KeyboardInterrupt
+
+
 def _terminated(*_: object) -> None:
     answered.set()
     raise SystemExit(128 + signal.SIGTERM)
 
 
-def _leave(status: int) -> None:
-    """End the process, without waiting for what its threads do."""
+def say_cancelled() -> None:
+    """Say that the command was cancelled; the process does not end before it is said."""
+    with _saying:
+        answered.set()
+        note("cancelled")
+
+
+def leave(status: int) -> None:
+    """End the process and its children, without waiting for what their threads do.
+
+    Parameters
+    ----------
+    status : int
+        Exit status.
+    """
     begun = sys.modules.get("airlight.exports.beginnings")
-    if begun is not None:
-        begun.remove_all()
-    processes = sys.modules.get("multiprocessing")
     try:
-        for child in processes.active_children() if processes is not None else ():
-            child.kill()
+        if begun is not None:
+            begun.remove_all()
         if not answered.is_set():
-            note("cancelled")
-            sys.stderr.flush()
+            say_cancelled()
+        _saying.acquire(timeout=PATIENCE)
+        for stream in (sys.stdout, sys.stderr):
+            with contextlib.suppress(OSError, ValueError):
+                stream.flush()
+        end_all()
     finally:
         os._exit(status)

@@ -8,8 +8,10 @@ import logging
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
+from pathlib import Path
 from typing import Any, Final
 
+from airlight.child_processes import deaf_to_interrupts, folder_of_children, safe_path
 from airlight.distribution.runner import Name, Task
 from airlight.errors import WorkerError
 from airlight.kernel.threads import thread_count
@@ -120,13 +122,19 @@ def _settings(patience: int) -> Iterator[None]:
     """Settings of Dask while a runner is open: patience with a connection [s], folder, no logs."""
     import dask
 
-    with tempfile.TemporaryDirectory(prefix="airlight-") as folder, _quiet(), dask.config.set({
-        "temporary-directory": folder,
+    own = {
         "distributed.comm.timeouts.connect": f"{patience}s",
         "distributed.worker.daemon": True,
         "distributed.admin.large-graph-warning-threshold": "200MB",
         "distributed.logging.distributed": "critical",
-    }):  # fmt: skip
+    }
+    with (
+        tempfile.TemporaryDirectory(prefix="airlight-", ignore_cleanup_errors=True) as folder,
+        folder_of_children(Path(folder)),
+        safe_path(),
+        _quiet(),
+        dask.config.set({**own, "temporary-directory": folder}),
+    ):
         yield
 
 
@@ -153,12 +161,13 @@ def started(workers: int) -> Iterator[DaskRunner]:
     threads = max(1, thread_count() // workers)
     with _settings(_STARTING):
         try:
-            cluster = LocalCluster(
-                n_workers=workers, threads_per_worker=1, processes=True, memory_limit=0,
-                host="127.0.0.1", dashboard_address="127.0.0.1:0", silence_logs=logging.CRITICAL,
-                env={"AIRLIGHT_THREADS": str(threads)},
-                preload="airlight.distribution.worker_process",
-            )  # fmt: skip
+            with deaf_to_interrupts():
+                cluster = LocalCluster(
+                    n_workers=workers, threads_per_worker=1, processes=True, memory_limit=0,
+                    host="127.0.0.1", dashboard_address="127.0.0.1:0",
+                    silence_logs=logging.CRITICAL, env={"AIRLIGHT_THREADS": str(threads)},
+                    preload="airlight.distribution.worker_process",
+                )  # fmt: skip
         except RuntimeError as error:
             raise WorkerError(f"processes cannot be started: {_first_line(error)}") from None
         client = None

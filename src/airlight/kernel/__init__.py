@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import math
-import os
 import shutil
 from collections.abc import Callable
 from functools import cache
@@ -17,8 +16,8 @@ from typing import Any, Final
 
 import numba
 import numpy as np
-import platformdirs
 
+from airlight.cache_folders import cache_folder, make_folder, trusted_folder
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lowering import CompiledKernel
 
@@ -37,42 +36,36 @@ _OPTIONS: Final[dict[str, Any]] = {
 _KEPT_FINGERPRINTS: Final = 8
 
 
-def cache_folder() -> Path:
-    """Folder for everything that airlight keeps between runs.
-
-    ``AIRLIGHT_CACHE`` names another folder.
-    """
-    named = os.environ.get("AIRLIGHT_CACHE")
-    return Path(named) if named else Path(platformdirs.user_cache_dir("airlight", appauthor=False))
-
-
 @cache
-def _compiled_folder(source: str) -> Path | None:
-    """Folder of the code compiled from a source file; None if it cannot be there."""
+def _compiled_folder(source: str, kind: str) -> tuple[Path, bool] | None:
+    """Folder of code compiled from a source file, and whether it is trusted; None at a prompt."""
     try:
         key = fingerprint(Path(source))
     except OSError:  # typed at a prompt
         return None
-    kernels = cache_folder() / "kernels" / Path(source).stem
-    folder = kernels / key
+    names = "kernels", Path(source).stem, key, kind
+    folder = cache_folder().joinpath(*names)
+    if trusted_folder(cache_folder(), *names) is None:
+        return folder, False
     with contextlib.suppress(OSError):  # what cannot be written may be there to read
-        folder.mkdir(parents=True, exist_ok=True)
-        folder.touch()
+        make_folder(folder)
+        folder.parent.touch()
+        kernels = folder.parents[1]
         others = sorted(kernels.iterdir(), key=lambda path: path.stat().st_mtime, reverse=True)
         for stale in others[_KEPT_FINGERPRINTS:]:
             shutil.rmtree(stale, ignore_errors=True)
-    return folder
+    return folder, trusted_folder(cache_folder(), *names) is not None  # as the disk made it
 
 
 def _declare(function: Callable[..., Any], kind: str, **options: Any) -> Any:
     if numba.config.DISABLE_JIT:
         return function
     declared = CompiledKernel(function, **_OPTIONS, **options)
-    folder = _compiled_folder(function.__code__.co_filename)
-    if folder is not None:
-        # A formula and its loop have one name and one line, by which Numba identifies a cache
-        # entry: each kind has a folder of its own.
-        declared.keep_in(folder / kind)
+    # A formula and its loop have one name and one line, by which Numba identifies a cache
+    # entry: each kind has a folder of its own.
+    found = _compiled_folder(function.__code__.co_filename, kind)
+    if found is not None:
+        declared.keep_in(*found)
     return declared
 
 

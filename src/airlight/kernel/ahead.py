@@ -6,15 +6,14 @@ one meanwhile; this one then loads it.
 
 from __future__ import annotations
 
-import os
 import subprocess
-import sys
 import threading
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any, Final
 
-from airlight.kernel.compiling import CompileListener, Compiling, on_disk
+from airlight.child_processes import start_python
+from airlight.kernel.compiling import CompileListener, Compiling, is_kept, on_disk
 
 #: Interval of looking whether a function is compiled. [s]
 _POLL: Final = 0.05
@@ -39,12 +38,13 @@ class CompiledAhead:
 
     Notes
     -----
-    A process that cannot be started, or fails, counts as ready: this process then compiles.
+    A process that cannot be started, or fails, counts as ready: this process then compiles. None is
+    started where nothing is kept on disk.
     """
 
     def __init__(self, compiler: str, loops: Sequence[Any], later: Sequence[Any] = ()) -> None:
-        self.compiling = Compiling(loops, here=False)
-        self._waits = tuple(one for one in (*loops, *later) if not on_disk(one))
+        self._waits = tuple(one for one in (*loops, *later) if is_kept(one) and not on_disk(one))
+        self.compiling = Compiling(loops, here=not self._waits)
         self._ended = threading.Event()
         self._process: subprocess.Popen[str] | None = None
         self._thread: threading.Thread | None = None
@@ -54,11 +54,9 @@ class CompiledAhead:
         module, _, function = compiler.partition(":")
         text = f"from {__name__} import report; report({module!r}, {function!r})"
         try:
-            self._process = subprocess.Popen(
-                [sys.executable, "-c", text], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL, text=True,
-                env={**os.environ, "PYTHONPATH": os.pathsep.join(one for one in sys.path if one)},
-            )  # fmt: skip
+            self._process = start_python(
+                text, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+            )
         except OSError:
             self._ended.set()
             return

@@ -3,15 +3,19 @@
 Numba trusts its cache: a flipped bit in a file of machine code would be run, a truncated index is
 an error of ``pickle``, a full disk one of the command. It also writes a file before it reads one,
 so that a folder that cannot be written would not be read. And processes that need the same function
-at once would all compile it.
+at once would all compile it. The checksum is against damage; that nobody else has written a file is
+seen to by ``airlight.cache_folders``.
 """
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
+import os
 import pickle
 import secrets
+import shutil
+import stat
 import time
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -19,6 +23,8 @@ from pathlib import Path
 from typing import IO, Any, Final
 
 from numba.core.caching import IndexDataCacheFile, _CacheLocator
+
+from airlight.cache_folders import make_folder
 
 try:
     import fcntl
@@ -56,7 +62,7 @@ class CompiledFolder(_CacheLocator):
     def ensure_cache_path(self) -> None:
         """Make the folder if that is possible."""
         with contextlib.suppress(OSError):
-            self._folder.mkdir(parents=True, exist_ok=True)
+            make_folder(self._folder)
 
     def get_cache_path(self) -> str:
         """Path of the folder."""
@@ -71,7 +77,7 @@ class CompiledFolder(_CacheLocator):
         return str(self._line)
 
 
-def check_files(files: Any) -> None:
+def check_files(files: Any, read: Callable[[Path], bytes]) -> None:
     """Make the cache of one function check what it reads, and do without what it cannot write.
 
     Code files have names that no other process gives. Numba numbers them by its index at that
@@ -83,27 +89,31 @@ def check_files(files: Any) -> None:
     ----------
     files : numba.core.caching.IndexDataCacheFile
         Index and data files of the function.
+    read : callable
+        Reads a file, or raises ``OSError`` for one that is not to be trusted.
     """
-    own_load = files._load_index
     pattern = files._data_name_pattern
     files._data_name_pattern = pattern.replace("{number:d}", f"{_process()}-{{number:d}}")
 
-    def dumped(name: str, value: object) -> bytes:
-        content: bytes = files._dump(value)
-        return content + _checksum(name, content)
-
     def load_data(name: str) -> Any:
-        return pickle.loads(_sound(name, Path(files._data_path(name)).read_bytes()))
+        return pickle.loads(_sound(name, read(Path(files._data_path(name)))))
 
     def save_data(name: str, data: Any) -> None:
+        content: bytes = files._dump(data)
         with files._open_for_write(files._data_path(name)) as stream:
-            stream.write(dumped(name, data))
+            if hasattr(os, "fchmod"):  # whatever is usual here: what others can write is not read
+                os.fchmod(stream.fileno(), stat.S_IRUSR | stat.S_IWUSR)
+            stream.write(content + _checksum(name, content))
 
     def load_index() -> dict[Any, str]:
         try:
-            return dict(own_load())
-        except Exception:  # pickle raises many kinds for a damaged file
+            version, entries = load_data(files._index_name)
+        except Exception:  # pickle raises many kinds for the file of another version
             return {}
+        return dict(entries) if version == files._version else {}
+
+    def save_index(entries: dict[Any, str]) -> None:
+        save_data(files._index_name, (files._version, entries))
 
     def save(key: Any, data: Any) -> None:
         entries = load_index()
@@ -112,10 +122,10 @@ def check_files(files: Any) -> None:
         name = entries.get(key) or next(one for one in names if one not in others)
         with contextlib.suppress(OSError):  # a full or closed disk: the code is in memory
             save_data(name, data)  # before its entry, by which other processes see it
-            files._save_index({**entries, key: name})
+            save_index({**entries, key: name})
 
     files._load_data, files._save_data = load_data, save_data
-    files._load_index, files.save = load_index, save
+    files._load_index, files._save_index, files.save = load_index, save_index, save
 
 
 def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
@@ -137,12 +147,13 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
     """
     base = index.name.removesuffix(".nbi")
     here, there = (IndexDataCacheFile(str(one), base, "") for one in (index.parent, folder))
+    for one in (here, there):
+        check_files(one, Path.read_bytes)
     chosen = {}
     for key, name in here._load_index().items():
-        whole = (index.parent / name).read_bytes()
-        if wanted(pickle.loads(_sound(name, whole))):
+        if wanted(here._load_data(name)):
             folder.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(whole)
+            shutil.copyfile(index.parent / name, folder / name)
             chosen[key] = name
     if chosen:
         there._save_index(chosen)

@@ -75,6 +75,11 @@ def on_disk(function: Any) -> bool:
     return bool(getattr(function, "on_disk", False))
 
 
+def is_kept(function: Any) -> bool:
+    """Whether compiled code of a function is kept on disk, for this and other processes."""
+    return bool(getattr(function, "is_kept", False))
+
+
 def work_left(loops: Iterable[Any], finished: Collection[str]) -> int:
     """Amount of work to compile what loops need and is neither on disk nor finished.
 

@@ -18,7 +18,7 @@ from contextvars import ContextVar
 from pathlib import Path
 from typing import Final
 
-from airlight.kernel import cache_folder
+from airlight.cache_folders import cache_folder, make_folder
 from airlight.kernel.threads import thread_count
 
 #: Kind of work of a graphics device, in time of the clock.
@@ -175,7 +175,7 @@ def _measured(kind: str, count: float, seconds: float) -> None:
         if not _believed(kind, rate):
             return
         file = _file()
-        file.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(file.parent)
         handle, name = tempfile.mkstemp(dir=file.parent, prefix=".", suffix=".part")
         try:
             with os.fdopen(handle, "w", encoding="ascii") as stream:

@@ -20,7 +20,7 @@ from typing import IO, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import cache_folder
+from airlight.cache_folders import cache_folder, make_folder, open_trusted, trusted_folder
 from airlight.kernel.large_arrays import FileMemory, release
 
 #: Total size of a folder above which its oldest results are removed. [bytes]
@@ -33,14 +33,10 @@ _HEADER: Final = 30
 _LENGTHS: Final = slice(26, 30)
 
 
-def _file(key: str, folder: str) -> Path:
-    return cache_folder() / folder / f"{key}.npz"
-
-
 def load(
     key: str, folder: str = _SOLUTIONS, *, in_place: bool = False
 ) -> dict[str, NDArray[Any]] | None:
-    """Load the arrays kept under a key, or None if there are no valid ones.
+    """Load the arrays kept under a key, or None if there are no valid ones of this user's.
 
     Parameters
     ----------
@@ -52,10 +48,13 @@ def load(
         Whether arrays of bytes stay in the file. What is written to them is seen by nobody else,
         and lost where they are released.
     """
-    file = _file(key, folder)
+    home = trusted_folder(cache_folder(), folder)
+    if home is None:
+        return None
+    file = home / f"{key}.npz"
     try:
         # Opened here: NumPy forgets to close a file that is not an archive.
-        with file.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
+        with open_trusted(file) as stream, np.load(stream, allow_pickle=False) as stored:
             arrays = _in_place(stream) if in_place else {}
             for name in set(stored.files) - set(arrays):
                 arrays[name] = stored[name]  # zip checks each CRC-32
@@ -94,10 +93,12 @@ def _in_place(stream: IO[bytes]) -> dict[str, NDArray[Any]]:
 
 
 def save(key: str, arrays: Mapping[str, NDArray[Any]], folder: str = _SOLUTIONS) -> None:
-    """Keep arrays under a key; if the folder cannot be written to, do nothing."""
-    file = _file(key, folder)
+    """Keep arrays under a key; if the folder cannot be written to, or by others, do nothing."""
+    file = cache_folder() / folder / f"{key}.npz"
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
+        if trusted_folder(cache_folder(), folder) is None:
+            return
+        make_folder(file.parent)
         handle, name = tempfile.mkstemp(dir=file.parent, prefix=".", suffix=".part")
     except OSError:
         return

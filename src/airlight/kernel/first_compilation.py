@@ -19,7 +19,7 @@ from typing import Any, Final
 
 from numba.core import event
 
-from airlight.kernel.compiling import name_of, on_disk, work_left
+from airlight.kernel.compiling import is_kept, name_of, on_disk, work_left
 from airlight.kernel.cost import announce, duration
 
 #: Time of compiling after which the line is said. [s]
@@ -106,7 +106,8 @@ class FirstCompilation(event.Listener):
         busy = max(clock / processor, 1.0) if processor > 0.0 else 1.0
         work = max(work_left(loops, finished), work_left(self._elsewhere, ()))
         seconds = max(busy * _SECONDS * work, 1.0)
-        line = f"compiling, about {duration(seconds)}; the code is kept for later runs"
+        kept = "; the code is kept for later runs" if all(map(is_kept, loops)) else ""
+        line = f"compiling, about {duration(seconds)}{kept}"
         (listener or logging.getLogger("airlight").warning)(line)
 
 

@@ -21,7 +21,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from airlight.kernel import cache_folder
+from airlight.cache_folders import cache_folder, make_folder
 
 #: Size from which an array is kept in a file. [byte]
 LARGE: Final = 1 << 27
@@ -128,7 +128,7 @@ def _file(size: int) -> FileMemory | None:
         return None
     try:
         folder: Path = cache_folder()
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         with tempfile.TemporaryFile(dir=folder) as file:
             # A page that finds no room later would end the process.
             os.posix_fallocate(file.fileno(), 0, size)

@@ -32,6 +32,7 @@ from numba.core.lowering import Lower
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering
 
+from airlight.cache_folders import read_trusted
 from airlight.kernel.compiled_files import CompiledFolder, check_files, one_process
 from airlight.kernel.shipped_code import shipped_code
 
@@ -183,15 +184,17 @@ class _Files(CompileResultCacheImpl):
 class _Cache(FunctionCache):
     """Cache of compiled functions; what Python calls has to be there as machine code."""
 
-    def __init__(self, py_func: Any, folder: Path) -> None:
+    def __init__(self, py_func: Any, folder: Path, trusted: bool) -> None:
         self._impl_class = partial(_Files, folder=folder)
         super().__init__(py_func)
-        check_files(self._cache_file)
+        check_files(self._cache_file, read_trusted)
+        self.trusted = trusted
         self._shipped = shipped_code(py_func, _Files, folder)
 
     @property
     def _places(self) -> tuple[FunctionCache, ...]:
-        return (self,) if self._shipped is None else (self, self._shipped)
+        own = (self,) if self.trusted else ()
+        return own if self._shipped is None else (*own, self._shipped)
 
     @property
     def is_there(self) -> bool:
@@ -205,12 +208,16 @@ class _Cache(FunctionCache):
         )
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        found = super().load_overload(sig, target_context)
+        found = super().load_overload(sig, target_context) if self.trusted else None
         if found is None or (_is_intermediate(found) and not _is_for_a_caller()):
             found = None
             if self._shipped is not None:
                 found = self._shipped.load_overload(sig, target_context)
         return found
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        if self.trusted:
+            super().save_overload(sig, data)
 
 
 class CompiledKernel(CPUDispatcher):
@@ -220,15 +227,22 @@ class CompiledKernel(CPUDispatcher):
         options = {"nopython": True, "boundscheck": None, **options}
         super().__init__(py_func=py_func, targetoptions=options, pipeline_class=_Compiler)
 
-    def keep_in(self, folder: Path) -> None:
+    def keep_in(self, folder: Path, trusted: bool) -> None:
         """Keep what is compiled in a folder, and take from there what is.
 
         Parameters
         ----------
         folder : Path
             Its last three names are those of the code's folder in ``shipped_code.SHIPPED`` too.
+        trusted : bool
+            Whether nobody else can have written there; otherwise the folder is left alone.
         """
-        self._cache = _Cache(self.py_func, folder)
+        self._cache = _Cache(self.py_func, folder, trusted)
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether what is compiled is kept on disk."""
+        return isinstance(self._cache, _Cache) and self._cache.trusted
 
     @property
     def on_disk(self) -> bool:
@@ -255,7 +269,7 @@ class CompiledKernel(CPUDispatcher):
     def _alone(self, types: tuple[Any, ...]) -> AbstractContextManager[None]:
         """Keep other processes from compiling this too, where it has to be compiled."""
         cache = self._cache
-        if types in self.overloads or not isinstance(cache, _Cache):
+        if types in self.overloads or not isinstance(cache, _Cache) or not cache.trusted:
             return contextlib.nullcontext()
         self.targetctx.refresh()
         if cache.has(types, self.targetctx.codegen()):

@@ -3,7 +3,8 @@
 ``builders/compiled_code.py`` puts it beside the source before a wheel is built. It is for a set of
 features that nearly all processors of a family have, and is found by the source's fingerprint, the
 version of Numba and that of Python: where any of these differs, code is compiled as in a checkout,
-which has none of it.
+which has none of it. It is trusted as the source beside it is: who can write the one can write the
+other.
 """
 
 from __future__ import annotations
@@ -81,7 +82,7 @@ class ShippedCode(FunctionCache):
         self._impl_class = partial(implementation, folder=folder)
         self._target = made_for
         super().__init__(py_func)
-        check_files(self._cache_file)
+        check_files(self._cache_file, Path.read_bytes)
 
     def _index_key(self, sig: Any, codegen: Any) -> tuple[Any, ...]:
         signature, (system, *_), *code = super()._index_key(sig, codegen)

@@ -17,6 +17,7 @@ from typing import Any, Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.child_processes import safe_path
 from airlight.errors import AirlightError
 
 #: Error message without the optional packages.
@@ -91,7 +92,7 @@ class DesktopCanvas:
 
     def __init__(self, size: tuple[int, int], title: str) -> None:
         try:
-            with warnings.catch_warnings():
+            with warnings.catch_warnings(), safe_path():  # glfw asks a process for its version
                 warnings.simplefilter("ignore")
                 import glfw
                 from rendercanvas.glfw import RenderCanvas, loop

@@ -1,0 +1,127 @@
+"""Child processes: how every one of them is started, and how all of them are ended.
+
+``python -c`` puts the working directory first on the import path: a ``signal.py`` there, which came
+with somebody's data, would run. Every child of airlight is started without that, by ``-P`` or
+``PYTHONSAFEPATH``. Children that compute leave Ctrl-C to the process that started them.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+if TYPE_CHECKING:
+    import subprocess
+
+#: Environment of Python without the working directory on its import path.
+SAFE_PATH: Final = {"PYTHONSAFEPATH": "1"}
+#: The helper of ``multiprocessing`` that removes semaphores of an ended process need not say so.
+_SILENT: Final = {"PYTHONWARNINGS": "ignore::UserWarning:multiprocessing.resource_tracker"}
+_started: Final[set[subprocess.Popen[str]]] = set()
+_folders: Final[set[Path]] = set()
+
+
+def start_python(text: str, **options: Any) -> subprocess.Popen[str]:
+    """Start Python with this process's import path, without the working directory.
+
+    Parameters
+    ----------
+    text : str
+        Source of the program.
+    options
+        Further arguments of ``subprocess.Popen``.
+
+    Returns
+    -------
+    subprocess.Popen
+        Process, which ``end_all`` ends if it still runs.
+
+    Raises
+    ------
+    OSError
+        If it cannot be started.
+    """
+    import subprocess
+
+    paths = os.pathsep.join(one for one in sys.path if one)
+    environment = {**os.environ, **SAFE_PATH, "PYTHONPATH": paths}
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-c", text], text=True, env=environment, **options
+    )
+    _started.difference_update([one for one in _started if one.poll() is not None])
+    _started.add(process)
+    return process
+
+
+@contextlib.contextmanager
+def safe_path(**also: str) -> Iterator[None]:
+    """Start what libraries start in the block with ``SAFE_PATH`` and further variables."""
+    before = {name: os.environ.get(name) for name in (*SAFE_PATH, *also)}
+    os.environ.update({**SAFE_PATH, **also})
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                os.environ.pop(name, None)
+            else:
+                os.environ[name] = value
+
+
+@contextlib.contextmanager
+def deaf_to_interrupts() -> Iterator[None]:
+    """Start threads in the block whose children Ctrl-C does not reach: they inherit its mask.
+
+    The terminal sends Ctrl-C to all processes of a command: a child that has just begun would
+    answer with a traceback. On Windows nothing changes.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    with safe_path(**_SILENT):
+        resource_tracker.ensure_running()  # if it began later it would lift the mask
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextlib.contextmanager
+def folder_of_children(folder: Path) -> Iterator[None]:
+    """Note a folder in which children write, so that ``end_all`` removes it with them."""
+    _folders.add(folder)
+    try:
+        yield
+    finally:
+        _folders.discard(folder)
+
+
+def end_all() -> None:
+    """End all child processes at once, those of libraries and their children too."""
+    import shutil
+
+    for _ in range(2):  # a worker that was lost may have been replaced meanwhile
+        _kill_all()
+        for folder in tuple(_folders):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _kill_all() -> None:
+    running: list[Any] = [one for one in _started if one.poll() is None]
+    psutil = sys.modules.get("psutil")  # Dask, the library that starts processes, has loaded it
+    if psutil is not None:
+        tracker = sys.modules.get("multiprocessing.resource_tracker")
+        spared = tracker and tracker._resource_tracker._pid  # it removes semaphores, and ends
+        children = psutil.Process().children(recursive=True)
+        running += [one for one in children if one.pid != spared]
+    for one in running:
+        with contextlib.suppress(Exception):
+            one.kill()
