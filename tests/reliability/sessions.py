@@ -20,7 +20,7 @@ from airlight.planets import Planet
 from airlight.planets.medium import Medium
 from airlight.render import render
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.solution import solve
+from airlight.solvers.moments.solve import solve
 from airlight.viewer.background.solving import Solving
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.session.session import Session
