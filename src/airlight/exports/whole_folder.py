@@ -6,16 +6,18 @@ import contextlib
 import hashlib
 import json
 import re
-import secrets
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import FileError
-from airlight.exports.beginnings import begun
+from airlight.exports.beginnings import begun, remove
+from airlight.exports.output_lock import hidden_file, output_lock
 
 #: Name of the manifest in its folder.
 MANIFEST: Final = "manifest.json"
+#: Time that the writer of a folder waits for another one of the same folder. [s]
+WAIT: Final = 60.0
 #: Suffixes of files.
 _FORMAT: Final = re.compile(r"\.[A-Za-z]+\d?")
 
@@ -88,12 +90,14 @@ def whole_folder(folder: str | Path, form: str) -> Iterator[Path]:
     Raises
     ------
     FileError
-        If the folder cannot be written; it is then unchanged.
+        If the folder cannot be written, or another process writes it for longer than ``WAIT``; it
+        is then unchanged.
     """
     target = check_folder(folder, form)
-    part = target.with_name(f".{secrets.token_hex(8)}.part")
-    with begun(part):
+    part = hidden_file(target, "part")
+    with output_lock(target, wait=WAIT), begun(part):
         try:
+            remove(part)  # of a run that was killed
             part.mkdir()
             yield part
             _put(part, target, form)
