@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
+import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -57,8 +58,8 @@ def check_folder(folder: str | Path, form: str) -> Path:
     Raises
     ------
     FileError
-        If it is named as a file, or is one, its parent is missing, or it holds files but no such
-        manifest.
+        If it is named as a file, or is one, its parent is missing, it or its parent cannot be
+        written to, or it holds files but no such manifest.
     """
     check_folder_name(folder)
     try:
@@ -71,6 +72,9 @@ def check_folder(folder: str | Path, form: str) -> Path:
             raise FileError(folder, f"holds files, but no {MANIFEST}: name a new or empty folder")
         if (target / MANIFEST).is_file():
             read_manifest(target / MANIFEST, form)
+        for place in (target.parent, *((target,) if target.is_dir() else ())):
+            if not os.access(place, os.W_OK | os.X_OK):
+                raise FileError(folder, f"the folder {place} cannot be written to")
     except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
         raise FileError(folder, str(error)) from error
     return target

@@ -112,7 +112,7 @@ def check_room(path: Path, needed: int) -> None:
         for entry in os.scandir(path / name)
     )
     if needed > free + taken:
-        raise FileError(path, f"needs {in_words(needed - taken)}, and the disk has "
+        raise FileError(path, f"needs up to {in_words(needed - taken)}, and the disk has "
                         f"{in_words(free)} free: name fewer values, or another disk")  # fmt: skip
 
 
