@@ -100,8 +100,9 @@ def flip(file: Path) -> None:
 @pytest.mark.parametrize("finish", FINISHES, ids=["png", "png16", "exr"])
 @pytest.mark.parametrize(
     "damage", [flip, lambda file: os.truncate(file, 1000), lambda file: os.truncate(file, 0),
-               lambda file: file.write_bytes(bytes(500)), lambda file: os.truncate(file, 1 << 20)],
-    ids=["flipped", "truncated", "emptied", "zeros", "grown"],
+               lambda file: file.write_bytes(bytes(500)), lambda file: os.truncate(file, 1 << 20),
+               lambda file: os.truncate(file, 1 << 42)],
+    ids=["flipped", "truncated", "emptied", "zeros", "grown", "huge"],
 )  # fmt: skip
 def test_damaged_frames_are_drawn_again(
     rock: Path, tmp_path: Path, finish: Finish, damage: Callable[[Path], None]

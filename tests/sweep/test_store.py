@@ -241,6 +241,14 @@ def test_a_failed_sweep_leaves_nothing(grid: Grid, tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_varied_key_cannot_name_a_folder_elsewhere(tmp_path: Path) -> None:
+    # keys of planet files may be quoted, with any letters
+    grid = Grid(planets=["earth"], vary={'"../../note".x': [1, 2]}, sun_zenith=[10.0],
+                view_zenith=[0.0], wavelengths=[550.0])  # fmt: skip
+    with pytest.raises(ParameterError, match="without a slash"):
+        SweepStore(tmp_path / "a.zarr", grid, {})
+
+
 def test_a_typo_on_the_command_line_leaves_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

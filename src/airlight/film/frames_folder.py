@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 #: Name of a frame's fingerprint in the header of its file.
 FINGERPRINT: Final = "frame_fingerprint"
 _LOCK: Final = ".airlight-film"
+#: Largest size of a frame. [byte]
+_LARGEST: Final = 1 << 32
 #: First bytes of PNG and OpenEXR.
 _SIGNATURES: Final = (b"\x89PNG\r\n\x1a\n", b"\x76\x2f\x31\x01")
 
@@ -140,11 +142,11 @@ class FramesFolder:
 
 
 def _content(path: Path) -> bytes | None:
-    """Content of a frame's file; None if it cannot be read."""
+    """Content of a frame's file; None if it cannot be read, or is too large for one."""
     if path.is_symlink() or not path.is_file():
         raise FileError(path, "is no regular file; remove it, or name another folder")
     try:
-        return path.read_bytes()
+        return path.read_bytes() if path.stat().st_size <= _LARGEST else None
     except OSError:
         return None
 

@@ -45,7 +45,7 @@ _GROUP: Final = {"zarr_format": 2}
 _ADDED: Final = 1 << 20
 #: Smallest size that a file takes on disk. [byte]
 _SECTOR: Final = 4096
-_REMEDY: Final = "the store is damaged, or another program's: remove it, or name another folder"
+_REMEDY: Final = "the store is damaged, or not of this airlight: remove it, or name another folder"
 
 
 def check_store(path: Path, field: str) -> None:

@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.errors import ParameterError
 from airlight.solvers.named_axes import COORDINATES, WAVELENGTH
 from airlight.sweep.grid import AXES, Grid
 from airlight.sweep.varied_axis import varied_axis
@@ -92,6 +93,10 @@ def _coordinates(grid: Grid) -> dict[str, tuple[NDArray[Any], dict[str, Any]]]:
     """Values and attributes of the axes."""
     found: dict[str, tuple[Any, dict[str, Any]]] = {"planet": (np.array(grid.names), {})}
     for name, values in grid.vary.items():
+        if "/" in name or "\\" in name:
+            raise ParameterError(
+                "vary", name, "a key without a slash: it names a folder of the store"
+            )
         numbers, unit = varied_axis(grid.planets[0], name, values)
         found[name] = numbers, {"units": unit} if unit else {}
     for name, (_, _, unit) in AXES.items():

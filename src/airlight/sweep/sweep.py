@@ -225,13 +225,18 @@ def _marks(
     """Fingerprint of each block: sixty-three bits of a hash, never 0."""
     found: dict[tuple[int, ...], int] = {}
     count = math.prod(grid.variants)
+    suns, views = (
+        [np.array(values[first : first + step]) for first in range(0, len(values), step)]
+        for values, step in zip((grid.sun_zenith, grid.view_zenith), grid.steps, strict=True)
+    )
+    described = {
+        (k, sun, view): (grid.altitude[k], suns[sun], views[view])
+        for k, sun, view in _indices(grid.blocks[len(grid.variants) :])
+    }
     for done, variant in enumerate(_indices(grid.variants)):
         planet = digest((grid.planet(variant), how, grid.azimuth, grid.nm, code))
-        for inner in _indices(grid.blocks[len(grid.variants) :]):
-            block = *variant, *inner
-            altitude, suns, views = grid.region(block)[len(grid.variants) : -2]
-            lines = grid.altitude[altitude], grid.sun_zenith[suns], grid.view_zenith[views]
-            found[block] = 1 + int(digest((planet, lines))[:15], 16)
+        for inner, lines in described.items():
+            found[*variant, *inner] = 1 + int(digest((planet, *lines))[:15], 16)
         if progress is not None and count > 1:
             progress(done + 1, count, "reading planets")
     return found
