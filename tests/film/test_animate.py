@@ -15,6 +15,7 @@ import pytest
 
 from airlight.cli import main
 from airlight.errors import FileError
+from airlight.exports.output_lock import hidden_file
 from airlight.exports.picture import read_picture_metadata
 from airlight.film import Finish, Quality, animate, load_film
 from airlight.film.frames_folder import FINGERPRINT, FramesFolder
@@ -108,15 +109,17 @@ def test_the_header_holds_the_fingerprint_of_png_and_exr(rock: Path, tmp_path: P
 
 
 def test_a_folder_takes_one_film_at_a_time_and_what_a_killed_one_left_goes(tmp_path: Path) -> None:
+    # a temporary file of one of its frames goes, and those of anybody else stay
     frames = FramesFolder(tmp_path / "frames", "Film", ".png", 2)
     with frames.claimed():
+        hidden_file(frames.path(1), "part").touch()
         (frames.folder / ".0123.part").touch()
         other = FramesFolder(tmp_path / "frames", "Film", ".png", 2)
-        with pytest.raises(FileError, match="another film"), other.claimed():
+        with pytest.raises(FileError, match="is being written by another process"), other.claimed():
             pass
     with frames.claimed():
-        assert [file.name for file in frames.folder.glob(".*.part")] == []
-    assert list(frames.folder.iterdir()) == []
+        assert [file.name for file in frames.folder.glob(".*.part")] == [".0123.part"]
+    assert [file.name for file in frames.folder.iterdir()] == [".0123.part"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no kill -9")

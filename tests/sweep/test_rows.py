@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from airlight.cli import main
-from airlight.errors import ParameterError
+from airlight.errors import FileError, ParameterError
+from airlight.exports.output_lock import output_lock
 from airlight.planets import load_planet
 from airlight.sweep import rows
 from airlight.sweep.rows import answer_rows
@@ -80,6 +81,55 @@ def test_a_stopped_table_is_gone_on_with(tmp_path: Path, monkeypatch: pytest.Mon
     assert answered(source, target) == 21
     assert target.read_bytes() == (tmp_path / "whole.csv").read_bytes()
     assert hidden(tmp_path) == []
+
+
+@pytest.mark.parametrize("damage", ["flipped", "truncated", "index", "index emptied"])
+def test_a_table_is_gone_on_with_from_the_first_damaged_block(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: str
+) -> None:
+    # the second of three blocks is not as it was written
+    source, target = table(tmp_path / "in.csv", 60), tmp_path / "out.csv"
+    answered(source, tmp_path / "whole.csv")
+    monkeypatch.setattr(rows, "BLOCK", 7)
+
+    def stop(done: int, total: int, message: str) -> None:
+        if message == "radiance" and done >= 21:
+            raise Killed
+
+    with pytest.raises(Killed):
+        answered(source, target, progress=stop)
+    (part,), (index,) = tmp_path.glob("*.rows"), tmp_path.glob("*.index")
+    lines = index.read_text().splitlines()
+    ends = [int(line.split()[1]) for line in lines]
+    content = bytearray(part.read_bytes())
+    if damage == "flipped":
+        content[ends[0] + 10] ^= 1
+        part.write_bytes(content)
+    elif damage == "truncated":
+        part.write_bytes(content[: ends[1] - 1])
+    elif damage == "index":
+        index.write_text("\n".join([lines[0], "1 2 3", lines[2]]) + "\n")
+    else:
+        index.write_text("")
+    with pytest.raises(Killed):  # once more in between: what is kept is noted anew
+        answered(source, target, progress=stop)
+    assert answered(source, target) == 21
+    assert target.read_bytes() == (tmp_path / "whole.csv").read_bytes()
+    assert hidden(tmp_path) == []
+
+
+def test_a_table_has_one_writer_and_hidden_files_of_others_stay(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # also names that begin as its own do
+    source, target = table(tmp_path / "in.csv", 20), tmp_path / "out.csv"
+    others = [".out.csv.mine.rows", ".out.csv.index", ".out.csv.part"]
+    for name in others:
+        (tmp_path / name).touch()
+    with output_lock(target), pytest.raises(FileError, match="is being written by another"):
+        answered(source, target)
+    assert answered(source, target) == 0
+    assert hidden(tmp_path) == sorted(others)
 
 
 def test_what_is_kept_of_another_input_is_not_used(

@@ -202,7 +202,9 @@ def test_varied_values_are_numbers_with_their_unit(tmp_path: Path) -> None:
               "shell.top_radius": ["6471 km", 6.48e6],
               "ground.albedo": [0, 0.5], "name": ["a", "b"]},
     )  # fmt: skip
-    SweepStore(tmp_path / "a.zarr", grid, {"settings": "degree=4"})
+    store = SweepStore(tmp_path / "a.zarr", grid, {"settings": "degree=4"})
+    assert not list((tmp_path / "a.zarr").iterdir())  # it appears with the first block
+    store.write((0,) * 8, np.ones((1, 1, 1, 1, 1), np.float32), 1)
     data = radiances(tmp_path / "a.zarr")
     expected = {
         "ozone.absorption.ozone": ([200.0, 300.0], "DU"),

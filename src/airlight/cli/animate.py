@@ -13,7 +13,7 @@ from airlight.cli import distribution_options, options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError, WorkerError
+from airlight.errors import FileError, ParameterError, WorkerError
 
 if TYPE_CHECKING:
     from airlight.film import Animated
@@ -175,7 +175,7 @@ def animate(
                 told=note,
                 progress=counted,
             )  # fmt: skip
-    except (KeyboardInterrupt, WorkerError):
+    except (KeyboardInterrupt, WorkerError, FileError):
         if count[0]:
             note(f"{count[0]} frames were drawn; the same command draws the rest")
         raise

@@ -18,18 +18,19 @@ def begun(path: Path) -> Iterator[None]:
     try:
         yield
     finally:
-        _remove(path)
+        remove(path)
         _begun.discard(path)
 
 
 def remove_all() -> None:
     """Remove all that is being written, before the process ends without its ``finally`` blocks."""
     for path in tuple(_begun):
-        _remove(path)
+        remove(path)
 
 
-def _remove(path: Path) -> None:
-    if path.is_dir():
+def remove(path: Path) -> None:
+    """Remove a file, a link, or a folder with all that is in it, if it is there."""
+    if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path, ignore_errors=True)
     else:
         with contextlib.suppress(OSError):

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Final
 
 from airlight.errors import FileError
-from airlight.exports.beginnings import begun
+from airlight.exports.beginnings import begun, remove
+from airlight.exports.output_lock import hidden_file, output_lock
+
+#: Time that the writer of a file waits for another one of the same file. [s]
+WAIT: Final = 60.0
 
 
 def check_target(path: str | Path) -> Path:
@@ -57,6 +61,8 @@ def check_target(path: str | Path) -> Path:
 def whole_file(path: str | Path) -> Iterator[Path]:
     """Yield a temporary path whose content moves to ``path`` if the block ends well.
 
+    Another writer of the same file is waited for. What a killed one has left is removed.
+
     Parameters
     ----------
     path : str or Path
@@ -70,7 +76,8 @@ def whole_file(path: str | Path) -> Iterator[Path]:
     Raises
     ------
     FileError
-        As for ``check_target``, and if the file cannot be written.
+        As for ``check_target``, and if the file cannot be written, or another process writes it
+        for longer than ``WAIT``.
 
     Examples
     --------
@@ -82,11 +89,14 @@ def whole_file(path: str | Path) -> Iterator[Path]:
     ['note.txt']
     """
     target = check_target(path)
-    part = target.with_name(f".{secrets.token_hex(8)}.part")
-    with begun(part):
+    part = hidden_file(target, "part")
+    with output_lock(target, wait=WAIT), begun(part):
         try:
+            for left in (part, part.with_suffix(".band")):
+                remove(left)
             part.touch(exist_ok=False)
             yield part
             part.replace(target)
         except OSError as error:
-            raise FileError(path, f"cannot be written: {error.strerror or error}") from error
+            old = "; the old file is unchanged" if target.exists() else ""
+            raise FileError(path, f"cannot be written: {error.strerror or error}{old}") from error

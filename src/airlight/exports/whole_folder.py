@@ -5,17 +5,20 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
+import os
 import re
-import secrets
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final
 
 from airlight.errors import FileError
-from airlight.exports.beginnings import begun
+from airlight.exports.beginnings import begun, remove
+from airlight.exports.output_lock import hidden_file, output_lock
 
 #: Name of the manifest in its folder.
 MANIFEST: Final = "manifest.json"
+#: Time that the writer of a folder waits for another one of the same folder. [s]
+WAIT: Final = 60.0
 #: Suffixes of files.
 _FORMAT: Final = re.compile(r"\.[A-Za-z]+\d?")
 
@@ -55,8 +58,8 @@ def check_folder(folder: str | Path, form: str) -> Path:
     Raises
     ------
     FileError
-        If it is named as a file, or is one, its parent is missing, or it holds files but no such
-        manifest.
+        If it is named as a file, or is one, its parent is missing, it or its parent cannot be
+        written to, or it holds files but no such manifest.
     """
     check_folder_name(folder)
     try:
@@ -69,6 +72,9 @@ def check_folder(folder: str | Path, form: str) -> Path:
             raise FileError(folder, f"holds files, but no {MANIFEST}: name a new or empty folder")
         if (target / MANIFEST).is_file():
             read_manifest(target / MANIFEST, form)
+        for place in (target.parent, *((target,) if target.is_dir() else ())):
+            if not os.access(place, os.W_OK | os.X_OK):
+                raise FileError(folder, f"the folder {place} cannot be written to")
     except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
         raise FileError(folder, str(error)) from error
     return target
@@ -88,12 +94,14 @@ def whole_folder(folder: str | Path, form: str) -> Iterator[Path]:
     Raises
     ------
     FileError
-        If the folder cannot be written; it is then unchanged.
+        If the folder cannot be written, or another process writes it for longer than ``WAIT``; it
+        is then unchanged.
     """
     target = check_folder(folder, form)
-    part = target.with_name(f".{secrets.token_hex(8)}.part")
-    with begun(part):
+    part = hidden_file(target, "part")
+    with output_lock(target, wait=WAIT), begun(part):
         try:
+            remove(part)  # of a run that was killed
             part.mkdir()
             yield part
             _put(part, target, form)

@@ -15,8 +15,9 @@ from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.film.exposure_curve import ExposureCurve, metered_numbers
 from airlight.film.film import Film
 from airlight.film.finish import Finish, finished
+from airlight.film.frame_checksum import BLANK, CHECKSUM, with_checksum
 from airlight.film.frames_folder import FINGERPRINT, FramesFolder
-from airlight.film.movie import write_movie
+from airlight.film.movie import check_movie, write_movie
 from airlight.film.still import Quality, Still, distinct_solutions
 from airlight.kernel import disk
 from airlight.kernel.cost import announce_all
@@ -50,6 +51,8 @@ class Animated:
         Folder of its frames.
     drawn, kept : int
         Number of frames that were drawn, and that were there already.
+    damaged : int
+        Number of the drawn frames that were there, and damaged.
     exposures : (float, float) or None
         Lowest and highest exposure of a PNG. [EV]
     """
@@ -57,6 +60,7 @@ class Animated:
     frames: FramesFolder
     drawn: int
     kept: int
+    damaged: int
     exposures: tuple[float, float] | None
 
 
@@ -76,10 +80,11 @@ def animate(
     told: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Animated:
-    """Draw the frames of a film that are missing or have changed.
+    """Draw the frames of a film that are missing, damaged or have changed.
 
-    Each frame's file names in its header the fingerprint of all that defines it. A frame is written
-    whole; a run that was interrupted, or killed, loses only the frames that were being drawn.
+    Each frame's file names in its header the fingerprint of all that defines it, and its checksum,
+    with which all its bytes are compared. A frame is written whole; a run that was interrupted, or
+    killed, loses only the frames that were being drawn.
 
     Parameters
     ----------
@@ -116,7 +121,8 @@ def animate(
     ParameterError
         If a key of the film is wrong, or an option.
     FileError
-        If the folder cannot be written to.
+        If the folder or the MP4 cannot be written to, the disk becomes full, another film is being
+        written to the folder, or it holds a file of a frame's name that is no frame.
     WorkerError
         If workers or their scheduler are lost.
     """
@@ -126,7 +132,13 @@ def animate(
     say = told or (lambda line: None)
     for number in {0, film.plan.count // 2, film.plan.count - 1}:
         job.still(number)  # refuse here what a worker would refuse after some time
+    if movie is not None:
+        check_movie(Path(movie), "movie")
     with frames.claimed(), contextlib.ExitStack() as stack:
+        present = frames.present(progress)
+        if present.damaged:
+            count = len(present.damaged)
+            say(f"{count} of {frames.count} frames were damaged and are drawn again")
         runner: Runner | None = None
 
         def opened(tasks: int) -> Runner:
@@ -141,7 +153,8 @@ def animate(
             return runner
 
         curve = job.curve(lambda: opened(film.plan.count))
-        missing = [n for n in range(frames.count) if frames.fingerprint(n) != job.fingerprint(n)]
+        whole = present.fingerprints
+        missing = [n for n in range(frames.count) if whole.get(n) != job.fingerprint(n)]
         if missing:
             say_drawn = opened(len(missing)).run(drawn_frame, job.tasks(missing))
             for done, (number, content) in enumerate(say_drawn):
@@ -158,8 +171,9 @@ def animate(
         values = [curve(number) for number in range(frames.count)]
         span = min(values), max(values)
     return Animated(
-        frames=frames, drawn=len(missing), kept=frames.count - len(missing), exposures=span
-    )
+        frames=frames, drawn=len(missing), kept=frames.count - len(missing),
+        damaged=len(present.damaged), exposures=span,
+    )  # fmt: skip
 
 
 class _Job:
@@ -286,7 +300,7 @@ def metered_exposure(still: Still, code: str) -> float:
 def drawn_frame(
     still: Still, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
 ) -> bytes:
-    """Contents of a frame's file, with its fingerprint in the header.
+    """Contents of a frame's file, with its fingerprint and its checksum in the header.
 
     Parameters
     ----------
@@ -309,5 +323,5 @@ def drawn_frame(
         If the source of this machine is another.
     """
     check_code(code, *_SOURCES)
-    told = {**still.metadata(), FINGERPRINT: fingerprint}
-    return finished(still.frame(), finish, exposure, eye, told)
+    told = {**still.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
+    return with_checksum(finished(still.frame(), finish, exposure, eye, told))

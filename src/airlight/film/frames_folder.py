@@ -3,24 +3,47 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Final
 
 from airlight.errors import FileError
+from airlight.exports.beginnings import remove
 from airlight.exports.header import PREFIX
+from airlight.exports.output_lock import hidden_file, output_lock
 from airlight.exports.picture import read_picture_metadata
 from airlight.exports.whole_file import whole_file
+from airlight.film.frame_checksum import has_checksum, is_whole
 
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None  # type: ignore[assignment]
+if TYPE_CHECKING:
+    from airlight.kernel.threads import Progress
 
 #: Name of a frame's fingerprint in the header of its file.
 FINGERPRINT: Final = "frame_fingerprint"
 _LOCK: Final = ".airlight-film"
+#: Largest size of a frame. [byte]
+_LARGEST: Final = 1 << 32
+#: First bytes of PNG and OpenEXR.
+_SIGNATURES: Final = (b"\x89PNG\r\n\x1a\n", b"\x76\x2f\x31\x01")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Present:
+    """Frames that are in a folder.
+
+    Attributes
+    ----------
+    fingerprints : dict of int to str
+        Fingerprints of the frames that are whole, by number.
+    damaged : frozenset of int
+        Numbers of the frames that are not as they were written.
+    """
+
+    fingerprints: dict[int, str]
+    damaged: frozenset[int]
 
 
 class FramesFolder:
@@ -50,12 +73,38 @@ class FramesFolder:
         """Paths of all frames, in order."""
         return [self.path(number) for number in range(self.count)]
 
-    def fingerprint(self, number: int) -> str | None:
-        """Fingerprint of a frame that is there, or None."""
-        try:
-            return read_picture_metadata(self.path(number)).get(PREFIX + FINGERPRINT)
-        except FileError:
-            return None
+    def present(self, progress: Progress | None = None) -> Present:
+        """Frames that are there: all bytes of each are read, and compared with its checksum.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            See ``airlight.kernel.threads``.
+
+        Raises
+        ------
+        FileError
+            If a file of this name is no frame of a film, or a link.
+        """
+        there = {entry.name for entry in os.scandir(self.folder)}
+        numbers = [n for n, path in enumerate(self.paths) if path.name in there]
+        fingerprints: dict[int, str] = {}
+        damaged: set[int] = set()
+        for done, number in enumerate(numbers):
+            path = self.path(number)
+            content = _content(path)
+            if content is None:
+                damaged.add(number)
+            elif is_whole(content):
+                fingerprints[number] = read_picture_metadata(path).get(PREFIX + FINGERPRINT, "")
+            elif _is_foreign(path, content):
+                reason = "is no frame of a film; move it, or name another folder"
+                raise FileError(path, reason)
+            elif has_checksum(content) or not _is_picture(path):
+                damaged.add(number)
+            if progress is not None:
+                progress(done + 1, len(numbers), "verifying")
+        return Present(fingerprints=fingerprints, damaged=frozenset(damaged))
 
     def write(self, number: int, content: bytes) -> None:
         """Write a frame, whole or not at all."""
@@ -81,21 +130,40 @@ class FramesFolder:
         """
         try:
             self.folder.mkdir(exist_ok=True)
-            lock: Any = (self.folder / _LOCK).open("a")
         except OSError as error:
             raise FileError(self.folder, (error.strerror or str(error)).lower()) from None
-        with lock:
-            if fcntl is not None:
-                try:
-                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                except OSError:
-                    raise FileError(self.folder, "another film is being written here") from None
-            for part in self.folder.glob(".*.part"):
-                part.unlink(missing_ok=True)
-            try:
-                yield
-            finally:
-                (self.folder / _LOCK).unlink(missing_ok=True)
+        with output_lock(self.folder, self.folder / _LOCK):
+            there = {entry.name for entry in os.scandir(self.folder)}
+            for path in self.paths:
+                part = hidden_file(path, "part")
+                if part.name in there:
+                    remove(part)
+            yield
+
+
+def _content(path: Path) -> bytes | None:
+    """Content of a frame's file; None if it cannot be read, or is too large for one."""
+    if path.is_symlink() or not path.is_file():
+        raise FileError(path, "is no regular file; remove it, or name another folder")
+    try:
+        return path.read_bytes() if path.stat().st_size <= _LARGEST else None
+    except OSError:
+        return None
+
+
+def _is_foreign(path: Path, content: bytes) -> bool:
+    """Whether a file is neither a frame, nor what damage leaves of one."""
+    if PREFIX.encode() + FINGERPRINT.encode() in content or not content.strip(b"\0"):
+        return False
+    return not content.startswith(_SIGNATURES) or _is_picture(path)
+
+
+def _is_picture(path: Path) -> bool:
+    try:
+        read_picture_metadata(path)
+    except FileError:
+        return False
+    return True
 
 
 def file_stem(name: str) -> str:

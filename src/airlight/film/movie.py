@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
+import shutil
 from collections.abc import Sequence
 from importlib import util
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.exports.whole_file import check_target, whole_file
@@ -67,20 +70,17 @@ def write_movie(
     Raises
     ------
     FileError
-        If a frame cannot be read, or ffmpeg fails.
+        If a frame cannot be read, or ffmpeg fails, as where the disk becomes full.
     """
     import imageio_ffmpeg
-    from PIL import Image
 
-    with Image.open(frames[0]) as first:
-        width, height = (side - side % 2 for side in first.size)
+    height, width = (side - side % 2 for side in _pixels(frames[0]).shape[:2])
     if min(width, height) < 2:
         raise FileError(path, "cannot be written: frames have less than two pixels a side")
     with whole_file(path) as part:
-        target = part.with_suffix(".mp4.part")
         writer = imageio_ffmpeg.write_frames(
-            str(target), (width, height), fps=rate, codec="libx264", macro_block_size=2,
-            quality=None, pix_fmt_in="rgb24", pix_fmt_out="yuv420p", ffmpeg_log_level="error",
+            str(part), (width, height), fps=rate, codec="libx264", macro_block_size=2,
+            quality=None, pix_fmt_in="rgb24", pix_fmt_out="yuv420p", ffmpeg_log_level="quiet",
             output_params=[
                 "-crf", str(_QUALITY), "-preset", "medium", "-x264-params", _OPTIONS,
                 "-vf", _SCALE, "-movflags", "+faststart", "-f", "mp4",
@@ -89,15 +89,36 @@ def write_movie(
         try:
             writer.send(None)
             for number, file in enumerate(frames):
-                with Image.open(file) as picture:
-                    pixels = np.asarray(picture.convert("RGB"))[:height, :width]
-                writer.send(np.ascontiguousarray(pixels).tobytes())
+                pixels = _pixels(file)[:height, :width]
+                with contextlib.suppress(OSError):  # ffmpeg has ended: its file says how far
+                    writer.send(np.ascontiguousarray(pixels).tobytes())
                 if progress is not None:
                     progress(number + 1, len(frames), "film")
-            writer.close()
-            target.replace(part)
-        except OSError as error:
-            raise FileError(path, f"cannot be written: {error}") from error
         finally:
             writer.close()
-            target.unlink(missing_ok=True)
+        written = _frame_count(part)
+        if written != len(frames):
+            free = shutil.disk_usage(part.parent).free
+            reason = (f"cannot be written: ffmpeg has written {written} of {len(frames)} frames; "
+                      f"the disk has {free / 1e6:.0f} MB free; all frames are kept")  # fmt: skip
+            raise FileError(path, reason)
+
+
+def _pixels(file: Path) -> NDArray[np.uint8]:
+    from PIL import Image
+
+    try:
+        with Image.open(file) as picture:
+            return np.asarray(picture.convert("RGB"))
+    except (OSError, ValueError, SyntaxError) as error:
+        raise FileError(file, f"cannot be read as a picture: {error}") from error
+
+
+def _frame_count(file: Path) -> int:
+    """Number of frames that can be read; ffmpeg does not say whether it has written all."""
+    import imageio_ffmpeg
+
+    try:
+        return int(imageio_ffmpeg.count_frames_and_secs(str(file))[0])
+    except (RuntimeError, OSError):
+        return 0

@@ -13,7 +13,7 @@ from airlight.exports.whole_file import whole_file
 from airlight.solvers.named_axes import COORDINATES, WAVELENGTH
 from airlight.solvers.stokes_frame import STOKES
 from airlight.sweep.cases import COLUMNS, Cases
-from airlight.sweep.store import POLARISED, UNIT
+from airlight.sweep.store_layout import POLARISED, UNIT
 
 if TYPE_CHECKING:
     import xarray

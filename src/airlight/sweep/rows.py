@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import os
+import hashlib
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TextIO
+from typing import TYPE_CHECKING, Final, NamedTuple, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 from airlight.distribution import opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.errors import FileError
+from airlight.exports.output_lock import output_lock
 from airlight.exports.whole_file import check_target
 from airlight.kernel.cost import LINES, announce_all
 from airlight.planets.planet import Planet
@@ -38,6 +40,8 @@ FloatArray = NDArray[np.float64]
 #: Rows of a block.
 BLOCK: Final = 1 << 13
 _SOURCE: Final = Path(__file__)
+#: End of the name of a hidden file: fingerprint and purpose.
+_NAME: Final = re.compile(r"[0-9a-f]{32}\.(rows|index)")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -86,7 +90,8 @@ def answer_rows(
     """Write a table of observers with their radiances appended.
 
     What is computed is kept beside the target in hidden files, and a second start with the same
-    table, planet, wavelengths and quality goes on from there; the target appears when it is whole.
+    table, planet, wavelengths and quality goes on from there, from the first block that is not as
+    it was written; the target appears when it is whole. One process writes it at a time.
 
     Parameters
     ----------
@@ -195,16 +200,24 @@ class _Table:
         Number of blocks that were there, and that are there now.
     """
 
-    def __init__(self, stream: TextIO, index: TextIO | None, kept: int) -> None:
+    def __init__(
+        self, stream: TextIO, index: TextIO | None, kept: int, part: Path | None = None
+    ) -> None:
         self.stream, self._index, self.kept, self.blocks = stream, index, kept, kept
+        self._part, self._end = part, 0 if part is None else part.stat().st_size
 
     def end_block(self) -> None:
-        """Note that a block is whole, after it has left this process."""
+        """Note that a block is whole, and its checksum, after it has left this process."""
         self.blocks += 1
         self.stream.flush()
-        if self._index is not None:
-            self._index.write(f"{self.blocks} {os.fstat(self.stream.fileno()).st_size}\n")
-            self._index.flush()
+        if self._index is None or self._part is None:
+            return
+        with self._part.open("rb") as written:
+            written.seek(self._end)
+            content = written.read()
+        self._end += len(content)
+        self._index.write(str(_Note(self.blocks, self._end, _checksum(content))))
+        self._index.flush()
 
     @classmethod
     @contextlib.contextmanager
@@ -216,24 +229,41 @@ class _Table:
         path = check_target(target)
         part = path.with_name(f".{path.name}.{mark}.rows")
         index = path.with_name(f".{path.name}.{mark}.index")
-        try:
-            for old in path.parent.glob(f".{_literal(path.name)}.*"):
-                if old.suffix in (".rows", ".index") and old not in (part, index):
-                    old.unlink(missing_ok=True)  # of another planet, or of another input
-            kept, size = _noted(index, part)
-            with part.open("a", encoding="utf-8", newline="") as stream:
-                stream.truncate(size)
-                with index.open("a", encoding="ascii") as notes:
-                    yield cls(stream, notes, kept)
-            part.replace(path)
-            index.unlink(missing_ok=True)
-        except OSError as error:
-            raise FileError(target, f"cannot be written: {error.strerror or error}") from error
-        except BaseException:
-            if _noted(index, part)[0] == 0:  # nothing to go on from
-                part.unlink(missing_ok=True)
+        table: _Table | None = None
+        with output_lock(path):
+            try:
+                for old in path.parent.glob(f".{_literal(path.name)}.*"):
+                    if _NAME.fullmatch(old.name[len(path.name) + 2 :]) and old not in (part, index):
+                        old.unlink(missing_ok=True)  # of another planet, or of another input
+                noted = _noted(index, part)
+                with part.open("a", encoding="utf-8", newline="") as stream:
+                    stream.truncate(noted[-1].end if noted else 0)
+                    with index.open("w", encoding="ascii") as notes:
+                        notes.writelines(map(str, noted))
+                        table = cls(stream, notes, len(noted), part)
+                        yield table
+                part.replace(path)
                 index.unlink(missing_ok=True)
-            raise
+            except OSError as error:
+                reason = f"cannot be written: {error.strerror or error}"
+                if table is not None and table.blocks:
+                    reason += f"; {table.blocks} blocks are kept, and the same command goes on"
+                raise FileError(target, reason) from error
+            finally:
+                if table is None or table.blocks == 0:  # nothing to go on from
+                    part.unlink(missing_ok=True)
+                    index.unlink(missing_ok=True)
+
+
+class _Note(NamedTuple):
+    """Line of the index: number of a block, 1 the first, its end in the file, its checksum."""
+
+    number: int
+    end: int
+    checksum: str
+
+    def __str__(self) -> str:
+        return f"{self.number} {self.end} {self.checksum}\n"
 
 
 def _literal(name: str) -> str:
@@ -241,17 +271,22 @@ def _literal(name: str) -> str:
     return "".join(f"[{letter}]" if letter in "*?[" else letter for letter in name)
 
 
-def _noted(index: Path, part: Path) -> tuple[int, int]:
-    """Number of whole blocks, and the size of the file with them. [byte]"""
+def _noted(index: Path, part: Path) -> list[_Note]:
+    """Notes of the blocks that are as they were written, up to the first that is not."""
+    found: list[_Note] = []
     try:
-        size, text = part.stat().st_size, index.read_text(encoding="ascii")
-    except OSError:
-        return 0, 0
-    whole: tuple[int, int] = (0, 0)
-    for line in text[: text.rfind("\n") + 1].splitlines():
-        numbers: Any = line.split()
-        if len(numbers) == 2 and all(one.isdecimal() for one in numbers):
-            blocks, end = int(numbers[0]), int(numbers[1])
-            if end <= size:
-                whole = blocks, end
-    return whole
+        with part.open("rb") as stream, index.open(encoding="ascii") as lines:
+            for number, line in enumerate(lines, 1):
+                _, end, checksum = line.split()
+                content = stream.read(max(int(end) - stream.tell(), 0))
+                note = _Note(number, stream.tell(), checksum)
+                if line != str(note) or checksum != _checksum(content):
+                    break
+                found.append(note)
+    except (OSError, ValueError):  # absent, or damaged from here on
+        pass
+    return found
+
+
+def _checksum(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()

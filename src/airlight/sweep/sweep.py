@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import itertools
-from collections.abc import Iterator
+import math
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.distribution import Runner, opened_runner
+from airlight.distribution import opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.errors import ParameterError
+from airlight.exports.output_lock import output_lock
 from airlight.kernel.cost import LINES, announce_all
+from airlight.kernel.memory import check_memory
 from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.settings import settings_for
@@ -27,7 +29,15 @@ from airlight.solvers.stokes_frame import (
 )
 from airlight.sweep.grid import Grid
 from airlight.sweep.shared_solution import shared_solution
-from airlight.sweep.store import SweepStore, check_store
+from airlight.sweep.store import (
+    State,
+    SweepStore,
+    check_room,
+    check_store,
+    in_words,
+    size_on_disk,
+)
+from airlight.sweep.store_layout import POLARISED, chunk_shape
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
@@ -35,6 +45,12 @@ if TYPE_CHECKING:
 
 #: Source that computes radiances: this file's imports.
 _SOURCE: Final = Path(__file__)
+#: Size from which a store is announced. [byte]
+_LARGE: Final = 10**9
+#: Memory of a radiance of a block, from lines of sight to the compressed chunk, and of the mark of
+#: a block. [byte]
+_MEMORY: Final = 40
+_MEMORY_OF_A_MARK: Final = 400
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,6 +63,8 @@ class Swept:
         Folder of the Zarr group.
     computed, kept : int
         Number of blocks that were computed, and that were there already.
+    damaged : int
+        Number of the computed blocks that were there, and damaged.
     radiances : int
         Number of radiances in all.
     """
@@ -54,6 +72,7 @@ class Swept:
     path: Path
     computed: int
     kept: int
+    damaged: int
     radiances: int
 
 
@@ -97,9 +116,13 @@ def sweep(
     stokes: bool = False,
     scheduler: str | None = None,
     workers: int | None = None,
+    told: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Swept:
-    """Compute the radiances of a grid that are missing or have changed.
+    """Compute the radiances of a grid that are missing, damaged or have changed.
+
+    All bytes of blocks that are there are read and compared with their checksums. The folder
+    appears with the first block; one process writes it at a time.
 
     Parameters
     ----------
@@ -115,6 +138,8 @@ def sweep(
         Whether the arrays ``Q``, ``U``, ``dolp`` and ``aolp`` are written beside the radiance.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``.
+    told : callable, optional
+        Receives lines about the course.
     progress : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -129,61 +154,118 @@ def sweep(
         If a planet cannot be read, or is not known at a wavelength; or Stokes parameters are
         requested of scalar transfer.
     FileError
-        If the folder is named as a file of another format, or holds another grid, or one with or
-        without Stokes parameters.
+        If the folder is named as a file of another format, holds another grid, one with or without
+        Stokes parameters, or a damaged group; cannot be written to, or another process writes it;
+        or the disk has less room than the grid needs, or becomes full.
+    CostError
+        If a block needs more memory than is free.
     WorkerError
         If workers or their scheduler are lost.
     """
     if stokes and not polarisation:
         raise ParameterError("stokes", True, "a sweep with polarisation left on")
     check_store(Path(path), "path")
+    say = told or (lambda line: None)
     light = "radiance" if polarisation else "radiance of scalar transfer"
     light = "radiance and Stokes parameters" if stokes else light
     settings = replace(settings_for(quality), polarisation=polarisation)
     about = {"title": f"{light}, quality {quality}", "solver": "moments"}
     about["settings"] = settings.as_text()
-    store = SweepStore(Path(path), grid, about, stokes=stokes)
     how = quality, polarisation, stokes
     code = code_digest(_SOURCE)
-    missing: list[tuple[int, ...]] = []
-    marks: dict[tuple[int, ...], int] = {}
-    planets: dict[str, Planet] = {}
-    for block in _indices(grid.blocks):
-        task = _block(grid, block, how)
-        planets.setdefault(task.planet.name, task.planet)
-        # Sixty-three bits of the hash, never 0.
-        marks[block] = 1 + int(digest((task, code))[:15], 16)
-        if not store.has(block, marks[block]):
-            missing.append(block)
-    if missing:
-        variants = list(dict.fromkeys(block[: len(grid.variants)] for block in missing))
-        for planet in planets.values():  # here: nobody sees the warnings of a worker
-            warn_of_missing_bands(planet, grid.nm)
-        solutions, lines = len(variants), sum(_lines(grid, block) for block in missing)
-        amounts = [
-            ("solve", solutions * solve_work(quality, len(grid.nm))),
-            (LINES, float(lines * len(grid.nm) * (3 if stokes else 1))),
-        ]
-        announce_all(f"{solutions} solutions and {lines} lines of sight", amounts)
-        with contextlib.ExitStack() as stack:
-            runner: Runner = stack.enter_context(
-                opened_runner(len(missing), scheduler=scheduler, workers=workers)
-            )
-            first = {one: next(b for b in missing if b[: len(one)] == one) for one in variants}
-            tasks = ((one, (_block(grid, first[one], how), code)) for one in variants)
-            for done, _ in enumerate(runner.run(solved, tasks)):
-                if progress is not None:
-                    progress(done + 1, len(variants), "solving")
-            blocks = ((block, (_block(grid, block, how), code)) for block in missing)
-            for done, (block, values) in enumerate(runner.run(radiances, blocks)):
-                store.write(grid.region(block), block, values, marks[block])
-                if progress is not None:
-                    progress(done + 1, len(missing), "radiances")
-    count = len(marks)
+    with output_lock(Path(path).resolve()):
+        _check_cost(grid, Path(path), stokes, say)
+        marks = _marks(grid, how, code, progress)
+        store = SweepStore(Path(path), grid, about, stokes=stokes)
+        states = {}
+        for done, (block, mark) in enumerate(marks.items()):
+            states[block] = store.state(block, mark)
+            if progress is not None and states[block] is not State.MISSING:
+                progress(done + 1, len(marks), "verifying")
+        missing = [block for block, state in states.items() if state is not State.WHOLE]
+        damaged = sum(state is State.DAMAGED for state in states.values())
+        for name in store.renew():
+            say(f"the axis {name} was damaged and is written again")
+        if damaged:
+            say(f"{damaged} of {len(marks)} blocks were damaged and are computed again")
+        if missing:
+            first = _first_of_variants(grid, missing)
+            _announce(grid, first, missing, how)
+            with opened_runner(len(missing), scheduler=scheduler, workers=workers) as runner:
+                tasks = ((one, (_block(grid, block, how), code)) for one, block in first.items())
+                for done, _ in enumerate(runner.run(solved, tasks)):
+                    if progress is not None:
+                        progress(done + 1, len(first), "solving")
+                blocks = ((block, (_block(grid, block, how), code)) for block in missing)
+                for done, (block, values) in enumerate(runner.run(radiances, blocks)):
+                    store.write(block, values, marks[block])
+                    if progress is not None:
+                        progress(done + 1, len(missing), "radiances")
     return Swept(
-        path=Path(path), computed=len(missing), kept=count - len(missing),
+        path=Path(path), computed=len(missing), kept=len(marks) - len(missing), damaged=damaged,
         radiances=int(np.prod(grid.shape)),
     )  # fmt: skip
+
+
+def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
+    """Refuse a grid for which disk or memory are too small, and state the size of a large one."""
+    count = math.prod(grid.blocks)
+    size = size_on_disk(grid, stokes=stokes)
+    work = f"a sweep of {math.prod(grid.shape):.3g} radiances in {count} blocks"
+    check_room(path.resolve(), size)
+    block = math.prod(chunk_shape(grid)) * _MEMORY * (len(POLARISED) + 1 if stokes else 1)
+    check_memory(block + count * _MEMORY_OF_A_MARK, work)
+    if size > _LARGE:
+        say(f"{path}: up to {in_words(size)}, {work}")
+
+
+def _marks(
+    grid: Grid, how: tuple[str, bool, bool], code: str, progress: Progress | None
+) -> dict[tuple[int, ...], int]:
+    """Fingerprint of each block: sixty-three bits of a hash, never 0."""
+    found: dict[tuple[int, ...], int] = {}
+    count = math.prod(grid.variants)
+    suns, views = (
+        [np.array(values[first : first + step]) for first in range(0, len(values), step)]
+        for values, step in zip((grid.sun_zenith, grid.view_zenith), grid.steps, strict=True)
+    )
+    described = {
+        (k, sun, view): (grid.altitude[k], suns[sun], views[view])
+        for k, sun, view in _indices(grid.blocks[len(grid.variants) :])
+    }
+    for done, variant in enumerate(_indices(grid.variants)):
+        planet = digest((grid.planet(variant), how, grid.azimuth, grid.nm, code))
+        for inner, lines in described.items():
+            found[*variant, *inner] = 1 + int(digest((planet, *lines))[:15], 16)
+        if progress is not None and count > 1:
+            progress(done + 1, count, "reading planets")
+    return found
+
+
+def _announce(
+    grid: Grid, variants: Collection[tuple[int, ...]], missing: list[tuple[int, ...]],
+    how: tuple[str, bool, bool],
+) -> None:  # fmt: skip
+    """Announce the work, and warn of what planets are not known for: nobody sees a worker's."""
+    quality, _, stokes = how
+    for one in sorted({variant[0] for variant in variants}):
+        warn_of_missing_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
+    lines = sum(_lines(grid, block) for block in missing)
+    amounts = [
+        ("solve", len(variants) * solve_work(quality, len(grid.nm))),
+        (LINES, float(lines * len(grid.nm) * (3 if stokes else 1))),
+    ]
+    announce_all(f"{len(variants)} solutions and {lines} lines of sight", amounts)
+
+
+def _first_of_variants(
+    grid: Grid, blocks: list[tuple[int, ...]]
+) -> dict[tuple[int, ...], tuple[int, ...]]:
+    """First of the blocks of each planet of the grid that has one."""
+    first: dict[tuple[int, ...], tuple[int, ...]] = {}
+    for block in blocks:
+        first.setdefault(block[: len(grid.variants)], block)
+    return first
 
 
 def _lines(grid: Grid, block: tuple[int, ...]) -> int:
