@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from airlight.kernel.subnormals import _exchange
+from airlight.optics.altitude_nodes import _refine
 from airlight.optics.density_profile import _relative_densities, segment_density
 from airlight.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.optics.phase_table import _interpolate
@@ -38,6 +39,7 @@ from airlight.tables.columns import _columns, table_rays
 LOOPS: Final = (
     _exchange,
     segment_density,
+    _refine,
     _relative_densities,
     rayleigh,
     cornette_shanks,
