@@ -33,14 +33,9 @@ from airlight.exports.look_up_code import (
     texture_name,
     vectors_of,
 )
+from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
 from airlight.exports.table_errors import Errors
-from airlight.exports.whole_folder import (
-    MANIFEST,
-    fingerprint,
-    read_manifest,
-    whole_folder,
-    write_manifest,
-)
+from airlight.exports.whole_folder import whole_folder
 from airlight.kernel.threads import run_blocks
 from airlight.solvers.provenance import version
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
@@ -51,6 +46,8 @@ FORMAT: Final = "airlight tables 1"
 _PHASES: Final = "phase-functions.npz"
 _PHASE_TEXTURE: Final = "phase-functions.exr"
 _VECTORS: Final = "test_vectors.json"
+#: Names of the files beside the manifest, as patterns.
+FILES: Final = ("*.npz", "*.exr", *DIALECTS, _VECTORS)
 _READING: Final = {
     "value": "scale * stored, in the table's unit",
     "npz": "array values, axes from slow to fast as in axes, then channels",
@@ -71,7 +68,7 @@ _FORMULAS: Final = {
 }
 
 
-def write_tables(folder: str | Path, baked: Baked) -> Path:
+def write_tables(folder: str | Path, baked: Baked, *, overwrite: bool = False) -> Path:
     """Write all tables of a bake, and their manifest.
 
     Parameters
@@ -80,6 +77,9 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
         Folder to create, an empty folder, or one that holds tables already, which are replaced.
     baked : Baked
         Tables from ``bake``.
+    overwrite : bool
+        Whether files of these names may be replaced that airlight has not written, or that were
+        changed since.
 
     Returns
     -------
@@ -92,7 +92,7 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
         If the folder holds other files of these names, or cannot be written to; it is then
         unchanged.
     """
-    with whole_folder(folder, FORMAT) as part:
+    with whole_folder(folder, FORMAT, FILES, overwrite=overwrite) as part:
         manifest = _manifest(baked)
         files = [part / f"{name}.{kind}" for name in baked.tables for kind in ("npz", "exr")]
 

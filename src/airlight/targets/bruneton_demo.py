@@ -217,6 +217,7 @@ TARGET: Final = Target(
     program="the WebGL demo of precomputed_atmospheric_scattering",
     version="d995492",
     fill=fill,
+    files=("*.dat", "*.txt", _PLANET),
     wavelengths=WAVELENGTHS,
     options=("lowest_sun",),
 )

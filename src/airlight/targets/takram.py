@@ -216,6 +216,7 @@ TARGET: Final = Target(
     program="@takram/three-atmosphere",
     version="0.19.1",
     fill=fill,
+    files=("*.bin", "*.exr", _ATMOSPHERE, _SCRIPT),
     wavelengths=WAVELENGTHS,
     options=("mie", "lowest_sun"),
 )
