@@ -169,3 +169,30 @@ def test_a_name_too_long_for_a_file_is_one_line(
     error = capsys.readouterr().err
     assert error.startswith("airlight: ")
     assert "internal error" not in error
+
+
+@pytest.mark.parametrize("name", ALLOWED)
+def test_every_text_format_holds_every_name(name: str) -> None:
+    # each is read by a parser of its format, and the names of planets are all that is free there
+    import tomllib
+
+    from airlight.planets.reading.planet_file import planet_file
+    from airlight.reports.markdown import escaped, row_lines
+    from airlight.targets.celestia import read_atmosphere, ssc_of
+    from airlight.targets.fits.formula_planet import name_of
+    from airlight.targets.openspace import asset_of
+    from airlight.targets.unreal import script_of
+
+    lupa = pytest.importorskip("lupa")
+    lua = lupa.LuaRuntime(unpack_returned_tuples=True)
+    lua.execute("openspace = {}; asset = {require = function() end, export = function() end,"
+                "onInitialize = function() end, onDeinitialize = function() end}")  # fmt: skip
+    lua.execute(asset_of({"Height": 1.0}, named(name)))
+    assert lua.eval("asset.meta.Name") == f"{name} Atmosphere"
+    assert read_atmosphere(ssc_of({"Height": 1.0}, named(name)))["Height"] == 1.0
+    compile(script_of({"height": 1.0}, name_of(named(name))), "sky_atmosphere.py", "exec")
+    tables = {"name": name, name: {name: [name]}}
+    assert tomllib.loads(planet_file(tables, (f"from {name}\x1b\n{name}",))) == tables
+    (row,) = row_lines(["a"], [[f"{name}|{name}"]])[2:]
+    assert len(re.findall(r"(?<!\\)(?:\\\\)*\|", row)) == 2
+    assert not re.search(r"(?<!\\)(?:\\\\)*[`\[]", escaped(name))

@@ -21,6 +21,7 @@ from airlight.exports.hdr import write_hdr
 from airlight.exports.manifest import check_replaceable, fingerprint, own_files, sealed
 from airlight.exports.picture import LINEAR, picture_suffix, write_picture
 from airlight.exports.whole_file import check_target, whole_file
+from airlight.plain_text import is_plain
 
 if TYPE_CHECKING:
     from airlight.environment.consumers import Consumer
@@ -80,10 +81,12 @@ def check_beside(
     Raises
     ------
     FileError
-        If the suffix is unknown, nothing can be written there, or a file beside the map is not
-        airlight's to replace.
+        If the suffix is unknown, the name has control characters, nothing can be written there, or
+        a file beside the map is not airlight's to replace.
     """
     suffix = picture_suffix(path)
+    if not is_plain(path.name):
+        raise FileError(path, "has characters that are not shown; allowed: a name without")
     suffixes = [".json"]
     if consumer.name in SCENES and suffix in LINEAR:
         suffixes.append(SCENES[consumer.name][0])
