@@ -16,8 +16,12 @@ from airlight.errors import FileError
 #: Largest planet, scene, film or camera file, manifest or table of a spectrum. [byte]
 LARGEST_TEXT: Final = 32_000_000
 #: Largest table of measured radiances. [byte]
-LARGEST_DATA: Final = 1_000_000_000
-#: Largest picture, map or array. [byte]
+LARGEST_DATA: Final = 250_000_000
+#: Largest table of observers, which is read block by block. [byte]
+LARGEST_CASES: Final = 64_000_000_000
+#: Largest map of a planet, 200 million pixels of floats and their offsets. [byte]
+LARGEST_MAP: Final = 4_000_000_000
+#: Largest picture with its passes. [byte]
 LARGEST_PICTURE: Final = 16_000_000_000
 
 
