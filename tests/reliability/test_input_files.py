@@ -1,4 +1,4 @@
-"""Files that the user names: devices, pipes, folders, and files without end, in one line at once."""
+"""Files that the user names: devices, pipes, folders, files without end: one line, at once."""
 
 from __future__ import annotations
 

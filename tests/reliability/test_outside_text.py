@@ -196,3 +196,28 @@ def test_every_text_format_holds_every_name(name: str) -> None:
     (row,) = row_lines(["a"], [[f"{name}|{name}"]])[2:]
     assert len(re.findall(r"(?<!\\)(?:\\\\)*\|", row)) == 2
     assert not re.search(r"(?<!\\)(?:\\\\)*[`\[]", escaped(name))
+
+
+LONG = "x" * 5000
+
+
+@pytest.mark.parametrize("words", [
+    ["render", "earth", "-o", LONG + ".png"],
+    ["render", "earth", "-o", "/tmp/" + LONG + "/a.png"],
+    ["render", LONG], ["show", LONG + ".toml"], ["animate", LONG, "-o", "x"], [LONG],
+    ["fit", "earth", "--data", LONG, "--free", "ground.albedo", "-o", "a.toml"],
+    ["radiance", "earth", "--input", LONG], ["compose", LONG, "-o", "a.png"],
+    ["bake", "earth", "--layout", "bruneton", "-o", LONG], ["aerial", "earth", "-o", LONG],
+    ["bake", "earth", "--layout", LONG, "-o", "x"], ["render", "earth", "--quality", LONG],
+    ["render", "earth", f"--{LONG}"], ["render", "earth", "--set", f"{LONG}=1"],
+    ["render", "earth", "--set", f"ground.map={LONG}"], ["validate", "-o", "a b " * 1250 + ".html"],
+    ["export-page", "earth", "-o", "a b " * 1250 + ".html"],
+])  # fmt: skip
+def test_no_message_echoes_five_thousand_characters(
+    words: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    assert len(err) < 1100
+    assert "internal error" not in err

@@ -19,6 +19,7 @@ from airlight.cli.console import note, noted_warnings
 from airlight.cli.examples import examples
 from airlight.cli.interrupt import INTERRUPTED, answered, end_when_interrupted
 from airlight.errors import AirlightError, Cancelled
+from airlight.plain_text import brief
 
 #: Exit status of an error.
 ERROR = 2
@@ -188,4 +189,4 @@ def _one_line(error: Exception) -> str:
         text = f"{error.filename}: {error.strerror}"
     else:
         text = f"internal error, {type(error).__name__}: {error} (--debug shows where)"
-    return " ".join(text.split())
+    return brief(" ".join(text.split()))
