@@ -34,7 +34,7 @@ from airlight.exports.look_up_code import (
     texture_name,
     vectors_of,
 )
-from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
+from airlight.exports.manifest import MANIFEST, SEAL, fingerprint, read_manifest, write_manifest
 from airlight.exports.table_errors import Errors
 from airlight.exports.whole_folder import whole_folder
 from airlight.input_files import read_bytes
@@ -267,7 +267,7 @@ def load_tables(manifest: str | Path) -> Baked:
             reference=int(content["light"]["reference"]),
         )
         errors = {name: Errors(**fields) for name, fields in content["errors"].items()}
-        own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors"}
+        own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors", SEAL}
         about = {name: value for name, value in content.items() if name not in own}
     except _DAMAGE as error:
         raise FileError(path, f"is no manifest of tables: {error}") from error

@@ -68,9 +68,10 @@ def check_folder(
             raise FileError(folder, "is a file, not a folder")
         if not target.parent.is_dir():
             raise FileError(folder, f"there is no folder {target.parent}")
-        foreign = target.is_dir() and any(target.iterdir()) and not (target / MANIFEST).is_file()
-        if foreign and not overwrite:
-            raise FileError(folder, f"holds files, but no {MANIFEST}: name a new or empty folder")
+        there = sorted(target.iterdir()) if target.is_dir() else []
+        if there and not (target / MANIFEST).is_file() and not overwrite:
+            reason = f"holds {there[0].name}, but no {MANIFEST}: name a new or empty folder"
+            raise FileError(folder, f"{reason}, or add --overwrite (overwrite=True)")
         own = own_files(target / MANIFEST, form, overwrite=overwrite)
         check_replaceable(target, files, (MANIFEST, *own), overwrite=overwrite)
     except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
