@@ -202,3 +202,11 @@ def test_files_beside_a_map_are_replaced_until_somebody_edits_them(
     with pytest.raises(FileError, match="not as airlight wrote it"):
         write_map(path, made(width=32))
     assert "mine" in sidecar.read_text(encoding="utf-8")
+
+
+def test_a_name_is_no_pattern(made: Made, tmp_path: Path) -> None:
+    (tmp_path / "ab.json").write_text("mine", encoding="utf-8")
+    for name in ("a*.exr", "a[b].exr", "a?.exr"):
+        write_map(tmp_path / name, made(width=32))
+        assert (tmp_path / name).with_suffix(".json").is_file()
+    assert (tmp_path / "ab.json").read_text(encoding="utf-8") == "mine"

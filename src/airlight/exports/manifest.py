@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import re
 from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
@@ -175,8 +176,8 @@ def check_replaceable(
     names: Iterable[str],
     own: Iterable[str],
     *,
+    patterns: Iterable[str] = (),
     overwrite: bool = False,
-    reason: str = "not listed by a manifest of airlight's",
 ) -> None:
     """Stop before a file that is not airlight's would be replaced.
 
@@ -185,13 +186,13 @@ def check_replaceable(
     folder : Path
         Folder of the output.
     names : iterable of str
-        Names of the files to be written, or patterns of them such as ``*.exr``.
+        Names of the files to be written.
     own : iterable of str
         Names that may be replaced, as from ``own_files``.
+    patterns : iterable of str
+        Patterns of further names, such as ``*.exr``.
     overwrite : bool
         Whether any file may be replaced; a folder or a link never.
-    reason : str
-        What such a file is.
 
     Raises
     ------
@@ -200,20 +201,20 @@ def check_replaceable(
     """
     if not folder.is_dir():
         return
-    ours, patterns = set(own), tuple(names)
-    there = [
-        file
-        for file in sorted(folder.iterdir())
-        if file.name not in ours
-        and any(file.name == one or fnmatchcase(file.name, one) for one in patterns)
-    ]
+    named = {name for name in names if os.path.lexists(folder / name)}
+    named |= {
+        file.name for one in patterns for file in folder.iterdir() if fnmatchcase(file.name, one)
+    }
+    there = [folder / name for name in sorted(named - set(own))]
     for file in there:
         if file.is_symlink():
             raise FileError(file, _LINK)
         if file.is_dir():
             raise FileError(file, "is a folder, where a file is to be written")
     if there and not overwrite:
-        raise _not_ours(folder, [file.name for file in there], reason)
+        raise _not_ours(
+            folder, [file.name for file in there], "not listed by a manifest of airlight's"
+        )
 
 
 def _not_ours(folder: Path, names: list[str], reason: str) -> FileError:

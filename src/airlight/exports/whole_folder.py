@@ -73,7 +73,7 @@ def check_folder(
             reason = f"holds {there[0].name}, but no {MANIFEST}: name a new or empty folder"
             raise FileError(folder, f"{reason}, or add --overwrite (overwrite=True)")
         own = own_files(target / MANIFEST, form, overwrite=overwrite)
-        check_replaceable(target, files, (MANIFEST, *own), overwrite=overwrite)
+        check_replaceable(target, (), (MANIFEST, *own), patterns=files, overwrite=overwrite)
     except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
         raise FileError(folder, str(error)) from error
     return target

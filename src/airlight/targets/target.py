@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from airlight.errors import ParameterError
+from airlight.errors import FileError, ParameterError
 from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
 from airlight.exports.whole_folder import whole_folder
 from airlight.kernel.threads import Progress
@@ -286,11 +286,15 @@ def read_export(folder: str | Path, target: Target) -> Export:
     FileError
         If there is no manifest, or one of another format.
     """
-    content = read_manifest(Path(folder) / MANIFEST, target.form)
-    return Export(
-        folder=Path(folder),
-        files={name: said["bytes"] for name, said in content["files"].items()},
-        fitted=tuple(Fitted(**one) for one in content["fitted"]),
-        errors=tuple(ErrorRow(**one) for one in content["errors"]),
-        notes=tuple(content["notes"]),
-    )
+    path = Path(folder) / MANIFEST
+    content = read_manifest(path, target.form)
+    try:
+        return Export(
+            folder=Path(folder),
+            files={name: said["bytes"] for name, said in content["files"].items()},
+            fitted=tuple(Fitted(**one) for one in content["fitted"]),
+            errors=tuple(ErrorRow(**one) for one in content["errors"]),
+            notes=tuple(content["notes"]),
+        )
+    except (KeyError, TypeError, AttributeError) as error:
+        raise FileError(path, f"is no manifest of {target.program}: {error}") from error
