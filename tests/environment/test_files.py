@@ -210,3 +210,31 @@ def test_a_name_is_no_pattern(made: Made, tmp_path: Path) -> None:
         write_map(tmp_path / name, made(width=32))
         assert (tmp_path / name).with_suffix(".json").is_file()
     assert (tmp_path / "ab.json").read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize("ended", [1, 2])
+def test_a_run_that_was_killed_is_repeated_without_being_asked(
+    made: Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ended: int
+) -> None:
+    # killed before the first or the second file beside the map: what is left is airlight's own
+    from airlight.environment import files
+
+    class Killed(BaseException):
+        pass
+
+    shown, path, write, calls = made("mitsuba", "light", width=32), tmp_path / "a.exr", [], []
+    write_map(path, shown)
+    write.append(files._write)
+
+    def counted(file: Path, content: bytes) -> None:
+        calls.append(file)
+        if len(calls) == ended:
+            raise Killed
+        write[0](file, content)
+
+    monkeypatch.setattr(files, "_write", counted)
+    with pytest.raises(Killed):
+        write_map(path, replace(shown, planet="Another"))
+    monkeypatch.undo()
+    write_map(path, shown)
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["a.exr", "a.json", "a.xml"]

@@ -18,7 +18,7 @@ from airlight.environment.usd_scene import usd_scene
 from airlight.errors import FileError, ParameterError
 from airlight.exports.exr import LARGEST_HALF, write_exr
 from airlight.exports.hdr import write_hdr
-from airlight.exports.manifest import check_replaceable, fingerprint, own_files, sealed
+from airlight.exports.manifest import check_replaceable, fingerprint_of, own_files, sealed
 from airlight.exports.picture import LINEAR, picture_suffix, write_picture
 from airlight.exports.whole_file import check_target, whole_file
 from airlight.plain_text import is_plain
@@ -177,11 +177,16 @@ def write_map(
         exposure = written.exposure
     for scene in stale:
         scene.unlink(missing_ok=True)
-    for other in others[1:]:
-        _write_text(other, SCENES[made.consumer.name][1](made, path.name, factor))
+    # The JSON lists a scene before it is there: whenever this is killed, none is there unlisted.
+    scenes = {
+        other: SCENES[made.consumer.name][1](made, path.name, factor).encode()
+        for other in others[1:]
+    }
     contents = described(made, path.name, factor)
-    contents["files"] = {other.name: fingerprint(other) for other in others[1:]}
-    _write_text(others[0], as_json(sealed(contents)) + "\n")
+    contents["files"] = {other.name: fingerprint_of(text) for other, text in scenes.items()}
+    _write(others[0], (as_json(sealed(contents)) + "\n").encode())
+    for other, text in scenes.items():
+        _write(other, text)
     return WrittenMap(path=path, beside=others, scale=factor, exposure=exposure)
 
 
@@ -204,9 +209,9 @@ def _facts(made: EnvironmentMap) -> dict[str, str]:
     }
 
 
-def _write_text(path: Path, text: str) -> None:
+def _write(path: Path, content: bytes) -> None:
     try:
         with whole_file(path) as part:
-            part.write_text(text, encoding="utf-8")
+            part.write_bytes(content)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error}") from error

@@ -114,6 +114,11 @@ def fingerprint(path: Path) -> dict[str, Any]:
     return {"bytes": path.stat().st_size, "sha256": checksum}
 
 
+def fingerprint_of(content: bytes) -> dict[str, Any]:
+    """Size and SHA-256 that a file of some content will have."""
+    return {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
+
+
 def listed(content: Any) -> dict[str, Any]:
     """Files that a manifest lists, with what it says of them."""
     if not isinstance(content, dict):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
@@ -11,6 +10,7 @@ from airlight.exports.manifest import (
     MANIFEST,
     check_replaceable,
     fingerprint,
+    fingerprint_of,
     read_manifest,
     write_manifest,
 )
@@ -78,10 +78,7 @@ def write_pictures(
     with whole_folder(folder, FORMAT, _FILES, overwrite=overwrite) as part:
         for name, png in pictures.items():
             (part / name).write_bytes(png)
-        about = {"name": page.name, "sha256": _sha256(text)} if page is not None else None
+        checksum = fingerprint_of(text.encode())["sha256"]
+        about = {"name": page.name, "sha256": checksum} if page is not None else None
         files = {name: fingerprint(part / name) for name in pictures}
         write_manifest(part, {"format": FORMAT, "page": about, "files": files})
-
-
-def _sha256(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
