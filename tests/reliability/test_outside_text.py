@@ -195,7 +195,7 @@ def test_every_text_format_holds_every_name(name: str) -> None:
     assert tomllib.loads(planet_file(tables, (f"from {name}\x1b\n{name}",))) == tables
     (row,) = row_lines(["a"], [[f"{name}|{name}"]])[2:]
     assert len(re.findall(r"(?<!\\)(?:\\\\)*\|", row)) == 2
-    assert not re.search(r"(?<!\\)(?:\\\\)*[`\[]", escaped(name))
+    assert not re.search(r"(?<!\\)(?:\\\\)*`|\]\(|<", escaped(f"[a](b){name}"))
 
 
 LONG = "x" * 5000

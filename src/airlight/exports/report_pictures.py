@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
+from airlight.errors import FileError
 from airlight.exports.manifest import (
     MANIFEST,
     check_replaceable,
@@ -39,7 +40,9 @@ def check_pictures(folder: Path, page: Path | None = None, *, overwrite: bool = 
     FileError
         If they cannot, or a file is not airlight's to replace.
     """
-    target = check_folder(folder, FORMAT, _FILES, overwrite=overwrite)
+    target = folder
+    if folder.parent.exists():  # else it is made, and nothing is there
+        target = check_folder(folder, FORMAT, _FILES, overwrite=overwrite)
     if page is None:
         return
     check_target(page)
@@ -75,6 +78,10 @@ def write_pictures(
         As for ``check_pictures``.
     """
     check_pictures(folder, page, overwrite=overwrite)
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
     with whole_folder(folder, FORMAT, _FILES, overwrite=overwrite) as part:
         for name, png in pictures.items():
             (part / name).write_bytes(png)

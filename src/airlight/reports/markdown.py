@@ -80,6 +80,6 @@ def escaped(text: str) -> str:
     Examples
     --------
     >>> print(escaped("<b> [a](b) \\`"))
-    &lt;b> \[a\](b) \\\`
+    &lt;b> [a]\(b) \\\`
     """
-    return re.sub(r"([\\\[\]`])", r"\\\1", text).replace("<", "&lt;")
+    return re.sub(r"[\\`]|(?<=\])[(\[]", r"\\\g<0>", text).replace("<", "&lt;")

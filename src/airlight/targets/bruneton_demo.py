@@ -201,7 +201,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             g=said["MIE_PHASE_FUNCTION_G"],
             mie_colours=np.array(said["MIE_COLOURS"]),
         )
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (FileError, ValueError, KeyError, TypeError) as error:
         raise FileError(path, f"is no folder of --layout bruneton-demo: {error}") from error
 
 

@@ -144,7 +144,7 @@ class CosmoScoutTables:
             radius = float(scene["airlight"]["radius"])
             bottom = radius + float(atmosphere["bottomAltitude"])
             top = radius + float(atmosphere["topAltitude"])
-        except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+        except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
             raise FileError(root, f"is no folder for CosmoScout: {error}") from error
         return cls(
             bottom_radius=bottom,

@@ -204,7 +204,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             mie_colours=ratio / ratio[0],
             darkest=_DARKEST,
         )
-    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+    except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise FileError(path, f"is no folder of --layout takram: {error}") from error
 
 
