@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Final
 
-from airlight.plain_text import plain
+from airlight.plain_text import brief, plain
 
 #: Longest line of several errors, of which those after its half leave out what is allowed.
 _LONGEST_LINE: Final = 800
@@ -18,7 +18,7 @@ class AirlightError(Exception):
     """Base of every error that airlight raises on purpose, with a message of one line."""
 
     def __str__(self) -> str:
-        return plain(super().__str__())
+        return plain(brief(super().__str__()))
 
 
 class ParameterError(AirlightError, ValueError):
@@ -56,8 +56,10 @@ class ParameterError(AirlightError, ValueError):
         shown = " ".join(repr(self.value).split())
         if len(shown) > 120:
             shown = shown[:117] + "..."
-        where = "" if self.file is None else f"{self.file}: "
-        return plain(f"{where}{self.field} is {shown}; allowed: {self.allowed}")
+        where = "" if self.file is None else f"{brief(self.file, whole=200)}: "
+        return plain(
+            brief(f"{where}{brief(self.field, whole=200)} is {shown}; allowed: {self.allowed}")
+        )
 
     def in_file(self, file: str | Path) -> ParameterError:
         """Same error with the name of the file that holds the field."""
@@ -161,7 +163,7 @@ class FileError(AirlightError):
         super().__init__(file, reason)
 
     def __str__(self) -> str:
-        return plain(f"{self.file}: {self.reason}")
+        return plain(brief(f"{brief(self.file, whole=200)}: {self.reason}"))
 
 
 class ConvergenceError(AirlightError):
@@ -195,4 +197,4 @@ def warn(line: str) -> None:
     frame, level = sys._getframe(1), 2
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("airlight."):
         frame, level = frame.f_back, level + 1
-    warnings.warn(plain(line), AirlightWarning, stacklevel=level)
+    warnings.warn(plain(brief(line)), AirlightWarning, stacklevel=level)

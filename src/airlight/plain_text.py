@@ -23,6 +23,30 @@ def is_plain(text: str) -> bool:
     return _OBEYED.search(text) is None
 
 
+def brief(text: object, most: int = 120, whole: int = 1000) -> str:
+    """Text of a message: of long words, such as paths, and of a long line the middle is left out.
+
+    Parameters
+    ----------
+    text : object
+        Text, or what ``str`` makes one of.
+    most, whole : int
+        Largest length of a word, and of the text. [character]
+
+    Examples
+    --------
+    >>> brief("no file a/very/long/path.toml here", most=15)
+    'no file a/very...h.toml here'
+    """
+    line = re.sub(rf"\S{{{most + 1},}}", lambda match: _cut(match[0], most), str(text))
+    return _cut(line, whole)
+
+
+def _cut(text: str, most: int) -> str:
+    half = (most - 3) // 2
+    return text if len(text) <= most else f"{text[:half]}...{text[-half:]}"
+
+
 def plain(text: object) -> str:
     r"""One line of text in which characters that are not shown stand as their escapes.
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 from scipy.ndimage import binary_erosion
 
-from airlight import Camera, ParameterError, Scene, load_planet, render
+from airlight import AirlightWarning, Camera, ParameterError, Scene, load_planet, render
 from airlight.composition import Pinhole, Placement, compose
 from airlight.composition.depth import KINDS
 from airlight.composition.surface_light import SurfaceLight
@@ -211,6 +211,25 @@ def test_bent_light_reaches_the_same_distance(solved) -> None:
         ({"depth": np.zeros((6, 8, 3)), "depth_kind": "planar"}, "depth is (6, 8, 3)"),
         ({"depth_kind": "normalised"}, "depth_kind is 'normalised'; allowed: auto, planar"),
         ({"alpha": np.full((6, 8), 2.0)}, "alpha is 2.0; allowed: 0 to 1"),
+        ({"alpha": np.full((6, 8), np.nan)}, "alpha is nan; allowed: 0 to 1; 48 values are not"),
+        ({"rgb": np.full((6, 8, 3), np.inf)}, "rgb is inf; allowed: finite numbers; 144 values"),
+        (
+            {"albedo": np.full((6, 8, 3), 1.5), "normals": np.ones((6, 8, 3))},
+            "albedo is 1.5; allow",
+        ),
+        (
+            {"albedo": np.full((6, 8, 3), -0.1), "normals": np.ones((6, 8, 3))},
+            "albedo is -0.1; all",
+        ),
+        ({"albedo": np.zeros((6, 8, 3)), "normals": np.full((6, 8, 3), np.nan)}, "normals is nan"),
+        (
+            {
+                "albedo": np.zeros((6, 8, 3)),
+                "normals": np.ones((6, 8, 3)),
+                "shadow": np.full((6, 8), np.nan),
+            },
+            "shadow is nan; allowed: 0 to 1",
+        ),
         ({"white": 0.0}, "white is 0.0; allowed: above 0"),
         ({"camera": looking(-5.0, 0.0, size=(8, 6))}, "camera's altitude is '-5 m'"),
     ],
@@ -224,3 +243,18 @@ def test_bad_input_gets_one_clear_line(earth: MomentsSolution, changes, words: s
         compose(**given)
     assert words in str(raised.value)
     assert "\n" not in str(raised.value)
+
+
+def test_depth_that_is_no_number_is_sky_and_counted(earth: MomentsSolution) -> None:
+    # without a surface a pixel shows the sky of its direction, as where the depth is infinite
+    given = {
+        "rgb": np.full((6, 8, 3), 0.1), "camera": looking(5.0, 0.0, size=(8, 6)),
+        "solution": earth, "place": Placement(),
+    }  # fmt: skip
+    missing, endless = np.full((6, 8), 100.0), np.full((6, 8), 100.0)
+    missing[1, 2:5], endless[1, 2:5] = np.nan, np.inf
+    for alpha in (None, np.ones((6, 8))):
+        with pytest.warns(AirlightWarning, match="not a number in 3 pixels"):
+            composed = compose(depth=missing, alpha=alpha, **given)
+        assert_array_equal(composed.rgb, compose(depth=endless, alpha=alpha, **given).rgb)
+        assert np.isfinite(composed.rgb).all()

@@ -171,3 +171,70 @@ def test_files_that_cannot_be_written_are_refused(made: Made, tmp_path: Path) ->
         write_map(tmp_path / "sky.exr", made())
     with pytest.raises(ParameterError, match="zip, dwa, none"):
         write_map(tmp_path / "other.exr", made(), compression="rle")
+
+
+def test_files_beside_a_map_that_are_not_ours_stop_before_any_is_written(
+    made: Made, tmp_path: Path
+) -> None:
+    # a.json and a.xml are somebody else's: neither is replaced, and no map is written
+    shown = made("mitsuba", sun="light", width=32)
+    for name in ("a.json", "a.xml"):
+        (tmp_path / name).write_text('{"mine": 1}', encoding="utf-8")
+        with pytest.raises(FileError, match=rf"{name}: is .*--overwrite"):
+            write_map(tmp_path / "a.exr", shown)
+        assert [file.name for file in tmp_path.iterdir()] == [name]
+        write_map(tmp_path / "a.exr", shown, overwrite=True)
+        for file in tmp_path.iterdir():
+            file.unlink()
+
+
+def test_files_beside_a_map_are_replaced_until_somebody_edits_them(
+    made: Made, tmp_path: Path
+) -> None:
+    path = tmp_path / "a[ 1 ].exr"
+    for _ in range(2):
+        write_map(path, made("mitsuba", sun="light", width=32))
+    write_map(path, made(width=32))  # of another program: its scene goes with its JSON
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["a[ 1 ].exr", "a[ 1 ].json"]
+    sidecar = tmp_path / "a[ 1 ].json"
+    text = sidecar.read_text(encoding="utf-8")
+    sidecar.write_text(text.replace('"sun":', '"note": "mine", "sun":'), encoding="utf-8")
+    with pytest.raises(FileError, match="not as airlight wrote it"):
+        write_map(path, made(width=32))
+    assert "mine" in sidecar.read_text(encoding="utf-8")
+
+
+def test_a_name_is_no_pattern(made: Made, tmp_path: Path) -> None:
+    (tmp_path / "ab.json").write_text("mine", encoding="utf-8")
+    for name in ("a*.exr", "a[b].exr", "a?.exr"):
+        write_map(tmp_path / name, made(width=32))
+        assert (tmp_path / name).with_suffix(".json").is_file()
+    assert (tmp_path / "ab.json").read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize("ended", [1, 2])
+def test_a_run_that_was_killed_is_repeated_without_being_asked(
+    made: Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ended: int
+) -> None:
+    # killed before the first or the second file beside the map: what is left is airlight's own
+    from airlight.environment import files
+
+    class Killed(BaseException):
+        pass
+
+    shown, path, write, calls = made("mitsuba", "light", width=32), tmp_path / "a.exr", [], []
+    write_map(path, shown)
+    write.append(files._write)
+
+    def counted(file: Path, content: bytes) -> None:
+        calls.append(file)
+        if len(calls) == ended:
+            raise Killed
+        write[0](file, content)
+
+    monkeypatch.setattr(files, "_write", counted)
+    with pytest.raises(Killed):
+        write_map(path, replace(shown, planet="Another"))
+    monkeypatch.undo()
+    write_map(path, shown)
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["a.exr", "a.json", "a.xml"]

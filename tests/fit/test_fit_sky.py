@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 from synthetic_sky import PLANET, clean_sky, noisy
 
 from airlight.errors import Cancelled, ParameterError
@@ -265,3 +265,21 @@ def test_photograph_without_sky_is_refused(tmp_path: Path) -> None:
     (tmp_path / "none.jpg").write_text("no picture")
     with pytest.raises(Exception, match="cannot be read as a picture"):
         read_photograph(tmp_path / "none.jpg", Shot(sun_zenith=50.0))
+
+
+def test_pixels_of_a_photograph_that_are_no_numbers_are_left_out_and_counted(tmp_path):
+    # a saturated half is infinite, a masked pixel no number; neither has light to be fitted
+    import OpenEXR
+
+    from airlight.errors import AirlightWarning
+    from airlight.fit.photograph import _pixels
+
+    rgb = np.full((2, 4, 3), 0.5, np.float32)
+    rgb[0, 1, 2], rgb[1, 3, 0] = np.nan, np.inf
+    about = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    OpenEXR.File(about, {"RGB": rgb}).write(str(tmp_path / "a.exr"))
+    with pytest.warns(AirlightWarning, match="2 pixels are no finite numbers"):
+        sound = _pixels(tmp_path / "a.exr", None)[1]
+    wanted = np.ones((2, 4), bool)
+    wanted[0, 1] = wanted[1, 3] = False
+    assert_array_equal(sound, wanted)

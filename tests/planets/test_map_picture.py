@@ -104,3 +104,34 @@ def test_a_picture_that_is_not_twice_as_wide_as_high_is_refused(
 def test_an_odd_width_counts_as_twice_the_height(tmp_path: Path) -> None:
     Image.new("RGB", (9, 5)).save(tmp_path / "map.png")
     assert map_pixels(tmp_path / "map.png").shape == (5, 9, 3)
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [(np.nan, "nan"), (np.inf, "inf"), (-np.inf, "-inf"), (-9999.0, "-9999"), (1.5, "1.5")],
+)
+@pytest.mark.parametrize("grey", [False, True])
+def test_missing_data_of_a_float_map_are_refused_with_their_number(
+    tmp_path: Path, value: float, words: str, grey: bool
+) -> None:
+    # what is no reflectance has no colour: marks of missing data became black or white
+    values = np.full((4, 8), 0.25, np.float32)
+    values[2, 5], values[3, 0] = value, value
+    Image.fromarray(values).save(tmp_path / "map.tif")
+    said = f"has 2 pixels out of range, the first {words} at column 5, row 2; allowed: 0 to 1"
+    with pytest.raises(FileError, match=said):
+        map_pixels(tmp_path / "map.tif", grey=grey)
+
+
+def test_a_float_map_may_overshoot_by_what_eight_bits_round_away(tmp_path: Path) -> None:
+    # 0.5 / 255 is the half step: enlarged maps overshoot their ends by rounding
+    values = np.full((4, 8), 1.0 + 0.49 / 255.0, np.float32)
+    values[:, :4] = -0.49 / 255.0
+    Image.fromarray(values).save(tmp_path / "map.tif")
+    assert_array_equal(np.unique(map_pixels(tmp_path / "map.tif", grey=True)), [0, 255])
+
+
+def test_negative_whole_numbers_are_no_reflectance(tmp_path: Path) -> None:
+    Image.fromarray(np.full((4, 8), -1, np.int32)).save(tmp_path / "map.tif")
+    with pytest.raises(FileError, match="32 pixels out of range, the first -1"):
+        map_pixels(tmp_path / "map.tif")

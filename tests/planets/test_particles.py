@@ -1,9 +1,11 @@
+import re
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import Cancelled, ParameterError
-from airlight.kernel import disk
+from airlight.kernel import cost, disk
 from airlight.optics import mie
 from airlight.optics.size_distribution import single_size
 from airlight.planets.constituent import Constituent
@@ -301,3 +303,26 @@ def test_a_call_keeps_what_it_uses_when_memory_forgets(monkeypatch):
     for one, other in zip(first, again, strict=True):
         assert_array_equal(one.phase, other.phase)
         assert one.extinction == other.extinction
+
+
+@pytest.mark.parametrize("listening", [True, False])
+def test_the_time_of_large_spheres_is_said_before_any_is_computed(
+    listening, tmp_path, monkeypatch, caplog
+):
+    # Drops of 50 µm at six wavelengths are some 1e11 terms times angles: more than the ten seconds
+    # from which work is announced, at the rate of a machine that has measured none.
+    def computed(*_):
+        raise Cancelled("computed")
+
+    monkeypatch.setattr(cost, "cache_folder", lambda: tmp_path)
+    monkeypatch.setattr(mie_nodes, "_computed", computed)
+    said = []
+    token = cost.announce.set(said.append if listening else None)
+    drops = GammaSizes(effective_radius=50e-6, effective_variance=0.1)
+    try:
+        with pytest.raises(Cancelled):
+            mie_nodes.mie_nodes(TableIndex(table="water"), drops, range(440, 680, 10))
+    finally:
+        cost.announce.reset(token)
+    (line,) = said if listening else [record.message for record in caplog.records]
+    assert re.fullmatch(r"particles at 24 wavelengths: about \S+ (s|min)", line)

@@ -169,3 +169,55 @@ def test_a_name_too_long_for_a_file_is_one_line(
     error = capsys.readouterr().err
     assert error.startswith("airlight: ")
     assert "internal error" not in error
+
+
+@pytest.mark.parametrize("name", ALLOWED)
+def test_every_text_format_holds_every_name(name: str) -> None:
+    # each is read by a parser of its format, and the names of planets are all that is free there
+    import tomllib
+
+    from airlight.planets.reading.planet_file import planet_file
+    from airlight.reports.markdown import escaped, row_lines
+    from airlight.targets.celestia import read_atmosphere, ssc_of
+    from airlight.targets.fits.formula_planet import name_of
+    from airlight.targets.openspace import asset_of
+    from airlight.targets.unreal import script_of
+
+    lupa = pytest.importorskip("lupa")
+    lua = lupa.LuaRuntime(unpack_returned_tuples=True)
+    lua.execute("openspace = {}; asset = {require = function() end, export = function() end,"
+                "onInitialize = function() end, onDeinitialize = function() end}")  # fmt: skip
+    lua.execute(asset_of({"Height": 1.0}, named(name)))
+    assert lua.eval("asset.meta.Name") == f"{name} Atmosphere"
+    assert read_atmosphere(ssc_of({"Height": 1.0}, named(name)))["Height"] == 1.0
+    compile(script_of({"height": 1.0}, name_of(named(name))), "sky_atmosphere.py", "exec")
+    tables = {"name": name, name: {name: [name]}}
+    assert tomllib.loads(planet_file(tables, (f"from {name}\x1b\n{name}",))) == tables
+    (row,) = row_lines(["a"], [[f"{name}|{name}"]])[2:]
+    assert len(re.findall(r"(?<!\\)(?:\\\\)*\|", row)) == 2
+    assert not re.search(r"(?<!\\)(?:\\\\)*`|\]\(|<", escaped(f"[a](b){name}"))
+
+
+LONG = "x" * 5000
+
+
+@pytest.mark.parametrize("words", [
+    ["render", "earth", "-o", LONG + ".png"],
+    ["render", "earth", "-o", "/tmp/" + LONG + "/a.png"],
+    ["render", LONG], ["show", LONG + ".toml"], ["animate", LONG, "-o", "x"], [LONG],
+    ["fit", "earth", "--data", LONG, "--free", "ground.albedo", "-o", "a.toml"],
+    ["radiance", "earth", "--input", LONG], ["compose", LONG, "-o", "a.png"],
+    ["bake", "earth", "--layout", "bruneton", "-o", LONG], ["aerial", "earth", "-o", LONG],
+    ["bake", "earth", "--layout", LONG, "-o", "x"], ["render", "earth", "--quality", LONG],
+    ["render", "earth", f"--{LONG}"], ["render", "earth", "--set", f"{LONG}=1"],
+    ["render", "earth", "--set", f"ground.map={LONG}"], ["validate", "-o", "a b " * 1250 + ".html"],
+    ["export-page", "earth", "-o", "a b " * 1250 + ".html"],
+])  # fmt: skip
+def test_no_message_echoes_five_thousand_characters(
+    words: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    assert len(err) < 1100
+    assert "internal error" not in err

@@ -37,7 +37,13 @@ def fill(solution: Any, folder: Path, *, progress: Any, text: str = "some") -> F
 
 
 ECHO = Target(
-    name="echo", program="Echo", version="1.0", fill=fill, options=("text",), wavelengths=(550.0,)
+    name="echo",
+    program="Echo",
+    version="1.0",
+    fill=fill,
+    files=("light.txt",),
+    options=("text",),
+    wavelengths=(550.0,),
 )
 
 

@@ -60,6 +60,7 @@ def aerial(
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,
     set_: options.Set = None,
+    overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
     """Fill textures with the air before every point around an observer, for a shader's pass.
@@ -69,13 +70,13 @@ def aerial(
     """
     started = time.perf_counter()
     from airlight.composition.aerial_perspective import AerialPerspective, check_request
-    from airlight.exports.aerial_files import FORMAT, write_aerial
+    from airlight.exports.aerial_files import FILES, FORMAT, write_aerial
     from airlight.exports.whole_folder import check_folder
     from airlight.paint.solve_planet import solve_planet
     from airlight.scene import Scene
     from airlight.scene.local_ground import local_ground
 
-    check_folder(output, FORMAT)
+    check_folder(output, FORMAT, FILES, overwrite=overwrite)
     between = options.length(nearest, "--nearest"), options.length(farthest, "--farthest")
     world = options.planet(planet, set_)
     angles = {
@@ -104,7 +105,8 @@ def aerial(
             solution, scene, nearest=between[0], farthest=between[1], progress=report
         )
     about = {"planet": world.name, "changes": "; ".join(set_ or [])}
-    manifest = write_aerial(output, made, {key: text for key, text in about.items() if text})
+    texts = {key: text for key, text in about.items() if text}
+    manifest = write_aerial(output, made, texts, overwrite=overwrite)
     say(f"{manifest}  {time.perf_counter() - started:.1f} s  {_errors(made)}")
 
 

@@ -20,6 +20,7 @@ from airlight.cli.console import note, noted_warnings
 from airlight.cli.examples import examples
 from airlight.cli.interrupt import INTERRUPTED, end_when_interrupted, leave, say_cancelled
 from airlight.errors import AirlightError, Cancelled
+from airlight.plain_text import brief
 
 #: Exit status of an error.
 ERROR = 2
@@ -192,4 +193,4 @@ def _one_line(error: Exception) -> str:
         text = f"{error.filename}: {error.strerror}"
     else:
         text = f"internal error, {type(error).__name__}: {error} (--debug shows where)"
-    return " ".join(text.split())
+    return brief(" ".join(text.split()))

@@ -116,6 +116,7 @@ def bake(
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,
     set_: options.Set = None,
+    overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
     """Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.
@@ -149,11 +150,12 @@ def bake(
             polarisation=not no_polarisation,
             set_=set_,
             cache=not no_cache,
+            overwrite=overwrite,
         )
         return
     started = time.perf_counter()
     from airlight.exports.bake import bake as fill
-    from airlight.exports.table_files import FORMAT, write_tables
+    from airlight.exports.table_files import FILES, FORMAT, write_tables
     from airlight.exports.whole_folder import check_folder
     from airlight.planets import replace
 
@@ -167,7 +169,7 @@ def bake(
     mu_s_min = _lowest(lowest_sun, layout)
     texels = None if size is None else _size(size, layout)
     number = _order(order, cumulative)
-    check_folder(output, FORMAT)
+    check_folder(output, FORMAT, FILES, overwrite=overwrite)
     world = options.planet(planet, set_)
     if world.refraction != "none":
         note("light is drawn straight in tables: refraction is 'none'")
@@ -200,7 +202,7 @@ def bake(
             smooth_phase=smooth_phase or "own",
             progress=report,
         )
-        manifest = write_tables(output, baked)
+        manifest = write_tables(output, baked, overwrite=overwrite)
     _print(manifest, baked)
     say()
     say(f"{manifest}  {time.perf_counter() - started:.1f} s")

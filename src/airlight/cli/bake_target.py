@@ -28,6 +28,7 @@ def bake_target(
     polarisation: bool,
     set_: list[str] | None,
     cache: bool,
+    overwrite: bool,
 ) -> None:
     """Solve a planet and write it for a program.
 
@@ -42,8 +43,9 @@ def bake_target(
         ``lowest_sun`` in degrees, others as texts; what was not given is left out.
     wavelengths : str, optional
         Text of ``--wavelengths``, if it was given.
-    polarisation, cache : bool
-        Whether light is polarised; whether solutions are read from disk and kept there.
+    polarisation, cache, overwrite : bool
+        Whether light is polarised; whether solutions are read from disk and kept there; whether
+        files that are not airlight's may be replaced.
 
     Raises
     ------
@@ -60,7 +62,7 @@ def bake_target(
     if wavelengths is not None and program.wavelengths is not None:
         fixed = ", ".join(f"{one:g}" for one in program.wavelengths)
         raise ParameterError("--wavelengths", wavelengths, f"{program.program} fixes {fixed} nm")
-    check_folder(output, program.form)
+    check_folder(output, program.form, program.files, overwrite=overwrite)
     world = options.planet(planet, set_)
     if world.refraction != "none" and not program.bends_light:
         note(f"{program.program} draws light straight")
@@ -75,7 +77,7 @@ def bake_target(
             world, wavelengths=nm, quality=quality, solver=solver, polarisation=polarisation,
             cache=cache, progress=report,
         )  # fmt: skip
-        export = program.write(solution, output, progress=report, **chosen)
+        export = program.write(solution, output, overwrite=overwrite, progress=report, **chosen)
     print_export(program, export)
     say()
     say(f"{export.folder}  {time.perf_counter() - started:.1f} s")

@@ -12,7 +12,7 @@ from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
     from airlight.fit.fit_sky import Request, SkyFit
@@ -129,6 +129,7 @@ def fit(
     ] = "5",
     quality: options.Quality = "default",
     set_: options.Set = None,
+    overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
     """Fit parameters of a planet to measured radiances, or to a photograph of its sky.
@@ -141,7 +142,7 @@ def fit(
     if output.suffix.lower() != ".toml":
         raise ParameterError("--output", str(output), "a planet file that ends in .toml")
     if report is not None:
-        _check_report(report)
+        _check_report(report, overwrite)
     if (data is None) == (photo is None):
         shown = "missing" if data is None else f"{data} beside --photo {photo}"
         raise ParameterError("--data", shown, "--data FILE or --photo FILE, one of them")
@@ -171,7 +172,7 @@ def fit(
     for line in warnings_of(sky):
         note(line)
     if report is not None:
-        _write_report(sky, report)
+        _write_report(sky, report, overwrite)
         say(f"{report}  {report.stat().st_size / 1e3:.0f} kB")
 
 
@@ -307,17 +308,26 @@ def _prior(name: str, text: str) -> Prior:
     return Prior(mean=float(match[1]), sigma=float(match[2]))
 
 
-def _check_report(report: Path) -> None:
+def _check_report(report: Path, overwrite: bool) -> None:
+    from airlight.exports.report_pictures import check_pictures
     from airlight.exports.whole_file import check_target
     from airlight.plots.figure import require_matplotlib
 
     check_target(report)
     if report.suffix.lower() not in (".html", ".htm", ".md"):
         raise ParameterError("--report", str(report), "a file that ends in .html or .md")
+    if report.suffix.lower() == ".md":
+        check_pictures(_pictures(report), overwrite=overwrite)
     require_matplotlib()
 
 
-def _write_report(sky: SkyFit, report: Path) -> None:
+def _pictures(report: Path) -> Path:
+    """Folder of the pictures of a report in Markdown."""
+    return report.parent / f"{report.stem}-pictures"
+
+
+def _write_report(sky: SkyFit, report: Path, overwrite: bool) -> None:
+    from airlight.exports.report_pictures import write_pictures
     from airlight.exports.whole_file import whole_file
     from airlight.fit.report import html, markdown, parts_of
     from airlight.reports.markdown import files_of
@@ -327,13 +337,7 @@ def _write_report(sky: SkyFit, report: Path) -> None:
             part.write_text(html(sky), encoding="utf-8")
         return
     parts = parts_of(sky)
-    folder = report.parent / f"{report.stem}-pictures"
-    try:
-        folder.mkdir(exist_ok=True)
-    except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
-    for name, png in files_of(parts).items():
-        with whole_file(folder / name) as part:
-            part.write_bytes(png)
+    folder = _pictures(report)
+    write_pictures(folder, files_of(parts), overwrite=overwrite)
     with whole_file(report) as part:
         part.write_text(markdown(sky, parts, folder.name), encoding="utf-8")

@@ -110,6 +110,13 @@ NoPolarisation = Annotated[
 NoCache = Annotated[
     bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
 ]
+Overwrite = Annotated[
+    bool,
+    typer.Option(
+        "--overwrite",
+        help="Replace files too that airlight has not written, or that were changed since.",
+    ),
+]
 
 #: Wavelengths of the three-wavelength mode. [nm]
 RGB = (680.0, 550.0, 440.0)

@@ -12,6 +12,7 @@ from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
+from airlight.input_files import LARGEST_CASES, check_input
 
 if TYPE_CHECKING:
     import numpy as np
@@ -138,6 +139,8 @@ def radiance(
         "--azimuth": azimuth,
     }
     labelled = output.lower().endswith(".nc")
+    if input_ not in (None, "-"):
+        check_input(input_, LARGEST_CASES)
     long = input_ not in (None, "-") and solver == "moments" and not labelled
     if not long and (scheduler is not None or workers is not None):
         option = "--workers" if scheduler is None else "--scheduler"

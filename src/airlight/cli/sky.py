@@ -109,6 +109,7 @@ def sky(
     glare: options.Glare = 1.0,
     ground_albedo: options.GroundAlbedo = None,
     set_: options.Set = None,
+    overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
     """Write an observer's sky as an environment map, with a JSON that says where its sun stands.
@@ -120,13 +121,13 @@ def sky(
     started = time.perf_counter()
     from airlight.cli.render import check_glare, check_tone_map
     from airlight.environment.environment_map import environment_map
-    from airlight.environment.files import beside, write_map
+    from airlight.environment.files import check_beside, write_map
     from airlight.paint.paint_scene import FEWEST
     from airlight.paint.star_points import check_stars
     from airlight.scene import Camera, Scene
 
     consumer = _consumer(for_, front, tilt, up)
-    beside(output, consumer)
+    check_beside(output, consumer, overwrite=overwrite)
     suffix = output.suffix.lower()
     options.only_for_png(
         suffix, exposure, None, None, None, tone_map, encoding, primaries, bits, glare
@@ -198,6 +199,7 @@ def sky(
     try:
         written = write_map(
             output, made, precision=precision, compression=compression, scale=factor,
+            overwrite=overwrite,
             metadata=metadata,
             display={"exposure": ev, "tone_map": tone_map, "encoding": encoding,
                      "primaries": primaries, "bits": bits, "glare": glare},

@@ -8,10 +8,11 @@ from typing import Annotated
 
 import typer
 
+from airlight.cli import options
 from airlight.cli.console import say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ParameterError
 
 EPILOG = examples(
     "airlight validate -o report.html",
@@ -55,12 +56,14 @@ def validate(
             help="Write a Markdown version too, with its pictures in this folder.",
         ),
     ] = None,
+    overwrite: options.Overwrite = False,
 ) -> None:
     """Check airlight against published numbers, independent codes and measured skies.
 
     The exit status is 0 if every bar is met, 1 if one is missed, 2 after an error.
     """
     started = time.perf_counter()
+    from airlight.exports.report_pictures import check_pictures
     from airlight.exports.whole_file import check_target
     from airlight.validation.run import chosen, run
 
@@ -70,8 +73,8 @@ def validate(
         raise ParameterError("--output", str(output), "a file that ends in .html or .md")
     if kind == ".md" and pictures is None:
         pictures = output.parent / "pictures"
-    if pictures is not None and pictures.exists() and not pictures.is_dir():
-        raise FileError(pictures, "is no folder")
+    if pictures is not None:
+        check_pictures(pictures, _page(output), overwrite=overwrite)
     names = suite or ["all"]
     chosen(names, data)
     _check_matplotlib()
@@ -93,7 +96,7 @@ def validate(
                 if not bar.passed:
                     say(f"  missed: {bar.name}: {bar.got:.4g}, allowed {bar.allowed:.4g}")
     whole = Report(suites=suites, provenance=provenance(), seconds=time.perf_counter() - started)
-    _write(whole, output, pictures)
+    _write(whole, output, pictures, overwrite)
     say(f"{output}  {output.stat().st_size / 1e3:.0f} kB  {whole.verdict}")
     if not whole.passed:
         raise typer.Exit(MISSED)
@@ -106,9 +109,15 @@ def _check_matplotlib() -> None:
     new_figure("")
 
 
-def _write(report: object, output: Path, pictures: Path | None) -> None:
+def _page(output: Path) -> Path | None:
+    """Version in Markdown, if it is not the output itself."""
+    return None if output.suffix.lower() == ".md" else output.with_suffix(".md")
+
+
+def _write(report: object, output: Path, pictures: Path | None, overwrite: bool) -> None:
     import os
 
+    from airlight.exports.report_pictures import write_pictures
     from airlight.exports.whole_file import whole_file
     from airlight.validation.markdown import markdown, picture_files
     from airlight.validation.report import Report, html
@@ -116,16 +125,11 @@ def _write(report: object, output: Path, pictures: Path | None) -> None:
     assert isinstance(report, Report)
     page = output.with_suffix(".md")
     if pictures is not None:
-        try:
-            pictures.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise FileError(pictures, f"cannot be made: {error.strerror or error}") from error
-        for name, png in picture_files(report).items():
-            with whole_file(pictures / name) as part:
-                part.write_bytes(png)
         beside = Path(os.path.relpath(pictures, page.parent)).as_posix()
+        text = markdown(report, beside)
+        write_pictures(pictures, picture_files(report), _page(output), text, overwrite=overwrite)
         with whole_file(page) as part:
-            part.write_text(markdown(report, beside), encoding="utf-8")
+            part.write_text(text, encoding="utf-8")
     if output.suffix.lower() != ".md":
         with whole_file(output) as part:
             part.write_text(html(report), encoding="utf-8")

@@ -20,7 +20,7 @@ from airlight.composition.placement import Placement, Viewpoint, viewpoint
 from airlight.composition.relight import Relight
 from airlight.composition.stretch import Air
 from airlight.composition.surface_light import SurfaceLight
-from airlight.errors import Cancelled, ParameterError
+from airlight.errors import Cancelled, ParameterError, warn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -42,6 +42,8 @@ _BAND: Final = 1 << 16
 _CELLS: Final = 8
 #: Pixels in which the nearest surface is looked for where a pass missed it.
 _REACH: Final = 8
+#: Largest cover, albedo and share of light: 1 and what is lost in half floats. [1]
+_MOST: Final = 1.001
 #: Reflectance of the grey surface to whose light errors are compared.
 _GREY: Final = 0.18
 #: Pixels of the sky in one block of work.
@@ -230,11 +232,13 @@ def _checked(
     if cover is not None:
         if cover.shape != shape:
             raise ParameterError("alpha", cover.shape, f"the picture's rows and columns, {shape}")
-        if not ((cover >= 0.0) & (cover <= 1.001)).all():
-            wrong = cover[~((cover >= 0.0) & (cover <= 1.001))].flat[0]
-            raise ParameterError("alpha", float(wrong), "0 to 1")
-    if not np.isfinite(colors).all():
-        raise ParameterError("rgb", float(colors[~np.isfinite(colors)][0]), "finite numbers")
+        _check_range("alpha", cover, 0.0, _MOST)
+    _check_range("rgb", colors, -np.inf, np.inf)
+    missing = int(
+        np.count_nonzero(np.isnan(passes).any(axis=-1) if passes.ndim > 2 else np.isnan(passes))
+    )
+    if missing:
+        warn(f"depth is not a number in {missing} pixels: they show no surface, but the sky")
     return colors, cover, passes, kind
 
 
@@ -256,9 +260,19 @@ def _relit(
         wanted = shape[:2] if name == "shadow" else shape
         if one.shape != wanted:
             raise ParameterError(name, one.shape, f"shape {wanted}, as the picture")
-        if not np.isfinite(one).all():
-            raise ParameterError(name, float(one[~np.isfinite(one)][0]), "finite numbers")
+        low, high = (-np.inf, np.inf) if name == "normals" else (0.0, _MOST)
+        _check_range(name, one, low, high)
     return given["albedo"], given["normals"], lit
+
+
+def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> None:
+    """Refuse values that are not finite or out of range, with their number."""
+    wrong = ~(np.isfinite(values) & (values >= low) & (values <= high))
+    if wrong.any():
+        allowed = "finite numbers" if high == np.inf else "0 to 1"
+        count = np.count_nonzero(wrong)
+        others = f"; {count} values are not" if count > 1 else ""
+        raise ParameterError(name, float(values[wrong][0]), allowed + others)
 
 
 class _Picture:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.input_files import read_text
 from airlight.units import values_in
 
 FloatArray = NDArray[np.float64]
@@ -194,10 +195,8 @@ def camera_from_json(
         If something is missing, or is not what it should be; it names file and field.
     """
     try:
-        data = json.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise FileError(path, error.strerror or str(error)) from error
-    except ValueError as error:
+        data = json.loads(read_text(path))
+    except (ValueError, RecursionError) as error:
         raise FileError(path, f"cannot be read as JSON: {error}") from error
     if not isinstance(data, dict):
         raise FileError(path, "holds no JSON object")

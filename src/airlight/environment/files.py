@@ -12,14 +12,16 @@ import numpy as np
 from airlight.environment.half_floats import half_scale
 from airlight.environment.header import standard_attributes
 from airlight.environment.mitsuba_scene import mitsuba_scene
-from airlight.environment.sidecar import as_json, described
+from airlight.environment.sidecar import FORMAT, as_json, described
 from airlight.environment.texels import reaching_poles
 from airlight.environment.usd_scene import usd_scene
 from airlight.errors import FileError, ParameterError
 from airlight.exports.exr import LARGEST_HALF, write_exr
 from airlight.exports.hdr import write_hdr
+from airlight.exports.manifest import check_replaceable, fingerprint_of, own_files, sealed
 from airlight.exports.picture import LINEAR, picture_suffix, write_picture
 from airlight.exports.whole_file import check_target, whole_file
+from airlight.plain_text import is_plain
 
 if TYPE_CHECKING:
     from airlight.environment.consumers import Consumer
@@ -56,20 +58,47 @@ class WrittenMap:
     exposure: float | None
 
 
-def beside(path: Path, consumer: Consumer) -> tuple[Path, ...]:
-    """Paths of the files beside a map, after checking that all can be written.
+def check_beside(
+    path: Path, consumer: Consumer, *, overwrite: bool = False
+) -> tuple[tuple[Path, ...], tuple[Path, ...]]:
+    """Paths of the files beside a map, after checking that all can be written, before long work.
+
+    Parameters
+    ----------
+    path : Path
+        Map.
+    consumer : Consumer
+        Program that reads it.
+    overwrite : bool
+        Whether files beside it may be replaced that airlight has not written, or that were changed
+        since. The map itself always is.
+
+    Returns
+    -------
+    (tuple of Path, tuple of Path)
+        JSON, and the scene if there is one; scenes of the JSON that is there, which are removed.
 
     Raises
     ------
     FileError
-        If the suffix is unknown, the map would replace a file beside it, or nothing can be written
-        there.
+        If the suffix is unknown, the name has control characters, nothing can be written there, or
+        a file beside the map is not airlight's to replace.
     """
     suffix = picture_suffix(path)
+    if not is_plain(path.name):
+        raise FileError(path, "has characters that are not shown; allowed: a name without")
     suffixes = [".json"]
     if consumer.name in SCENES and suffix in LINEAR:
         suffixes.append(SCENES[consumer.name][0])
-    return tuple(check_target(path.with_suffix(one)) and path.with_suffix(one) for one in suffixes)
+    others = tuple(path.with_suffix(one) for one in suffixes)
+    for one in (path, *others):
+        check_target(one)
+    manifest = others[0]
+    own = own_files(manifest, FORMAT, overwrite=overwrite)
+    names = [one.name for one in others]
+    check_replaceable(path.parent, names, (manifest.name, *own), overwrite=overwrite)
+    scenes = {path.with_suffix(suffix).name for suffix, _ in SCENES.values()}
+    return others, tuple(path.parent / name for name in own if name in scenes)
 
 
 def write_map(
@@ -81,6 +110,7 @@ def write_map(
     scale: float | None = None,
     metadata: Mapping[str, str] | None = None,
     display: Mapping[str, Any] | None = None,
+    overwrite: bool = False,
 ) -> WrittenMap:
     """Write a map and what belongs to it.
 
@@ -100,6 +130,9 @@ def write_map(
         Further facts of how it was made.
     display : mapping, optional
         Arguments of ``write_picture`` for a PNG.
+    overwrite : bool
+        Whether a JSON or a scene beside the map may be replaced that airlight has not written, or
+        that was changed since.
 
     Returns
     -------
@@ -110,9 +143,9 @@ def write_map(
     ParameterError
         If a name is unknown, or a half would be infinite at the scale.
     FileError
-        If a file cannot be written.
+        If a file cannot be written, or one beside the map is not airlight's to replace.
     """
-    others = beside(path, made.consumer)
+    others, stale = check_beside(path, made.consumer, overwrite=overwrite)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}
     if not made.placed:  # where the scene stands on its globe is nobody's place
         facts = {name: text for name, text in facts.items() if name not in _PLACE}
@@ -142,9 +175,18 @@ def write_map(
     else:
         written = write_picture(path, replace(made.frame), facts, **(display or {}))
         exposure = written.exposure
-    _write_text(others[0], as_json(described(made, path.name, factor)) + "\n")
-    for other in others[1:]:
-        _write_text(other, SCENES[made.consumer.name][1](made, path.name, factor))
+    for scene in stale:
+        scene.unlink(missing_ok=True)
+    # The JSON lists a scene before it is there: whenever this is killed, none is there unlisted.
+    scenes = {
+        other: SCENES[made.consumer.name][1](made, path.name, factor).encode()
+        for other in others[1:]
+    }
+    contents = described(made, path.name, factor)
+    contents["files"] = {other.name: fingerprint_of(text) for other, text in scenes.items()}
+    _write(others[0], (as_json(sealed(contents)) + "\n").encode())
+    for other, text in scenes.items():
+        _write(other, text)
     return WrittenMap(path=path, beside=others, scale=factor, exposure=exposure)
 
 
@@ -167,9 +209,9 @@ def _facts(made: EnvironmentMap) -> dict[str, str]:
     }
 
 
-def _write_text(path: Path, text: str) -> None:
+def _write(path: Path, content: bytes) -> None:
     try:
         with whole_file(path) as part:
-            part.write_text(text, encoding="utf-8")
+            part.write_bytes(content)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error}") from error

@@ -44,4 +44,5 @@ def mitsuba_scene(made: EnvironmentMap, name: str, scale: float) -> str:
         )
         for one in (made.discs if made.sun == "light" else ())
     )
-    return _MAP.format(name=quoteattr(name), scale=1.0 / scale, lights=lights)
+    escaped = name.replace("$", r"\$")  # which begins a parameter of the scene
+    return _MAP.format(name=quoteattr(escaped), scale=1.0 / scale, lights=lights)

@@ -98,7 +98,8 @@ def as_json(contents: dict[str, Any]) -> str:
     }
     """
     text = json.dumps(contents, indent=1)
-    return re.sub(r"\[\s*([^][{}]*?)\s*\]", lambda m: "[" + " ".join(m[1].split()) + "]", text)
+    # a line break follows the bracket of a list, and never one in a text
+    return re.sub(r"\[\n\s*([^][{}\"]*?)\s*\]", lambda m: "[" + " ".join(m[1].split()) + "]", text)
 
 
 def _light(disc: Disc, made: EnvironmentMap) -> dict[str, Any]:

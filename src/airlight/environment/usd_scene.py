@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 _HEAD: Final = """#usda 1.0
 (
     defaultPrim = "Sky"
-    doc = "{doc}"
+    doc = {doc}
     metersPerUnit = 1
     upAxis = "{up}"
 )
@@ -45,7 +45,7 @@ def Xform "Sky" (
 {lights}}}
 """
 _DOME: Final = """                float inputs:intensity = {intensity:.9g}
-                asset inputs:texture:file = @./{name}@
+                asset inputs:texture:file = {name}
                 token inputs:texture:format = "latlong"{turned}"""
 #: The picture's pole, which is y in both schemas, to z.
 _TURNED: Final = """
@@ -101,8 +101,26 @@ def usd_scene(made: EnvironmentMap, name: str, scale: float) -> str:
     axes = "x east, y north, z up" if z_up else "x east, y up, z south"
     doc = f"Sky of {made.frame.metadata.get('planet', 'a planet')}: {axes}. Radiance "
     doc += "in W m-2 sr-1, linear sRGB weighted by CIE 1931; times 683 in nits."
-    dome = _DOME.format(intensity=1.0 / scale, name=name, turned=_TURNED if z_up else "")
-    return _HEAD.format(doc=doc, dome=dome, lights=lights, up="Z" if z_up else "Y")
+    dome = _DOME.format(
+        intensity=1.0 / scale, name=_asset(f"./{name}"), turned=_TURNED if z_up else ""
+    )
+    return _HEAD.format(doc=_text(doc), dome=dome, lights=lights, up="Z" if z_up else "Y")
+
+
+def _asset(path: str) -> str:
+    r"""Path of an asset in delimiters that it does not contain.
+
+    Examples
+    --------
+    >>> print(_asset("./sky.exr"), _asset("./sky@2x.exr"))
+    @./sky.exr@ @@@./sky@2x.exr@@@
+    """
+    return "@@@" + path.replace("@@@", r"\@@@") + "@@@" if "@" in path else f"@{path}@"
+
+
+def _text(text: str) -> str:
+    """Text in quotation marks."""
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
 def axes_towards(direction: NDArray[np.float64]) -> NDArray[np.float64]:

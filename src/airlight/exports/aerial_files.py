@@ -15,7 +15,8 @@ import numpy as np
 
 from airlight.composition.aerial_perspective import AerialPerspective
 from airlight.composition.aerial_shader import TEXTURES, aerial_shader
-from airlight.exports.whole_folder import MANIFEST, fingerprint, whole_folder, write_manifest
+from airlight.exports.manifest import MANIFEST, fingerprint, write_manifest
+from airlight.exports.whole_folder import whole_folder
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.wgsl import WGSL
@@ -24,11 +25,18 @@ from airlight.solvers.provenance import version
 
 #: Format named in the manifest.
 FORMAT: Final = "airlight aerial perspective 1"
+_SHADERS: Final = ((WGSL, "air.wgsl"), (GLSL, "air.glsl"))
+#: Names of the files beside the manifest, as patterns.
+FILES: Final = ("*.bin", *(name for _, name in _SHADERS))
 _CHANNELS: Final = 4
 
 
 def write_aerial(
-    folder: str | Path, aerial: AerialPerspective, about: dict[str, str] | None = None
+    folder: str | Path,
+    aerial: AerialPerspective,
+    about: dict[str, str] | None = None,
+    *,
+    overwrite: bool = False,
 ) -> Path:
     """Write the tables of aerial perspective with their shader functions and manifest.
 
@@ -40,6 +48,9 @@ def write_aerial(
         Tables.
     about : dict, optional
         Texts for the manifest: the planet, its changes.
+    overwrite : bool
+        Whether files of these names may be replaced that airlight has not written, or that were
+        changed since.
 
     Returns
     -------
@@ -59,7 +70,7 @@ def write_aerial(
         scene = airlight.Scene(altitude=500.0, sun_zenith=66.0)
         write_aerial("air", AerialPerspective.fill(solution, scene))
     """
-    with whole_folder(folder, FORMAT) as part:
+    with whole_folder(folder, FORMAT, FILES, overwrite=overwrite) as part:
         textures: dict[str, Any] = {}
         for name in TEXTURES:
             file = part / f"{name}.bin"
@@ -73,7 +84,7 @@ def write_aerial(
                 "files": {file.name: fingerprint(file)},
             }
         shaders: dict[str, Any] = {}
-        for dialect, file_name in ((WGSL, "air.wgsl"), (GLSL, "air.glsl")):
+        for dialect, file_name in _SHADERS:
             file = part / file_name
             file.write_text(aerial_shader(aerial, dialect), encoding="utf-8")
             shaders[dialect.name] = {"files": {file_name: fingerprint(file)}}

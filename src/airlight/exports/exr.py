@@ -14,6 +14,7 @@ from airlight.errors import FileError, ParameterError
 from airlight.exports.exr_bands import write_bands
 from airlight.exports.header import header
 from airlight.exports.whole_file import whole_file
+from airlight.input_files import LARGEST_PICTURE, check_input
 from airlight.kernel.large_arrays import LARGE, bands
 from airlight.kernel.memory import check_picture
 
@@ -228,6 +229,7 @@ def check_exr(path: str | Path) -> None:
     """
     import OpenEXR
 
+    check_input(path, LARGEST_PICTURE)
     try:
         with OpenEXR.File(str(path), header_only=True) as image:
             windows = [part.header["dataWindow"] for part in image.parts]
@@ -248,6 +250,7 @@ def read_exr_header(path: str | Path) -> dict[str, str]:
     """
     import OpenEXR
 
+    check_input(path, LARGEST_PICTURE)
     try:
         with OpenEXR.File(str(path), header_only=True) as image:
             return {k: v for k, v in image.header().items() if isinstance(v, str)}

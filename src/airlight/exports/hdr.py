@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from airlight.errors import FileError, ParameterError
 from airlight.exports.header import PREFIX, header
 from airlight.exports.whole_file import whole_file
+from airlight.input_files import LARGEST_PICTURE, check_input
 
 #: Of sRGB, in the order of the format: red, green, blue and white. [IEC 61966-2-1]
 _PRIMARIES: Final = "0.64 0.33 0.30 0.60 0.15 0.06 0.3127 0.3290"
@@ -111,6 +112,7 @@ def read_hdr_header(path: str | Path) -> dict[str, str]:
     FileError
         If it is no such file, or its pixels are cut off.
     """
+    check_input(path, LARGEST_PICTURE)
     with Path(path).open("rb") as stream:
         start = stream.read(_LONGEST)
     head, _, rest = start.partition(b"\n\n")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from airlight.plain_text import plain
 from airlight.solvers.provenance import version
 
 #: Prefix of our names, because formats have an ``altitude`` of their own.
@@ -21,7 +22,8 @@ def header(metadata: Mapping[str, str]) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        Names prefixed with ``airlight.``, and ``airlight.version``; no control characters.
+        Names prefixed with ``airlight.``, and ``airlight.version``; all characters
+        are shown ones.
 
     Examples
     --------
@@ -30,5 +32,5 @@ def header(metadata: Mapping[str, str]) -> dict[str, str]:
     """
     out = {PREFIX + "version": version()}
     for name, text in metadata.items():
-        out[PREFIX + name] = " ".join(str(text).split())
+        out[PREFIX + name] = " ".join(plain(text).split())
     return out

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.exports.header import header
 from airlight.exports.whole_file import whole_file
+from airlight.input_files import LARGEST_PICTURE, check_input
 from airlight.kernel.large_arrays import LARGE, bands
 
 #: Chunks in front of the pixels, as type and data.
@@ -210,6 +211,7 @@ def read_png_metadata(path: str | Path) -> dict[str, str]:
     """
     from PIL import Image
 
+    check_input(path, LARGEST_PICTURE)
     with Image.open(path) as image:
         image.load()  # text may stand after the pixels
         return {str(k): str(v) for k, v in image.info.items() if isinstance(v, str)}

@@ -208,8 +208,6 @@ def read_render_passes(path: str | Path) -> RenderPasses:
     """
     import OpenEXR
 
-    if not Path(path).is_file():
-        raise FileError(path, "no such file")
     check_exr(path)
     channels: dict[str, NDArray[Any]] = {}
     try:

@@ -10,6 +10,7 @@ import numpy as np
 
 from airlight.errors import FileError
 from airlight.exports.whole_file import whole_file
+from airlight.plain_text import plain
 from airlight.solvers.provenance import version
 
 if TYPE_CHECKING:
@@ -54,9 +55,9 @@ def _write_csv(path: Path, data: xarray.Dataset) -> None:
         for name in columns
     }  # fmt: skip
     with path.open("w", encoding="utf-8", newline="") as stream:
-        stream.write(f"# {data.attrs['title']}\n# airlight {version()}\n")
+        stream.write(f"# {plain(data.attrs['title'])}\n# airlight {version()}\n")
         for name in ("solver", "notes"):
-            stream.write(f"# {name}: {data.attrs[name]}\n")
+            stream.write(f"# {name}: {plain(data.attrs[name])}\n")
         for label, one in data.data_vars.items():
             if not one.ndim:
                 meant = one.attrs["long_name"]

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.exports.array_files import read_arrays
 from airlight.exports.bake import Baked
 from airlight.exports.exr import write_exr_channels
 from airlight.exports.look_up_code import (
@@ -33,14 +34,10 @@ from airlight.exports.look_up_code import (
     texture_name,
     vectors_of,
 )
+from airlight.exports.manifest import MANIFEST, SEAL, fingerprint, read_manifest, write_manifest
 from airlight.exports.table_errors import Errors
-from airlight.exports.whole_folder import (
-    MANIFEST,
-    fingerprint,
-    read_manifest,
-    whole_folder,
-    write_manifest,
-)
+from airlight.exports.whole_folder import whole_folder
+from airlight.input_files import read_bytes
 from airlight.kernel.threads import run_blocks
 from airlight.solvers.provenance import version
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
@@ -51,6 +48,15 @@ FORMAT: Final = "airlight tables 1"
 _PHASES: Final = "phase-functions.npz"
 _PHASE_TEXTURE: Final = "phase-functions.exr"
 _VECTORS: Final = "test_vectors.json"
+#: Names of the files beside the manifest, as patterns.
+FILES: Final = ("*.npz", "*.exr", *DIALECTS, _VECTORS)
+#: Largest table, and the largest phase functions. [byte]
+_LARGEST: Final = 4_000_000_000
+_LARGEST_PHASES: Final = 250_000_000
+#: Errors of manifests that are not ours.
+_DAMAGE: Final = (
+    KeyError, TypeError, ValueError, AttributeError, IndexError, ArithmeticError, MemoryError,
+)  # fmt: skip
 _READING: Final = {
     "value": "scale * stored, in the table's unit",
     "npz": "array values, axes from slow to fast as in axes, then channels",
@@ -71,7 +77,7 @@ _FORMULAS: Final = {
 }
 
 
-def write_tables(folder: str | Path, baked: Baked) -> Path:
+def write_tables(folder: str | Path, baked: Baked, *, overwrite: bool = False) -> Path:
     """Write all tables of a bake, and their manifest.
 
     Parameters
@@ -80,6 +86,9 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
         Folder to create, an empty folder, or one that holds tables already, which are replaced.
     baked : Baked
         Tables from ``bake``.
+    overwrite : bool
+        Whether files of these names may be replaced that airlight has not written, or that were
+        changed since.
 
     Returns
     -------
@@ -92,7 +101,7 @@ def write_tables(folder: str | Path, baked: Baked) -> Path:
         If the folder holds other files of these names, or cannot be written to; it is then
         unchanged.
     """
-    with whole_folder(folder, FORMAT) as part:
+    with whole_folder(folder, FORMAT, FILES, overwrite=overwrite) as part:
         manifest = _manifest(baked)
         files = [part / f"{name}.{kind}" for name in baked.tables for kind in ("npz", "exr")]
 
@@ -247,7 +256,9 @@ def load_tables(manifest: str | Path) -> Baked:
     content = _read_manifest(path)
     try:
         tables = {name: _table(path, content, name) for name in content["tables"]}
-        phases = _checked(path.parent / _PHASES, content["light"]["files"][_PHASES])
+        phases = _checked(
+            path.parent / _PHASES, content["light"]["files"][_PHASES], _LARGEST_PHASES
+        )
         light = ScatteredLight(
             packing=content["light"]["packing"],
             tables=tables,
@@ -256,9 +267,9 @@ def load_tables(manifest: str | Path) -> Baked:
             reference=int(content["light"]["reference"]),
         )
         errors = {name: Errors(**fields) for name, fields in content["errors"].items()}
-        own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors"}
+        own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors", SEAL}
         about = {name: value for name, value in content.items() if name not in own}
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except _DAMAGE as error:
         raise FileError(path, f"is no manifest of tables: {error}") from error
     return Baked(light=light, tables=tables, about=about, errors=errors)
 
@@ -271,7 +282,7 @@ def load_table(manifest: str | Path, name: str = "scattering") -> Table:
         raise ParameterError("table", name, ", ".join(content["tables"]), path)
     try:
         return _table(path, content, name)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except _DAMAGE as error:
         raise FileError(path, f"is no manifest of tables: {error}") from error
 
 
@@ -287,15 +298,11 @@ def _read_manifest(path: Path) -> dict[str, Any]:
     return content
 
 
-def _checked(path: Path, said: dict[str, Any]) -> dict[str, NDArray[Any]]:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+def _checked(path: Path, said: dict[str, Any], largest: int) -> dict[str, NDArray[Any]]:
+    data = read_bytes(path, largest)
     if hashlib.sha256(data).hexdigest() != said["sha256"]:
         raise FileError(path, "is damaged: its SHA-256 is not what the manifest says")
-    with path.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
-        return {name: stored[name] for name in stored.files}
+    return read_arrays(path, data, largest)
 
 
 def _table(manifest: Path, content: dict[str, Any], name: str) -> Table:
@@ -308,7 +315,7 @@ def _table(manifest: Path, content: dict[str, Any], name: str) -> Table:
         unit=said["unit"],
         layout=layout_of(parameters.pop("kind"), parameters),
         channels=tuple(said["channels"]),
-        values=_checked(manifest.parent / file, said["files"][file])["values"],
+        values=_checked(manifest.parent / file, said["files"][file], _LARGEST)["values"],
         scale=float(said["scale"]),
         provenance=said["provenance"],
     )

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import contextlib
-import hashlib
-import json
 import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from airlight.errors import FileError
 from airlight.exports.beginnings import begun, remove
+from airlight.exports.manifest import MANIFEST, check_replaceable, own_files
 from airlight.exports.output_lock import hidden_file, output_lock
 
-#: Name of the manifest in its folder.
-MANIFEST: Final = "manifest.json"
 #: Time that the writer of a folder waits for another one of the same folder. [s]
 WAIT: Final = 60.0
 #: Suffixes of files.
@@ -45,7 +42,9 @@ def check_folder_name(folder: str | Path, suffix: str = "") -> None:
     raise FileError(folder, f"names a file; allowed: a folder, whose name {allowed}")
 
 
-def check_folder(folder: str | Path, form: str) -> Path:
+def check_folder(
+    folder: str | Path, form: str, files: tuple[str, ...] = ("*",), *, overwrite: bool = False
+) -> Path:
     """Resolve a folder and check that it can be written, before long work.
 
     Parameters
@@ -54,12 +53,17 @@ def check_folder(folder: str | Path, form: str) -> Path:
         Folder to create, an empty one, or one with a manifest of this format.
     form : str
         Format that the manifest names.
+    files : tuple of str
+        Names of files that will be written, or patterns of them such as ``*.exr``.
+    overwrite : bool
+        Whether files that airlight has not written, or that were changed since, may be replaced.
 
     Raises
     ------
     FileError
         If it is named as a file, or is one, its parent is missing, it or its parent cannot be
-        written to, or it holds files but no such manifest.
+        written to, it holds files but no such manifest, or one of the files is not airlight's to
+        replace.
     """
     check_folder_name(folder)
     try:
@@ -68,10 +72,12 @@ def check_folder(folder: str | Path, form: str) -> Path:
             raise FileError(folder, "is a file, not a folder")
         if not target.parent.is_dir():
             raise FileError(folder, f"there is no folder {target.parent}")
-        if target.is_dir() and any(target.iterdir()) and not (target / MANIFEST).is_file():
-            raise FileError(folder, f"holds files, but no {MANIFEST}: name a new or empty folder")
-        if (target / MANIFEST).is_file():
-            read_manifest(target / MANIFEST, form)
+        there = sorted(target.iterdir()) if target.is_dir() else []
+        if there and not (target / MANIFEST).is_file() and not overwrite:
+            reason = f"holds {there[0].name}, but no {MANIFEST}: name a new or empty folder"
+            raise FileError(folder, f"{reason}, or add --overwrite (overwrite=True)")
+        own = own_files(target / MANIFEST, form, overwrite=overwrite)
+        check_replaceable(target, (), (MANIFEST, *own), patterns=files, overwrite=overwrite)
         for place in (target.parent, *((target,) if target.is_dir() else ())):
             if not os.access(place, os.W_OK | os.X_OK):
                 raise FileError(folder, f"the folder {place} cannot be written to")
@@ -81,14 +87,16 @@ def check_folder(folder: str | Path, form: str) -> Path:
 
 
 @contextlib.contextmanager
-def whole_folder(folder: str | Path, form: str) -> Iterator[Path]:
+def whole_folder(
+    folder: str | Path, form: str, files: tuple[str, ...] = ("*",), *, overwrite: bool = False
+) -> Iterator[Path]:
     """Yield a temporary folder whose files move to ``folder`` if the block ends well.
 
-    Files of an older manifest are removed; others stay.
+    Files that an older manifest lists are removed if they are unchanged; others stay.
 
     Parameters
     ----------
-    folder, form :
+    folder, form, files, overwrite :
         Arguments of ``check_folder``.
 
     Raises
@@ -97,88 +105,28 @@ def whole_folder(folder: str | Path, form: str) -> Iterator[Path]:
         If the folder cannot be written, or another process writes it for longer than ``WAIT``; it
         is then unchanged.
     """
-    target = check_folder(folder, form)
+    target = check_folder(folder, form, files, overwrite=overwrite)
     part = hidden_file(target, "part")
     with output_lock(target, wait=WAIT), begun(part):
         try:
             remove(part)  # of a run that was killed
             part.mkdir()
             yield part
-            _put(part, target, form)
+            _put(part, target, form, overwrite)
         except OSError as error:
             raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
 
 
-def write_manifest(folder: Path, manifest: dict[str, Any]) -> None:
-    """Write the manifest of a folder.
-
-    Parameters
-    ----------
-    folder : Path
-        Folder from ``whole_folder``.
-    manifest : dict
-        Its content; ``files`` anywhere in it are names of files with their ``fingerprint``.
-    """
-    text = json.dumps(manifest, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-    (folder / MANIFEST).write_text(text, encoding="utf-8")
-
-
-def read_manifest(path: Path, form: str) -> dict[str, Any]:
-    """Read a manifest.
-
-    Parameters
-    ----------
-    path : Path
-        Path of the manifest.
-    form : str
-        Format that it must name.
-
-    Raises
-    ------
-    FileError
-        If it cannot be read, or names another format.
-    """
-    try:
-        content = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise FileError(path, f"cannot be read: {error}") from error
-    if not isinstance(content, dict) or content.get("format") != form:
-        raise FileError(path, f"is no manifest of the format {form!r}")
-    return content
-
-
-def fingerprint(path: Path) -> dict[str, Any]:
-    """Size and SHA-256 of a file.
-
-    Parameters
-    ----------
-    path : Path
-        Path of the file.
-    """
-    return {
-        "bytes": path.stat().st_size,
-        "sha256": hashlib.sha256(path.read_bytes()).hexdigest(),
-    }
-
-
-def _put(part: Path, target: Path, form: str) -> None:
+def _put(part: Path, target: Path, form: str, overwrite: bool) -> None:
     if not target.exists():
         part.rename(target)
         return
-    old = target / MANIFEST
-    if old.is_file():
-        stale = _files_in(read_manifest(old, form))
-        old.unlink()  # from here on the folder is marked as incomplete
-        for name in stale:
-            (target / name).unlink(missing_ok=True)
-    for file in sorted(part.iterdir(), key=lambda path: path.name == MANIFEST):
+    files = sorted(part.iterdir(), key=lambda path: path.name == MANIFEST)
+    stale = own_files(target / MANIFEST, form, overwrite=overwrite)
+    names = [file.name for file in files]
+    check_replaceable(target, names, (MANIFEST, *stale), overwrite=overwrite)
+    (target / MANIFEST).unlink(missing_ok=True)  # from here on the folder is marked as incomplete
+    for name in stale:
+        (target / name).unlink(missing_ok=True)
+    for file in files:
         file.replace(target / file.name)
-
-
-def _files_in(content: Any) -> list[str]:
-    """Names of all files of a manifest."""
-    if not isinstance(content, dict):
-        return []
-    own = content.get("files")
-    names = [Path(name).name for name in own] if isinstance(own, dict) else []
-    return names + [name for one in content.values() for name in _files_in(one)]

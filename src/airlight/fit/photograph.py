@@ -10,8 +10,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import FileError, ParameterError, warn
 from airlight.fit.measurements import angle_from_sun
+from airlight.input_files import LARGEST_PICTURE, check_input
 from airlight.kernel.memory import check_picture
 from airlight.scene.camera import Camera
 from airlight.scene.limits import HIGHEST_ALTITUDE, within
@@ -197,14 +198,17 @@ def read_photograph(path: str | Path, shot: Shot) -> Photograph:
 
 def _pixels(path: Path, shot: Shot) -> tuple[FloatArray, NDArray[np.bool_]]:
     """Linear colours, shape (h, w, 3), and which pixels are neither too dark nor too bright."""
+    check_input(path, LARGEST_PICTURE)
     if path.suffix.lower() == ".exr":
         from airlight.exports.exr import read_exr
 
-        if not path.is_file():
-            raise FileError(path, "cannot be read: no such file")
         rgb, _ = read_exr(path)
         linear = rgb.astype(np.float64)
-        return linear, np.isfinite(linear).all(axis=-1) & (linear.max(axis=-1) > 0.0)
+        finite = np.isfinite(linear).all(axis=-1)
+        if not finite.all():
+            count = np.count_nonzero(~finite)
+            warn(f"{path}: {count} pixels are no finite numbers; they are left out")
+        return linear, finite & (linear.max(axis=-1) > 0.0)
     encoded, texts = _encoded(path)
     tone_map = shot.tone_map or texts.get("airlight.tone_map")
     encoding = texts.get("airlight.encoding", shot.encoding)
@@ -238,8 +242,6 @@ def _encoded(path: Path) -> tuple[FloatArray, dict[str, str]]:
             texts = {str(k): str(v) for k, v in image.info.items() if isinstance(v, str)}
             sixteen = _sixteen_bits(path) if image.format == "PNG" else None
             pixels = np.asarray(image.convert("RGB"), dtype=np.float64) / 255.0
-    except FileNotFoundError:
-        raise FileError(path, "cannot be read: no such file") from None
     except (OSError, ValueError, UnidentifiedImageError, Image.DecompressionBombError) as error:
         raise FileError(path, f"cannot be read as a picture: {error}") from None
     return (pixels if sixteen is None else sixteen), texts

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import difflib
+import io
 import math
 import re
 from collections.abc import Iterator
@@ -19,6 +20,7 @@ import numpy as np
 
 from airlight.errors import FileError, ParameterError
 from airlight.fit.measurements import Measurements
+from airlight.input_files import LARGEST_DATA, read_text
 from airlight.units import quantity
 
 #: Unit of radiances.
@@ -110,15 +112,8 @@ def read_radiance_file(path: str | Path) -> Measurements:
     ParameterError
         For the first cell that is no number in its range, with line and column.
     """
-    try:
-        with Path(path).open(encoding="utf-8-sig", newline="") as stream:
-            lines = [(n, line) for n, line in enumerate(stream, 1) if line.strip()]
-    except UnicodeDecodeError as error:
-        raise FileError(path, "is no text in UTF-8") from error
-    except (OSError, ValueError) as error:
-        raise FileError(
-            path, f"cannot be read: {getattr(error, 'strerror', None) or error}"
-        ) from None
+    text = io.StringIO(read_text(path, LARGEST_DATA), newline="")
+    lines = [(n, line) for n, line in enumerate(text, 1) if line.strip()]
     lines = [(n, line) for n, line in lines if not line.lstrip().startswith("#")]
     if not lines:
         raise FileError(path, "has no header")

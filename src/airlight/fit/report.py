@@ -240,7 +240,7 @@ def markdown(sky: SkyFit, parts: Sequence[Part], pictures: str) -> str:
     pictures : str
         Folder of the pictures relative to the page.
     """
-    lines = [f"# airlight: fit of {sky.name}", ""]
+    lines = [f"# airlight: fit of {escaped(sky.name)}", ""]
     lines += [f"- {name}: {escaped(value)}" for name, value in facts(sky).items()]
     for part in parts:
         lines += ["", *part_lines(part, pictures)]

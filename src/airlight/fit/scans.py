@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError
 from airlight.fit.measurements import Measurements, angle_from_sun
+from airlight.input_files import LARGEST_DATA, check_input
 from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
@@ -123,6 +124,7 @@ def read_scan_file(file: Path) -> Scans:
     FileError
         If the file cannot be read, lacks an array, or has impossible shapes or values.
     """
+    check_input(file, LARGEST_DATA)
     try:
         with file.open("rb") as stream, np.load(stream, allow_pickle=False) as stored:
             moments = [str(one) for one in stored["time"]]
@@ -141,7 +143,7 @@ def read_scan_file(file: Path) -> Scans:
             }
     except KeyError as error:
         raise FileError(file, f"lacks an array: {error}") from error
-    except (OSError, ValueError, zipfile.BadZipFile) as error:
+    except (OSError, ValueError, EOFError, MemoryError, zipfile.BadZipFile) as error:
         raise FileError(file, f"cannot be read: {error}") from error
     scans = Scans(time=time, date=moments[0][:10] if moments else "", **arrays)
     shape = scans.radiance.shape

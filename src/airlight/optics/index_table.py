@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.errors import FileError, ParameterError
+from airlight.input_files import read_text
 from airlight.spectra.power_law import power_law
 from airlight.units import values_in
 
@@ -113,12 +114,7 @@ def read_index(name: str) -> IndexTable:
     if path.suffix != ".csv":
         known = ", ".join(index_names())
         raise ParameterError("index", name, f"{known}; or the path to a CSV file")
-    try:
-        return _parsed(path.read_text(encoding="utf-8"), name)
-    except OSError as error:
-        raise FileError(name, (error.strerror or type(error).__name__).lower()) from None
-    except UnicodeDecodeError as error:
-        raise FileError(name, f"is not UTF-8 text at byte {error.start}") from None
+    return _parsed(read_text(path), name)
 
 
 def _parsed(text: str, name: str) -> IndexTable:

@@ -110,10 +110,10 @@ class Ground(Record):
                 label="map",
                 help="Name of the map of the ground, or path of a picture of it.",
                 note="`earth`, or a picture of the whole sphere, twice as wide as high, north up,"
-                " 180° W on the left, of up to 200 million pixels; a grey one beside it whose name"
-                " ends in `-water.png` has the share of water. Used where the ground is seen; the"
-                " air has the albedo, in pictures times the map's mean around the observer over"
-                " that of the whole map.",
+                " 180° W on the left, of up to 200 million pixels, floats from 0 to 1; a grey one"
+                " beside it whose name ends in `-water.png` has the share of water. Used where the"
+                " ground is seen; the air has the albedo, in pictures times the map's mean around"
+                " the observer over that of the whole map.",
                 kind="text",
                 range=(1.0, 100.0),
                 example="the name of a map of the ground",

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
+from airlight.input_files import LARGEST_MAP, check_input
 from airlight.kernel.memory import DECODED, MOST_PIXELS, check_picture
 
 if TYPE_CHECKING:
@@ -42,12 +43,16 @@ def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
     Raises
     ------
     FileError
-        If it is no picture, has more than 200 million pixels, or is not twice as wide as high.
+        If it is no picture, larger than 4 GB, has more than 200 million pixels, is not twice as
+        wide as high, or holds numbers that are no reflectance: in floats not 0 to 1.
     FileNotFoundError
         If there is no such file.
     """
     from PIL import Image, UnidentifiedImageError
 
+    if not file.exists():
+        raise FileNotFoundError(file)
+    check_input(file, LARGEST_MAP)
     try:
         # Pillow warns of large pictures, and refuses larger ones, when it opens them; the check
         # here is stricter.
@@ -56,7 +61,7 @@ def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
             picture = Image.open(file)
         with picture:
             _check_size(file, *picture.size, _DEEP_PIXEL if picture.mode in _DEEP else DECODED)
-            return _as_bytes(picture, "L" if grey else "RGB")
+            return _as_bytes(file, picture, "L" if grey else "RGB")
     except FileNotFoundError:
         raise
     except Image.DecompressionBombError as error:
@@ -75,19 +80,33 @@ def _check_size(file: Path, width: int, height: int, each: int) -> None:
         )
 
 
-def _as_bytes(picture: Image, mode: str) -> NDArray[np.uint8]:
+def _as_bytes(file: Path, picture: Image, mode: str) -> NDArray[np.uint8]:
     if picture.mode in _DEEP:
         values = np.asarray(picture, dtype=np.float64)
         # Files of sixteen bits say so by values above 255; floats are 0 to 1.
         largest = 1.0 if picture.mode == "F" else 65535.0
-        values = np.clip(values * (255.0 / largest), 0.0, 255.0)
-        grey = np.asarray(np.rint(values), dtype=np.uint8)
+        _check_values(file, values, largest)
+        grey = np.asarray(np.rint(values * (255.0 / largest)), dtype=np.uint8)
         return grey if mode == "L" else np.repeat(grey[..., None], 3, axis=2)
     if picture.mode == mode:
         return np.asarray(picture)
     if picture.mode in ("P", "PA"):
         picture = picture.convert("RGBA")  # directly to RGB, Pillow warns of transparent palettes
     return np.asarray(picture.convert(mode))
+
+
+def _check_values(file: Path, values: NDArray[np.float64], largest: float) -> None:
+    """Refuse marks of missing data, such as not a number or -9999: no colour stands for them."""
+    # floats that are rounded to 0 or to 255 have only overshot in an enlargement
+    half = 0.4999 / 255.0 if largest == 1.0 else 0.0
+    wrong = ~((values >= -half) & (values <= largest + half))
+    if wrong.any():
+        row, column = np.argwhere(wrong)[0]
+        raise FileError(
+            file,
+            f"has {np.count_nonzero(wrong)} pixels out of range, the first {values[row, column]:g} "
+            f"at column {column}, row {row}; allowed: 0 to {largest:g}: fill them first",
+        )
 
 
 def _one_line(error: Exception) -> str:

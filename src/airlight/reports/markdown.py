@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from html import escape
+from urllib.parse import quote
 
 from airlight.reports.parts import Cell, Part, Picture, ReportTable, cell_text
 
@@ -34,7 +37,11 @@ def part_lines(part: Part, pictures: str) -> list[str]:
     if isinstance(part, ReportTable):
         return _table(part)
     if isinstance(part, Picture):
-        return [f"![{part.title}]({pictures}/{part.file_name})", "", escaped(part.caption)]
+        return [
+            f"![{escaped(part.title)}]({quote(pictures)}/{part.file_name})",
+            "",
+            escaped(part.caption),
+        ]
     return [escaped(part.text)]
 
 
@@ -47,9 +54,9 @@ def _table(table: ReportTable) -> list[str]:
     body = row_lines(table.columns, rows)
     note = ["", escaped(table.note)] if table.note else []
     if table.folded and "fail" not in marks:
-        title = f"<summary>{table.title} ({len(rows)} rows)</summary>"
+        title = f"<summary>{escape(table.title)} ({len(rows)} rows)</summary>"
         return ["<details>", title, "", *body, *note, "", "</details>"]
-    return [f"### {table.title}", "", *body, *note]
+    return [f"### {escaped(table.title)}", "", *body, *note]
 
 
 def row_lines(columns: Sequence[str], rows: Sequence[Sequence[Cell]]) -> list[str]:
@@ -68,5 +75,11 @@ def strong(text: str, wanted: bool) -> str:
 
 
 def escaped(text: str) -> str:
-    """Text in which nothing is taken for HTML."""
-    return text.replace("<", "&lt;")
+    r"""Text in which nothing is taken for HTML, code, a link or an escape.
+
+    Examples
+    --------
+    >>> print(escaped("<b> [a](b) \\`"))
+    &lt;b> [a]\(b) \\\`
+    """
+    return re.sub(r"[\\`]|(?<=\])[(\[]", r"\\\g<0>", text).replace("<", "&lt;")

@@ -14,6 +14,7 @@ from typing import Final
 
 import numpy as np
 
+from airlight.input_files import LARGEST_MAP, check_input
 from airlight.kernel import disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.scene.map_levels import Levels
@@ -74,6 +75,7 @@ def _key(source: Path, files: Sequence[Path | None]) -> str:
         if file is None or not file.is_file():
             digest.update(bytes(1))
             continue
+        check_input(file, LARGEST_MAP)
         with file.open("rb") as stream:
             digest.update(hashlib.file_digest(stream, "sha256").digest())
     return digest.hexdigest()[:32]

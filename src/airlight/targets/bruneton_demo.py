@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from airlight.errors import FileError
+from airlight.input_files import LARGEST_MAP, read_bytes, read_text
 from airlight.kernel.threads import Progress
 from airlight.solvers.solution import Solution
 from airlight.tables.bruneton import BrunetonLayout
@@ -164,9 +165,9 @@ def read_constants(folder: str | Path) -> dict[str, Any]:
     """Constants of the shaders, as lists and numbers; ``FileError`` if there are none."""
     path = Path(folder) / _PLANET
     try:
-        content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        content: dict[str, Any] = json.loads(read_text(path))
         return content
-    except (OSError, ValueError) as error:
+    except (ValueError, RecursionError) as error:
         raise FileError(path, f"cannot be read: {error}") from error
 
 
@@ -200,12 +201,12 @@ def read_tables(folder: str | Path) -> SkyTables:
             g=said["MIE_PHASE_FUNCTION_G"],
             mie_colours=np.array(said["MIE_COLOURS"]),
         )
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (FileError, ValueError, KeyError, TypeError) as error:
         raise FileError(path, f"is no folder of --layout bruneton-demo: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:
-    return np.frombuffer((folder / f"{name}.dat").read_bytes(), "<f4").astype(np.float32)
+    return np.frombuffer(read_bytes(folder / f"{name}.dat", LARGEST_MAP), "<f4").astype(np.float32)
 
 
 def _half(values: NDArray[Any]) -> NDArray[Any]:
@@ -217,6 +218,7 @@ TARGET: Final = Target(
     program="the WebGL demo of precomputed_atmospheric_scattering",
     version="d995492",
     fill=fill,
+    files=("*.dat", "*.txt", _PLANET),
     wavelengths=WAVELENGTHS,
     options=("lowest_sun",),
 )

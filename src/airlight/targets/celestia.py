@@ -337,5 +337,6 @@ TARGET: Final = Target(
     program="Celestia",
     version="of August 2026",
     fill=fill,
+    files=(FILE,),
     wavelengths=RED_GREEN_BLUE,
 )

@@ -34,7 +34,7 @@ from airlight.solvers.solution import Solution
 from airlight.tables.columns import columns
 from airlight.tables.table import Table
 from airlight.tables.transmittance import TransmittanceLayout
-from airlight.targets.cosmoscout_inputs import wavelengths_for, write_inputs
+from airlight.targets.cosmoscout_inputs import SETTINGS, wavelengths_for, write_inputs
 from airlight.targets.cosmoscout_tables import (
     DEVIATION,
     ILLUMINANCE,
@@ -300,6 +300,7 @@ TARGET: Final = Target(
     program="CosmoScout VR",
     version="csp-atmospheres e59005a3",
     fill=fill,
+    files=("*.tif", "*.csv", METADATA, SCENE, SETTINGS),
     default_wavelengths="16",
     options=("size", "lowest_sun"),
     bends_light=True,

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import AirlightError, FileError
+from airlight.input_files import read_text
 
 FloatArray = NDArray[np.float64]
 
@@ -138,14 +139,12 @@ class CosmoScoutTables:
         """
         root = Path(folder)
         try:
-            metadata, scene = (
-                json.loads((root / name).read_text(encoding="utf-8")) for name in (METADATA, SCENE)
-            )
+            metadata, scene = (json.loads(read_text(root / name)) for name in (METADATA, SCENE))
             (atmosphere,) = scene["plugins"]["csp-atmospheres"]["atmospheres"].values()
             radius = float(scene["airlight"]["radius"])
             bottom = radius + float(atmosphere["bottomAltitude"])
             top = radius + float(atmosphere["topAltitude"])
-        except (OSError, ValueError, KeyError, TypeError) as error:
+        except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
             raise FileError(root, f"is no folder for CosmoScout: {error}") from error
         return cls(
             bottom_radius=bottom,

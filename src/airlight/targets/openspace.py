@@ -290,5 +290,6 @@ TARGET: Final = Target(
     program="OpenSpace",
     version="of 2026 (37e7e4f9)",
     fill=fill,
+    files=(FILE,),
     wavelengths=RED_GREEN_BLUE,
 )

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import FileError, ParameterError
 from airlight.exports.exr import write_exr_channels
+from airlight.input_files import LARGEST_MAP, read_bytes, read_text
 from airlight.kernel.threads import Progress
 from airlight.solvers.solution import Solution
 from airlight.tables.bruneton import BrunetonLayout
@@ -182,7 +183,7 @@ def read_tables(folder: str | Path) -> SkyTables:
     """
     path = Path(folder)
     try:
-        about = json.loads((path / _ATMOSPHERE).read_text(encoding="utf-8"))
+        about = json.loads(read_text(path / _ATMOSPHERE))
         layout = BrunetonLayout(
             bottom_radius=about["bottomRadius"],
             top_radius=about["topRadius"],
@@ -203,12 +204,12 @@ def read_tables(folder: str | Path) -> SkyTables:
             mie_colours=ratio / ratio[0],
             darkest=_DARKEST,
         )
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise FileError(path, f"is no folder of --layout takram: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:
-    return np.frombuffer((folder / f"{name}.bin").read_bytes(), "<f2").astype(np.float32)
+    return np.frombuffer(read_bytes(folder / f"{name}.bin", LARGEST_MAP), "<f2").astype(np.float32)
 
 
 TARGET: Final = Target(
@@ -216,6 +217,7 @@ TARGET: Final = Target(
     program="@takram/three-atmosphere",
     version="0.19.1",
     fill=fill,
+    files=("*.bin", "*.exr", _ATMOSPHERE, _SCRIPT),
     wavelengths=WAVELENGTHS,
     options=("mie", "lowest_sun"),
 )

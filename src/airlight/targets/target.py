@@ -10,14 +10,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from airlight.errors import ParameterError
-from airlight.exports.whole_folder import (
-    MANIFEST,
-    fingerprint,
-    read_manifest,
-    whole_folder,
-    write_manifest,
-)
+from airlight.errors import FileError, ParameterError
+from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
+from airlight.exports.whole_folder import whole_folder
 from airlight.kernel.threads import Progress
 from airlight.solvers.light_paths import only_straight
 from airlight.solvers.provenance import version
@@ -162,6 +157,8 @@ class Target:
     fill : callable
         Writes the files: ``fill(solution, folder, progress=…, **options) -> Findings``, into an
         empty folder, without subfolders.
+    files : tuple of str
+        Names of the files that ``fill`` may write, or patterns of them such as ``*.exr``.
     wavelengths : tuple of float, optional
         Wavelengths that the program fixes; any if left out. [nm]
     options : tuple of str
@@ -176,6 +173,7 @@ class Target:
     program: str
     version: str
     fill: Callable[..., Findings]
+    files: tuple[str, ...]
     wavelengths: tuple[float, ...] | None = None
     options: tuple[str, ...] = ()
     bends_light: bool = False
@@ -191,6 +189,7 @@ class Target:
         solution: Solution,
         folder: str | Path,
         *,
+        overwrite: bool = False,
         progress: Progress | None = None,
         **options: Any,
     ) -> Export:
@@ -202,6 +201,9 @@ class Target:
             Solution to write; at ``wavelengths`` if the program fixes them.
         folder : str or Path
             Folder to create, an empty one, or one written for this program, which is replaced.
+        overwrite : bool
+            Whether files of these names may be replaced that airlight has not written, or that
+            were changed since.
         progress : callable, optional
             See ``airlight.kernel.threads``.
         **options
@@ -223,7 +225,7 @@ class Target:
         self._check_wavelengths(solution)
         if not self.bends_light:
             only_straight(solution.medium, f"files for {self.program}, which draws straight lines")
-        with whole_folder(folder, self.form) as part:
+        with whole_folder(folder, self.form, self.files, overwrite=overwrite) as part:
             found = self.fill(solution, part, progress=progress, **options)
             files = {file.name: fingerprint(file) for file in sorted(part.iterdir())}
             write_manifest(part, self._manifest(solution, found, files))
@@ -284,11 +286,15 @@ def read_export(folder: str | Path, target: Target) -> Export:
     FileError
         If there is no manifest, or one of another format.
     """
-    content = read_manifest(Path(folder) / MANIFEST, target.form)
-    return Export(
-        folder=Path(folder),
-        files={name: said["bytes"] for name, said in content["files"].items()},
-        fitted=tuple(Fitted(**one) for one in content["fitted"]),
-        errors=tuple(ErrorRow(**one) for one in content["errors"]),
-        notes=tuple(content["notes"]),
-    )
+    path = Path(folder) / MANIFEST
+    content = read_manifest(path, target.form)
+    try:
+        return Export(
+            folder=Path(folder),
+            files={name: said["bytes"] for name, said in content["files"].items()},
+            fitted=tuple(Fitted(**one) for one in content["fitted"]),
+            errors=tuple(ErrorRow(**one) for one in content["errors"]),
+            notes=tuple(content["notes"]),
+        )
+    except (KeyError, TypeError, AttributeError) as error:
+        raise FileError(path, f"is no manifest of {target.program}: {error}") from error

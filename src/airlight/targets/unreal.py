@@ -275,5 +275,10 @@ def _python(value: Property) -> str:
 
 
 TARGET: Final = Target(
-    name="unreal", program="Unreal Engine", version="5", fill=fill, wavelengths=RED_GREEN_BLUE
+    name="unreal",
+    program="Unreal Engine",
+    version="5",
+    fill=fill,
+    files=(FILE,),
+    wavelengths=RED_GREEN_BLUE,
 )

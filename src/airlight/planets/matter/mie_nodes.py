@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import itertools
+import logging
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -23,7 +24,7 @@ import numpy.typing as npt
 
 from airlight.errors import ParameterError
 from airlight.kernel import disk
-from airlight.kernel.cost import timed
+from airlight.kernel.cost import LONG, announce, duration, expected_seconds, timed
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress, run_blocks, thread_count
 from airlight.optics import mie, phase_table, ripples, size_distribution
@@ -185,7 +186,11 @@ def mie_nodes(
 
     if missing:
         work = _checked_work(sizes, [wavelengths[i] for i in missing])
-        with timed("particles", work, f"particles at {len(missing)} wavelengths"):
+        about = f"particles at {len(missing)} wavelengths"
+        if announce.get() is None and (expected := expected_seconds("particles", work)) > LONG:
+            # nobody shows what is announced: as Python, which would seem to stand still
+            logging.getLogger("airlight").warning(f"{about}: about {duration(expected)}")
+        with timed("particles", work, about):
             run_blocks(one, len(missing), cancel=cancel, progress=progress, message="particles")
     return [found[key] for key in keys]
 

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import Any, Final
 
+from airlight.plain_text import plain
 from airlight.planets.reading.nested_tables import Tables
 
 #: Longest line of a list or a table. [character]
@@ -45,7 +46,7 @@ def planet_file(tables: Tables, comments: tuple[str, ...] = ()) -> str:
     gas = { composition = { N2 = 1.0 } }
     <BLANKLINE>
     """
-    lines = [f"# {' '.join(comment.split())}".rstrip() for comment in comments]
+    lines = [f"# {' '.join(plain(comment).split())}".rstrip() for comment in comments]
     lines += [""] if lines else []
     lines += list(_table(tables, ""))
     return "\n".join(lines) + "\n"
