@@ -23,7 +23,7 @@ def is_plain(text: str) -> bool:
     return _OBEYED.search(text) is None
 
 
-def brief(text: object, most: int = 120, whole: int = 1000) -> str:
+def brief(text: object, most: int = 400, whole: int = 1000) -> str:
     """Text of a message: of long words, such as paths, and of a long line the middle is left out.
 
     Parameters

@@ -152,7 +152,7 @@ def test_the_sun_of_a_place_and_time_is_that_of_its_angles(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("words", "line"),
     [
-        (["missing.exr", "-o", "out.exr"], "missing.exr: no such file"),
+        (["missing.exr", "-o", "out.exr"], "missing.exr: cannot be read: No such file"),
         (["render.exr", "-o", "out.jpg"], "ends in .png, .exr, .hdr"),
         (["render.exr", "-o", "out.exr"], "--camera is None; allowed: a transforms.json"),
         (["camera.json", "-o", "out.exr"], "camera.json: cannot be read as OpenEXR"),

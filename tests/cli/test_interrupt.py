@@ -26,7 +26,7 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
     # a fine solve takes far longer than the pause; the marker says that the solver has begun
     script = (
         "import sys, importlib\n"
-        "home = importlib.import_module('airlight.solvers.moments.solution')\n"
+        "home = importlib.import_module('airlight.solvers.moments.solve')\n"
         "solve = home.solve\n"
         "def begun(*a, **k):\n"
         "    print('begun', flush=True)\n"

@@ -20,9 +20,10 @@ from airlight.errors import FileError
 from airlight.exports import output_lock as locks
 from airlight.exports import whole_file as files
 from airlight.exports import whole_folder as folders
+from airlight.exports.manifest import MANIFEST, fingerprint, write_manifest
 from airlight.exports.output_lock import hidden_file, output_lock
 from airlight.exports.whole_file import whole_file
-from airlight.exports.whole_folder import MANIFEST, whole_folder, write_manifest
+from airlight.exports.whole_folder import whole_folder
 
 #: Program that enters one of the three, says so, and waits to be killed.
 HOLDER = """if True:
@@ -63,7 +64,8 @@ def write(path: Path, way: str, text: str) -> None:
     elif way == "folder":
         with whole_folder(path, "a form") as part:
             (part / "table").write_text(text)
-            write_manifest(part, {"format": "a form", "files": {"table": {}}})
+            listed = {"table": fingerprint(part / "table")}
+            write_manifest(part, {"format": "a form", "files": listed})
     else:
         with output_lock(path):
             path.write_text(text)
@@ -121,7 +123,8 @@ def test_writers_wait_for_each_other_and_each_result_is_whole(tmp_path: Path, wa
                     assert len(inside) == 1
                     (part / "table" if way == "folder" else part).write_text(str(number) * 1000)
                     if way == "folder":
-                        write_manifest(part, {"format": "a form", "files": {"table": {}}})
+                        listed = {"table": fingerprint(part / "table")}
+                        write_manifest(part, {"format": "a form", "files": listed})
                     time.sleep(0.002)
                     inside.remove(number)
         except BaseException as fault:

@@ -24,7 +24,6 @@ from airlight.exports.exr import read_exr
 Commands = tuple[tuple[str, tuple[str, ...]], ...]
 #: Content of the file of each command, and the time of the command. [s]
 References = dict[str, tuple[bytes, float]]
-_RUN = "import sys; from airlight.cli import run_process; sys.exit(run_process())"
 #: Small commands and the file that each writes.
 COMMANDS: Commands = (
     ("a.png", ("render", "earth-openspace", "--size", "64x36", "--quality", "preview",
@@ -91,14 +90,16 @@ _CASES = "altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg\n" + "0,60,30,90
 SIGNALS = (signal.SIGKILL, signal.SIGINT, signal.SIGTERM)
 
 
-def _begin(
+def begin(
     words: tuple[str, ...], folder: Path, cache: Path, prepare: Callable[[], None] | None = None
 ) -> subprocess.Popen[str]:
-    folder.mkdir(exist_ok=True)
+    """Start a command in a folder, with a cache of its own, by the installed script."""
+    folder.mkdir(parents=True, exist_ok=True)
     (folder / "in.csv").write_text(_CASES)
     return subprocess.Popen(
-        [sys.executable, "-c", _RUN, *words], cwd=folder, text=True, preexec_fn=prepare,
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        [Path(sys.executable).with_name("airlight"), *words], cwd=folder, text=True,
+        preexec_fn=prepare, stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
         env={**os.environ, "AIRLIGHT_CACHE": str(cache)},
     )  # fmt: skip
 
@@ -108,7 +109,8 @@ def _listen() -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def _ended(process: subprocess.Popen[str], seconds: float = 3000.0) -> tuple[int, str]:
+def ended(process: subprocess.Popen[str], seconds: float = 3000.0) -> tuple[int, str]:
+    """Exit status and messages of a command that says nothing it should not."""
     try:
         out, err = process.communicate(timeout=seconds)
     except subprocess.TimeoutExpired:
@@ -160,7 +162,7 @@ def references(folder: Path, cache: Path, commands: Commands = COMMANDS) -> Refe
     for _ in range(2):
         for name, words in commands:
             begun = time.monotonic()
-            status, err = _ended(_begin(words, folder, cache))
+            status, err = ended(begin(words, folder, cache))
             took = time.monotonic() - begun
             assert status == 0, err
             content = written(folder / name)
@@ -191,12 +193,12 @@ def try_kills(
         how = chance.choice(SIGNALS)
         if chance.random() < 0.5:  # half of them solve again
             shutil.rmtree(cache / "solutions", ignore_errors=True)
-        process = _begin(words, folder, cache, _listen)
+        process = begin(words, folder, cache, _listen)
         time.sleep(chance.uniform(0.0, 1.1 * usual))
         process.send_signal(how)
         begun = time.monotonic()
         try:
-            status, err = _ended(process)
+            status, err = ended(process)
             late.append(time.monotonic() - begun)
             held = status == 0
             if not held:
@@ -211,7 +213,7 @@ def try_kills(
             if (folder / name).exists():
                 assert written(folder / name) == expected, f"half-written {name}"
                 _remove(folder / name)
-            again, err = _ended(_begin(words, folder, cache))
+            again, err = ended(begin(words, folder, cache))
             assert again == 0, err
             assert written(folder / name) == expected, f"another {name} after the kill"
             _remove(folder / name)
@@ -239,12 +241,12 @@ def try_interrupts(count: int, seed: int, folder: Path, cache: Path) -> Tally:
         (place / "drops.toml").write_text(_PARTICLES)
         words = tuple("drops.toml" if one == "PLANET" else one for one in words)
         here = place / "cold" if chance.random() < 0.33 else cache
-        process = _begin(words, place, here, _listen)
+        process = begin(words, place, here, _listen)
         time.sleep(chance.uniform(0.2, 20.0))
         process.send_signal(signal.SIGINT)
         begun = time.monotonic()
         try:
-            status, err = _ended(process)
+            status, err = ended(process)
             late.append(time.monotonic() - begun)
             assert late[-1] <= PROMPT, f"ended {late[-1]:.2f} s after the signal"
             if status in (130, -signal.SIGINT) or "KeyboardInterrupt" in err:
@@ -316,7 +318,7 @@ def try_caches(
         try:
             if damage == "full disk":
                 shutil.rmtree(cache / "solutions", ignore_errors=True)
-                status, err = _ended(_begin(words, folder, cache, _no_space))
+                status, err = ended(begin(words, folder, cache, _no_space))
                 if status == 2:
                     assert err.splitlines()[-1].startswith("airlight: "), err
                 else:
@@ -324,14 +326,14 @@ def try_caches(
             elif damage == "closed":
                 elsewhere = folder.parent / "closed"
                 elsewhere.write_text("a file where the folder would be")
-                status, err = _ended(_begin(words, folder, elsewhere))
+                status, err = ended(begin(words, folder, elsewhere))
                 assert status == 0, err
             else:
                 assert callable(damage)
                 chosen = solutions if solutions and chance.random() < 0.5 else files
                 for file in chance.sample(chosen, min(len(chosen), chance.choice((1, 5, 40)))):
                     damage(file, chance)
-                status, err = _ended(_begin(words, folder, cache))
+                status, err = ended(begin(words, folder, cache))
                 assert status == 0, err
             if status == 0:
                 assert written(folder / name) == whole[name][0], "another result"
@@ -351,11 +353,11 @@ def try_together(count: int, folder: Path, cache: Path) -> Tally:
     """Processes that all begin on one cold cache: all are right, and equal."""
     tally = Tally(f"{count} processes on one cold cache")
     name, words = COMMANDS[0]
-    begun = [_begin(words, folder / f"at-{k}", cache) for k in range(count)]
+    begun = [begin(words, folder / f"at-{k}", cache) for k in range(count)]
     contents = set()
     for k, process in enumerate(begun):
         try:
-            status, err = _ended(process, 3000.0)
+            status, err = ended(process, 3000.0)
             assert status == 0, err
             contents.add(written(folder / f"at-{k}" / name))
             assert len(contents) == 1, "another result"

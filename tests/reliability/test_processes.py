@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from outputs import FUZZERS
 from processes import COMMANDS, References, references, try_caches, try_kills, try_together
 
 from airlight.kernel import cache_folder
@@ -65,3 +66,13 @@ def test_processes_share_a_cold_cache(tmp_path: Path) -> None:
 def test_the_commands_of_the_fuzzers_are_repeatable(begun: tuple[References, Path]) -> None:
     # what differs between two runs could not show a fault: ``references`` makes each file twice
     assert set(begun[0]) == {name for name, _ in COMMANDS}
+
+
+@pytest.mark.parametrize("fuzzer", FUZZERS)
+@pytest.mark.parametrize("count", [3, pytest.param(30, marks=pytest.mark.validation)])
+def test_outputs_are_mended_shared_and_apart_from_foreign_modules(
+    count: int, fuzzer: str, tmp_path: Path, cache: Path
+) -> None:
+    tally = FUZZERS[fuzzer](count, 3, tmp_path / "here", cache)
+    assert tally.broke == []
+    assert tally.tried == count

@@ -105,9 +105,12 @@ def whole_folder(
         If the folder cannot be written, or another process writes it for longer than ``WAIT``; it
         is then unchanged.
     """
-    target = check_folder(folder, form, files, overwrite=overwrite)
+    target = Path(folder).resolve()
+    if not target.parent.is_dir():
+        raise FileError(folder, f"there is no folder {target.parent}")
     part = hidden_file(target, "part")
     with output_lock(target, wait=WAIT), begun(part):
+        check_folder(folder, form, files, overwrite=overwrite)  # no one replaces its files now
         try:
             remove(part)  # of a run that was killed
             part.mkdir()
