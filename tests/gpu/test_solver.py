@@ -96,7 +96,7 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
         lit = bright(first_sky[..., :4], 1e-4)
         assert_allclose(got_sky[lit], first_sky[..., :4][lit], rtol=3e-4)
         gpu.sweep()
-        got, got_sky = light_of(plan, gpu, "image")
+        got, got_sky = light_of(plan, gpu, "iterate")
         assert_moments_agree(got, (first + second)[..., :4], 1e-4, 3e-4)
         sky = (first_sky + second_sky)[..., :4]
         lit = bright(sky, 1e-4)
@@ -259,7 +259,7 @@ def test_the_plan_can_be_run_by_another_host(name):
     written = json.loads(json.dumps(plan.as_dict()))
     assert written["sizes"]["degree"] == plan.setup.degree
     assert len(written["uniform"]) == plan.solve.shape[0]
-    known = {*written["textures"], "scalars", "spectra", "image"}
+    known = {*written["textures"], "scalars", "spectra", "iterate"}
     for part in written["passes"].values():
         for one in part:
             assert set(one["targets"]) <= known

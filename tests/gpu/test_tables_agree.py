@@ -27,7 +27,7 @@ from airlight.kernel.lanes import LANES, lane_array, load, store
 from airlight.optics import altitude_nodes
 from airlight.pixels import pixel as picture
 from airlight.solvers.moments import first_order, harmonics, ray_optics, source
-from airlight.solvers.moments import visible_rays as block_rays
+from airlight.solvers.moments import opaque_culling as block_rays
 from airlight.tables import column_ratios, columns
 
 EPS = 2.0**-23

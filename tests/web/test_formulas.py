@@ -34,7 +34,7 @@ SUN = tuple(np.array([numbers(-0.5, 0.5) for _ in range(3)]))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
 #: Formulas that write to an array, which are compared in a separate test.
-FILLING = {"combine", "reduce_optics", "factorise", "substitute", "sideways_equations"}
+FILLING = {"combine", "reduce_optics", "factorise", "substitute", "lateral_diffusion_equations"}
 #: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
     "days_of_date": DATES,
@@ -117,9 +117,9 @@ CASES: dict[str, tuple[Any, ...]] = {
     "pixel_angle_orthographic": PIXELS,
     "change_at": (POSITIVE, POSITIVE[::-1], 10.0),
     "count_at": (POSITIVE, 10.0, numbers(0.0, 1.0)),
-    "rest_after": (POSITIVE, POSITIVE[::-1], RNG.integers(0, 3, COUNT)),
+    "geometric_tail": (POSITIVE, POSITIVE[::-1], RNG.integers(0, 3, COUNT)),
     "is_near": (POSITIVE, POSITIVE[::-1], 10.0),
-    "trusted_part": (POSITIVE, POSITIVE[::-1]),
+    "acceleration_weight": (POSITIVE, POSITIVE[::-1]),
     "floor_below": (POSITIVE,),
     "node_value": (
         numbers(BOTTOM, TOP), BOTTOM, TOP, np.cumsum([0, *RNG.integers(1, 4, 32)]),
@@ -210,15 +210,19 @@ def test_the_weights_of_the_next_guess_are_python_s(calls: Callable[..., Any]) -
         assert_allclose(seen[0], mixing_weights(values), rtol=1e-9)
 
 
-def test_the_spread_sideways_is_python_s(calls: Callable[..., Any]) -> None:
+def test_lateral_diffusion_is_python_s(calls: Callable[..., Any]) -> None:
     # Sums in the same order, cosines of float64.
     cosines = np.sort(np.concatenate([[-1.0, 1.0], RNG.uniform(-1.0, 1.0, 9)]))
     table = {"values": cosines.tolist(), "shape": [cosines.size]}
     spread, measure = np.zeros(cosines.size**2), np.zeros(cosines.size)
-    functions()["sideways_equations"](cosines, 0.02, 0.3, spread, measure)
+    functions()["lateral_diffusion_equations"](cosines, 0.02, 0.3, spread, measure)
     row = [table, 0.02, 0.3, [0.0] * spread.size, [0.0] * measure.size]
-    assert_allclose(calls("sideways_equations", [row], 3)[0], spread, rtol=1e-9, atol=1e-12)
-    assert_allclose(calls("sideways_equations", [row], 4)[0], measure, rtol=1e-9, atol=1e-12)
+    assert_allclose(
+        calls("lateral_diffusion_equations", [row], 3)[0], spread, rtol=1e-9, atol=1e-12
+    )
+    assert_allclose(
+        calls("lateral_diffusion_equations", [row], 4)[0], measure, rtol=1e-9, atol=1e-12
+    )
 
 
 def test_elimination_in_javascript_solves_equations(calls: Callable[..., Any]) -> None:

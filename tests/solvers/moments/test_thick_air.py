@@ -24,11 +24,11 @@ from airlight.solvers.moments.levels import (
     place_levels,
     smoothness,
 )
+from airlight.solvers.moments.opaque_culling import cull_opaque
 from airlight.solvers.moments.rays import trace_rays
 from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import settings_for
-from airlight.solvers.moments.vertical_coupling import sideways
-from airlight.solvers.moments.visible_rays import rays_in_sight
+from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_matrix
 
 
 def exponential_air(depth: float) -> Depths:
@@ -156,7 +156,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
     grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)), np.arange(4097.0))
     rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), (6,), 14)
     air = Optics(medium, 8).air(slice(0, 1))
-    near, share = rays_in_sight(rays, air)
+    near, share = cull_opaque(rays, air)
     assert near.radius.size < rays.radius.size
     extinction = float(air.extinction[0])
     for i in (0, 5, 11):
@@ -168,10 +168,10 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
             assert_allclose(share.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
 
 
-def test_spreading_sideways_loses_nothing() -> None:
+def test_lateral_diffusion_conserves_light() -> None:
     # (1 - Λ²∇²)⁻¹ on the sphere preserves a constant, and the integral of any function.
     sun_cosines = np.sin(np.radians(np.linspace(-90.0, 90.0, 41)))
-    spread = sideways(sun_cosines, 0.05, 0.1)
+    spread = lateral_diffusion_matrix(sun_cosines, 0.05, 0.1)
     assert_allclose(spread @ np.ones(41), 1.0, rtol=1e-5)
     angle = np.arccos(sun_cosines)
     edges = np.concatenate([[-1.0], np.cos(0.5 * (angle[1:] + angle[:-1])), [1.0]])

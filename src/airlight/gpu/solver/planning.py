@@ -27,7 +27,9 @@ Float32Array = NDArray[np.float32]
 _SPAN: Final = 4 << 20
 
 
-def plan_for(paths: LightPaths, settings: Settings, *, room: float = 1.0) -> SolverPlan:
+def plan_for(
+    paths: LightPaths, settings: Settings, *, extinction_headroom: float = 1.0
+) -> SolverPlan:
     """Make the plan of a medium's solve.
 
     Parameters
@@ -36,7 +38,7 @@ def plan_for(paths: LightPaths, settings: Settings, *, room: float = 1.0) -> Sol
         Paths in a medium of at most four wavelengths.
     settings : Settings
         Grid sizes.
-    room : float
+    extinction_headroom : float
         Factor of the air for which nodes and rays are laid out, see ``Setup``. [1]
 
     Raises
@@ -47,7 +49,7 @@ def plan_for(paths: LightPaths, settings: Settings, *, room: float = 1.0) -> Sol
     medium = paths.medium
     constituents = len(medium.names)
     check_capacity(medium.wavelengths.size, constituents)
-    setup = Setup(paths=paths, settings=settings, room=room)
+    setup = Setup(paths=paths, settings=settings, extinction_headroom=extinction_headroom)
     block = setup.block(slice(None))
     grid, rays, air = setup.grid, block.rays, block.air
     azimuths, expansion, table = setup.azimuths, setup.expansion, setup.table

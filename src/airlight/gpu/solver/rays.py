@@ -29,6 +29,7 @@ from airlight.solvers.moments.harmonics import (
     legendre_function,
     polarised_functions,
 )
+from airlight.solvers.moments.opaque_culling import ray_share
 from airlight.solvers.moments.ray_optics import (
     leaving_at_end,
     onward_light,
@@ -36,7 +37,6 @@ from airlight.solvers.moments.ray_optics import (
     strength_of,
     through_ray,
 )
-from airlight.solvers.moments.visible_rays import ray_share
 
 
 @inlined

@@ -80,8 +80,8 @@ class Depths(NamedTuple):
     layers: tuple[ThinLayer, ...] = ()
 
     @property
-    def reach(self) -> float:
-        """Sideways spread of light scattered many times in the air: half of its thickness. [m]"""
+    def diffusion_length(self) -> float:
+        """Lateral diffusion length: half of the altitude range with 90 % of the depth. [m]"""
         total = self.scattering[-1]
         low, high = np.interp([0.05 * total, 0.95 * total], self.scattering, self.altitude)
         return 0.5 * float(high - low)

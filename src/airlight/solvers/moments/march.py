@@ -20,7 +20,12 @@ from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
 from airlight.solvers.moments.harmonics import POLARISED, directed_functions
-from airlight.solvers.moments.march_panels import in_sight, panel_columns, place_panel, place_panels
+from airlight.solvers.moments.march_panels import (
+    is_transparent,
+    panel_columns,
+    place_panel,
+    place_panels,
+)
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import (
     gathered_light,
@@ -97,7 +102,7 @@ def march(
     clear_peaks(light, work)
     for panel in range(count - 1):
         points = n
-        if light.hides > 0 and not in_sight(light, work):
+        if light.hides > 0 and not is_transparent(light, work):
             points = 0
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)

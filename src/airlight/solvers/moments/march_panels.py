@@ -29,8 +29,8 @@ STEEP = 4.0
 #: Length over the shell's thickness above which a stretch grazes the densest air.
 GRAZING = 9.0
 FULL_DAY = 0.1
-#: Transmittance below which a panel is out of sight. [1]
-HIDDEN = 1e-7
+#: Transmittance below which a panel is not computed. [1]
+MIN_TRANSMITTANCE = 1e-7
 #: Numbers of edges, a panel on each leg, beyond which a line needs fewer points a panel.
 SOME_EDGES = 6
 MANY_EDGES = 10
@@ -94,15 +94,15 @@ def panel_columns(rule, light, work):
 
 
 @inlined
-def in_sight(light, work):
-    """Whether any wavelength is seen through the columns ``work.before``."""
+def is_transparent(light, work):
+    """Whether any wavelength has more than ``MIN_TRANSMITTANCE`` through ``work.before``."""
     most = np.float32(0.0)
     for at in range(0, light.lanes, LANES):
         through = through_columns(
             work.before, light.extinction, light.constituents, light.lanes, at
         )
         most = max(most, largest(through))
-    return most > HIDDEN
+    return most > MIN_TRANSMITTANCE
 
 
 @inlined

@@ -32,7 +32,7 @@ from airlight.solvers.moments.irradiance import (
     ground_radiance,
     sky_irradiance,
 )
-from airlight.solvers.moments.iterate import WAYS, Moments, solve_moments
+from airlight.solvers.moments.iterate import FALLBACK_SCHEMES, Moments, solve_moments
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 from airlight.solvers.moments.packing import filled, pack, pack_light
@@ -91,7 +91,9 @@ class MomentsSolution(Solution):
             residual=tuple(float(x) for x in moments.residual),
             seconds=seconds,
             energy=tuple(float(x) for x in moments.energy),
-            note="; ".join(one for one in (WAYS[moments.way].note, unbalanced) if one),
+            note="; ".join(
+                one for one in (FALLBACK_SCHEMES[moments.scheme].note, unbalanced) if one
+            ),
         )
 
     @cached_property
@@ -432,7 +434,7 @@ def solve(
                 "columns": moments.columns,
                 "residual": moments.residual,
                 "energy": moments.energy,
-                "counts": np.array([moments.degree, moments.sweeps, moments.way]),
+                "counts": np.array([moments.degree, moments.sweeps, moments.scheme]),
             },
         )
     return _warned(solution)
@@ -476,7 +478,7 @@ def _key(medium: Medium, settings: Settings) -> str:
 def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
     """Moments in a cache file, or None if it holds something else."""
     try:
-        degree, sweeps, way = (int(x) for x in arrays["counts"])
+        degree, sweeps, scheme = (int(x) for x in arrays["counts"])
         medium, suns = setup.medium, setup.settings.suns
         count, radii = medium.wavelengths.size, setup.gathering.radii.size
         shape = (radii, suns, moment_count(degree), count)
@@ -500,7 +502,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
             sweeps=sweeps,
             residual=arrays["residual"],
             energy=arrays["energy"],
-            way=way,
+            scheme=scheme,
         )
     except (KeyError, ValueError, IndexError, TypeError):
         return None

@@ -230,7 +230,7 @@ def sweep_radius(
     grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
         Shell, its rays, and its optics.
     share : array, shape (r·a·8,)
-        Factors from ``rays_in_sight``. [1]
+        Factors from ``cull_opaque``. [1]
     expansion : Harmonics
         Harmonics of the moments.
     field : array, shape (r·s·(1 + k)·8,)
@@ -238,7 +238,7 @@ def sweep_radius(
     ground : array, shape (s·2·8,)
         Irradiance of the ground by the light so far, as (s, E·s) per node.
     degrees : array, shape (r,)
-        Highest degree of the moments that count at each radius, see ``light_degrees``.
+        Highest degree of the moments that count at each radius, see ``active_degrees``.
     out : array, shape (s·k·8,)
         Receives the moments at this radius.
     sky_out : array, shape (s·8,)

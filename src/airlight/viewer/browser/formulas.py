@@ -29,16 +29,16 @@ from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.acceleration import combine
 from airlight.solvers.moments.convergence import (
+    acceleration_weight,
     change_at,
     count_at,
+    geometric_tail,
     is_near,
-    rest_after,
-    trusted_part,
 )
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.packing import floor_below, level_weight, thick_share
 from airlight.solvers.moments.reduced_optics import reduce_optics
-from airlight.solvers.moments.vertical_coupling import sideways_equations
+from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
 #: Tables of a metered picture.
@@ -82,13 +82,13 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     disc_factor: (),
     change_at: (),
     count_at: (),
-    rest_after: (F32, F32, I32),
+    geometric_tail: (F32, F32, I32),
     combine: (LocalArray(1), I32, LocalArray(1)),
     is_near: (),
     floor_below: (),
-    trusted_part: (),
+    acceleration_weight: (),
     node_value: (F32, F32, F32, Table("first_nodes"), Table("row")),
-    sideways_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
+    lateral_diffusion_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
     factorise: (LocalArray(1, VEC4), I32),
     substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
     reduce_optics: (

@@ -1,8 +1,8 @@
-"""Rows of the matrix of a sweep along the vertical: what each ray of a radius sees of all radii.
+"""Synthetic operator K: matrix of a plane-parallel sweep, one row of radii at a time.
 
-The matrix is that of ``vertical_coupling``. Weights of the moments are summed over the points of a
-ray, at the levels between which the sweep interpolates, then at the radii from whose moments these
-are interpolated, and projected onto the moments of the radius.
+``synthetic_acceleration`` inverts 1 - K. Weights of the moments are summed over the quadrature
+points of each ray, at the levels between which the sweep interpolates, then at the radii from whose
+moments these are interpolated, and projected onto the moments of the ray's radius.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, t
 
 
 @compiled_loop
-def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
+def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
     """Weights of the moments at all radii in the radiance of the rays from one radius.
 
     Parameters
@@ -87,7 +87,7 @@ def gather_levels(cubics, weights, angles, out):
     cubics : array, shape (f, r)
         Matrix from ``levels.finer_weights``, mostly 0. [1]
     weights : array, shape (a·f·pairs·8,)
-        Weights from ``couple_radius``, at f levels. [1]
+        Weights from ``synthetic_rows``, at f levels. [1]
     angles : int
         Number a of rays.
     out : array, shape (a·r·pairs·8,)
