@@ -106,8 +106,8 @@ def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
     phases_towards(half_sine, True, light.phase, light, work.phase)
     march(
-        r, mu, mu_s, nu, half_sine, length, 2, True, False, False, work.phase, work.across, light,
-        work, result,
+        r, mu, mu_s, nu, half_sine, length, 2, True, False, False, work.phase, work.phase_f12,
+        light, work, result,
     )  # fmt: skip
 
 

@@ -23,8 +23,8 @@ from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.convergence import change_at, count_at, estimated_tail
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.packing import level_weights, pack, thickness
-from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import solve
 from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
@@ -87,7 +87,7 @@ def test_edited_air_is_that_of_an_edited_medium(
     # float32, to which both are rounded, after sums in different orders
     tables = {
         "extinction": air.extinction, "moments": air.moments,
-        "polarising": air.polarising, "albedo": air.ground.albedo,
+        "polarised_phase": air.polarised_phase, "albedo": air.ground.albedo,
         "true_extinction": pack(paths.medium.extinction),
     }  # fmt: skip
     for name, table in tables.items():

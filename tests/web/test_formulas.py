@@ -34,7 +34,7 @@ SUN = tuple(np.array([numbers(-0.5, 0.5) for _ in range(3)]))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
 #: Formulas that write to an array, which are compared in a separate test.
-FILLING = {"combine", "reduce_optics", "factorise", "substitute", "lateral_diffusion_equations"}
+FILLING = {"combine", "delta_m_scaling", "factorise", "substitute", "lateral_diffusion_equations"}
 #: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
     "days_of_date": DATES,
@@ -130,9 +130,9 @@ CASES: dict[str, tuple[Any, ...]] = {
     ),
     "squared": (numbers(-3.0, 3.0),),
     "is_peaked": (numbers(-2e-6, 2e-6),),
-    "cut_weight": (POSITIVE,),
-    "cut_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
-    "onward_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
+    "delta_m_weight": (POSITIVE,),
+    "truncated_fraction": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
+    "polarised_truncated_fraction": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
     "turbidity_of": (POSITIVE, POSITIVE[::-1]),
     "haze_of": (1.0 + POSITIVE, POSITIVE[::-1]),
     "thick_share": (POSITIVE,),
@@ -244,12 +244,12 @@ def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) ->
     scattering, absorption = RNG.uniform(1e-6, 1e-4, (2, 3, wavelengths))
     scattering[2] = 0.0
     columns = np.array([8e3, 1e3, 2e3])
-    turning = RNG.uniform(-1.0, 1.0, (3, wavelengths, 4))
-    tables = (scattering, absorption, phases, turning, columns)
+    polarised_elements = RNG.uniform(-1.0, 1.0, (3, wavelengths, 4))
+    tables = (scattering, absorption, phases, polarised_elements, columns)
     parts = (1, degree + 1, 4, 1)
     sizes = [3 * wavelengths * part for part in parts]
     filled = [np.zeros(size) for size in sizes]
-    functions()["reduce_optics"](*tables, degree, *filled)
+    functions()["delta_m_scaling"](*tables, degree, *filled)
     row = [
         *({"values": one.ravel().tolist(), "shape": list(one.shape)} for one in tables),
         degree,
@@ -257,4 +257,4 @@ def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) ->
     ]
     for index, wanted in enumerate(filled, start=6):
         assert np.ptp(wanted) > 0.0
-        assert_allclose(calls("reduce_optics", [row], index)[0], wanted, rtol=1e-12)
+        assert_allclose(calls("delta_m_scaling", [row], index)[0], wanted, rtol=1e-12)

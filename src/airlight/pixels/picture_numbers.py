@@ -180,8 +180,8 @@ def screen_from(
         "sky_ground": layers.ground,
         "sky_first": layers.first,
         "sky_second": layers.second,
-        "sky_along": layers.along,
-        "sky_aslant": layers.aslant,
+        "sky_q": layers.stokes_q,
+        "sky_u": layers.stokes_u,
     }
     return Screen(**values)
 

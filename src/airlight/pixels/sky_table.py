@@ -187,10 +187,10 @@ def look(
         half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
     phases_towards(half_sine, keeps_peaks or mirrored, light.phase, light, work.phase)
     if polarised:
-        phases_towards(half_sine, keeps_peaks, light.across, light, work.across)
+        phases_towards(half_sine, keeps_peaks, light.phase_f12, light, work.phase_f12)
     march(
         r, start_mu, start_mu_s, nu, half_sine, length, orders, air, peaks, polarised, work.phase,
-        work.across, light, work, result,
+        work.phase_f12, light, work, result,
     )  # fmt: skip
     if air and to_ground and not mirrored:
         mu_s, angle = star_on_ground(
@@ -219,7 +219,7 @@ def phases_towards(half_sine, keeps_peaks, table, light, phase):
     keeps_peaks : bool
         Whether those of the peaked constituents are kept.
     table : array
-        ``phase`` or ``across`` of the tables.
+        ``phase`` or ``phase_f12`` of the tables.
     light : MarchTables
         Tables of the solution.
     phase : array, shape (c·w,)

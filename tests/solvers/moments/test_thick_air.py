@@ -15,6 +15,7 @@ from airlight.planets import Constituent, Ground, Planet, Star, replace
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.planets.medium import Medium
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.grid import make_grid
 from airlight.solvers.moments.levels import (
@@ -26,7 +27,6 @@ from airlight.solvers.moments.levels import (
 )
 from airlight.solvers.moments.opaque_culling import cull_opaque
 from airlight.solvers.moments.rays import trace_rays
-from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_matrix
 

@@ -91,18 +91,18 @@ ONCE: Final = (
     SolverPass("strength", rays.strength, ("strengths",)),
     SolverPass("factor", rays.factor, ("factors",)),
     SolverPass("share", rays.share, ("shares",)),
-    SolverPass("through", rays.through, ("throughs",)),
+    SolverPass("transmittance", rays.transmittance, ("throughs",)),
     SolverPass("bounce", rays.bounce, ("bounces",), readings=(Reading("throughs"),)),
     SolverPass("projection", rays.projection, ("projections",)),
     SolverPass("depth", rays.depth, ("depths",), _ALONG, spanned=True),
     SolverPass(
-        "radiance_once", light.radiance_once, ("radiances", "alongs"), _ALONG,
+        "radiance_once", light.radiance_once, ("radiances", "stokes_qs"), _ALONG,
         (Reading("shares"), Reading("strengths"), Reading("throughs"), Reading("depths")),
         spanned=True,
     ),
     SolverPass(
         "azimuthal_once", light.azimuthal_once, ("azimuthals",),
-        readings=(Reading("radiances"), Reading("alongs")),
+        readings=(Reading("radiances"), Reading("stokes_qs")),
     ),
     SolverPass(
         "gathered_moment", light.gathered_moment, ("first",), ("sizes",),
@@ -147,12 +147,12 @@ SWEEP: Final = (
         spanned=True,
     ),
     SolverPass(
-        "polarised_again", light.polarised_again, ("alongs", "acrosses"), _ALONG,
+        "polarised_again", light.polarised_again, ("stokes_qs", "stokes_us"), _ALONG,
         (Reading("shares"), Reading("rows")), spanned=True,
     ),
     SolverPass(
         "azimuthal", light.azimuthal, ("azimuthals",),
-        readings=(Reading("radiances"), Reading("alongs"), Reading("acrosses")),
+        readings=(Reading("radiances"), Reading("stokes_qs"), Reading("stokes_us")),
     ),
     SolverPass(
         "gathered_onto", light.gathered_onto, ("iterate",), ("sizes",),

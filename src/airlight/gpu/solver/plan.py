@@ -112,7 +112,7 @@ class SolverPlan:
             "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
             "rows": most * n["suns"] * row_block(n),
-            **dict.fromkeys(("radiances", "alongs", "acrosses"), rays * n["suns"] * n["turns"]),
+            **dict.fromkeys(("radiances", "stokes_qs", "stokes_us"), rays * n["suns"] * n["turns"]),
             "azimuthals": rays * n["suns"] * (n["degree"] + 6),
             "first": field,
             "light": field,
@@ -141,7 +141,7 @@ class SolverPlan:
             target = ITERATES[0] if one.targets[0] == "iterate" else one.targets[0]
             return 0, self.textures[target], 0
         n = self.sizes
-        if one.targets[-1] in ("radiances", "alongs", "acrosses"):
+        if one.targets[-1] in ("radiances", "stokes_qs", "stokes_us"):
             each = n["suns"] * n["turns"]
             begin = span.first_ray * each
             return begin, begin + span.rays * each, span.first_point
@@ -196,7 +196,8 @@ class SolverPlan:
         3. runs ``pack`` at the end: ``packed`` is the input of a march.
 
         A change of coefficients alone changes only ``extinction``, ``moments``,
-        ``polarising``, ``albedo`` and ``level`` in their textures, at the positions in ``tables``.
+        ``polarised_phase``, ``albedo`` and ``level`` in their textures, at the positions in
+        ``tables``.
         """
 
         def written(passes: tuple[SolverPass, ...]) -> list[dict[str, Any]]:

@@ -67,7 +67,7 @@ def plan_for(
         "column_rows": setup.column_rows, "ratios": setup.ratios, "lift": paths.lift,
         "level": block.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
-        "polarising": _lanes(air.polarising),
+        "polarised_phase": _lanes(air.polarised_phase),
         "albedo": _lanes(air.ground.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {

@@ -26,9 +26,9 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.energy_balance import energy_error
 from airlight.solvers.moments.iterate import Moments
-from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.stopping import Iteration, Stopping

@@ -25,16 +25,16 @@ from airlight.solvers.eclipsed.shadow_tables import (
     place_in_shadow,
     sky_deviation,
 )
+from airlight.solvers.moments.forward_peak import add_peaks, peak_gain, reset_peaks
 from airlight.solvers.moments.irradiance import ground_light
-from airlight.solvers.moments.march import field_place, gathered_at, star_columns
+from airlight.solvers.moments.march import field_place, multiple_scattering_at, star_columns
 from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
 from airlight.solvers.moments.source import (
     between,
-    scattered_star,
-    star_at,
-    through_columns,
+    direct_beam,
+    single_scattering_source,
+    transmittance_columns,
 )
-from airlight.solvers.moments.widened_peaks import add_peaks, clear_peaks, more_light
 
 #: Parts of a solution's light that a march finds: that of local shadowing, the deviation from it,
 #: and both.
@@ -168,7 +168,7 @@ def march_eclipsed(
         work.before[c] = 0.0
     for at in range(0, light.lanes, LANES):
         store(result, at, splat(0.0))
-    clear_peaks(light, work)
+    reset_peaks(light, work)
     for panel in range(count - 1):
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)
@@ -180,12 +180,12 @@ def march_eclipsed(
     for c in range(light.constituents):
         work.totals[c] = work.before[c]
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.totals, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.totals, light.scaled_extinction, light.constituents, light.lanes, at
         )
-        store(result, light.lanes + at, through)
+        store(result, light.lanes + at, transmittance)
         if light.widened and kind != DEVIATION:
-            more = more_light(half_sine, light, work, at)
+            more = peak_gain(half_sine, light, work, at)
             store(result, at, load(result, at) + more * load(work.peaks, at))
 
 
@@ -227,21 +227,21 @@ def _add_point(
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     far = near + light.suns * block
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.depths, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.depths, light.scaled_extinction, light.constituents, light.lanes, at
         ) * np.float32(work.weight[k])
-        gathered = splat(0.0)
+        source = splat(0.0)
         total = load(result, at)
         if kind != DEVIATION:
             part = load(spare.seen, at)
-            gathered = gathered_at(near, block, f, e, light, work, at) * part
+            source = multiple_scattering_at(near, block, f, e, light, work, at) * part
             if seen > 0.0:
-                arriving = star_at(
-                    seen, work.here, work.there, spread, light.extinction, light.constituents,
-                    light.lanes, at,
+                arriving = direct_beam(
+                    seen, work.here, work.there, spread, light.scaled_extinction,
+                    light.constituents, light.lanes, at,
                 )  # fmt: skip
-                arriving = through * arriving
-                total = total + part * arriving * scattered_star(
+                arriving = transmittance * arriving
+                total = total + part * arriving * single_scattering_source(
                     work.rho, light.scattering, phase, light.constituents, light.lanes, at
                 )
                 if light.widened:
@@ -251,13 +251,13 @@ def _add_point(
             scale = between(light.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
             mean = between(light.field, near + here, far + here, block, g * h, g * e, f * h, f * e)
             mean = maximum(mean / scale * work.functions[0], splat(0.0))
-            gathered = gathered + mean * deviation(
+            source = source + mean * deviation(
                 work.rho, light.moments, light.constituents, light.degree + 1, shadow, spare,
                 light.lanes, at,
             )  # fmt: skip
             if kind == WHOLE:
-                gathered = maximum(gathered, splat(0.0))
-        store(result, at, total + through * gathered)
+                source = maximum(source, splat(0.0))
+        store(result, at, total + transmittance * source)
 
 
 @compiled_loop

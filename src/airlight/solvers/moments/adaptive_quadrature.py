@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.lanes import LANES
-from airlight.solvers.moments.ray_optics import Air
+from airlight.solvers.moments.ray_optics import ScaledOptics
 from airlight.solvers.moments.rays import Rays
 
 FloatArray = NDArray[np.float64]
@@ -24,14 +24,14 @@ FloatArray = NDArray[np.float64]
 POINTS: Final = ((0.3, 8), (0.03, 5), (1e-3, 3), (0.0, 2))
 
 
-def adaptive_quadrature(rays: Rays, air: Air, nodes: int) -> Rays:
+def adaptive_quadrature(rays: Rays, air: ScaledOptics, nodes: int) -> Rays:
     """Rays with fewer points in panels that contribute little.
 
     Parameters
     ----------
     rays : Rays
         Rays with ``nodes`` Gauss-Legendre points in each panel.
-    air : Air
+    air : ScaledOptics
         Optics of eight wavelengths: the one that needs most points decides.
     nodes : int
         Present, and largest, number of points in a panel.

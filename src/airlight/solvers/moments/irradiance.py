@@ -10,7 +10,7 @@ from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.moments.ray_optics import sun_index
-from airlight.solvers.moments.source import level_sky, level_star, star_at
+from airlight.solvers.moments.source import direct_beam, level_sky, level_star
 from airlight.tables.column_ratios import columns_to_top
 
 
@@ -50,8 +50,8 @@ def ground_light(mu_s, orders, light, work):
         star, sky = splat(0.0), splat(0.0)
         if direct:
             star = level_star(
-                work.here, work.there, from_low, from_high, light.extinction, light.constituents,
-                light.lanes, at,
+                work.here, work.there, from_low, from_high, light.scaled_extinction,
+                light.constituents, light.lanes, at,
             )  # fmt: skip
         if orders != 1:
             sky = level_sky(light.sky, place, x - place, light.lanes, at)
@@ -95,8 +95,8 @@ def direct_irradiance(r, mu_s, light, work, out):
         )
         for at in range(0, lanes, LANES):
             star = level_star(
-                work.here, work.there, from_low, from_high, light.extinction, light.constituents,
-                lanes, at,
+                work.here, work.there, from_low, from_high, light.scaled_extinction,
+                light.constituents, lanes, at,
             )  # fmt: skip
             store(out[k], at, star)
 
@@ -114,9 +114,9 @@ def facing_irradiance(r, mu_s, light, work, out):
             r[k], high, bottom, top, light.first_nodes, light.column_rows, light.columns, work.there
         )
         for at in range(0, lanes, LANES):
-            star = star_at(
-                seen, work.here, work.there, high > low, light.extinction, light.constituents,
-                lanes, at,
+            star = direct_beam(
+                seen, work.here, work.there, high > low, light.scaled_extinction,
+                light.constituents, lanes, at,
             )  # fmt: skip
             store(out[k], at, star)
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.reduced_optics import Optics
+from airlight.solvers.moments.delta_m import Optics
 from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]

@@ -17,13 +17,13 @@ from airlight.solvers.moments.convergence import (
     geometric_tail,
     is_near,
 )
+from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.first_order import first_order_radius_of_few
 from airlight.solvers.moments.iterate_update import _accelerate, _add_orders, _fill_quantities
 from airlight.solvers.moments.opaque_culling import share_into
 from airlight.solvers.moments.packing import _pack_sun
 from airlight.solvers.moments.rays import trace_into
-from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.sweep import sweep_radius_of_few
 from airlight.solvers.moments.synthetic_acceleration import (
     _legendre_rows,
@@ -42,7 +42,7 @@ LOOPS: Final = (
     rayleigh,
     cornette_shanks,
     _interpolate,
-    reduce_optics,
+    delta_m_scaling,
     trace_into,
     share_into,
     table_rays,

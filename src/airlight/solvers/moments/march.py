@@ -19,6 +19,12 @@ from airlight.geometry.bending import bend_angle, star_points, turned
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
+from airlight.solvers.moments.forward_peak import (
+    add_peaks,
+    peak_fraction,
+    peak_gain,
+    reset_peaks,
+)
 from airlight.solvers.moments.harmonics import POLARISED, directed_functions
 from airlight.solvers.moments.march_panels import (
     is_transparent,
@@ -28,18 +34,12 @@ from airlight.solvers.moments.march_panels import (
 )
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import (
-    gathered_light,
-    gathered_polarised,
-    onward_columns,
-    scattered_star,
-    star_at,
-    through_columns,
-)
-from airlight.solvers.moments.widened_peaks import (
-    add_peaks,
-    clear_peaks,
-    more_light,
-    peaked_share,
+    direct_beam,
+    multiple_scattering_source,
+    polarised_ratio_columns,
+    polarised_scattering_source,
+    single_scattering_source,
+    transmittance_columns,
 )
 from airlight.solvers.stokes_frame import VERTICAL, star_plane
 from airlight.tables.column_ratios import columns_to_top
@@ -52,8 +52,8 @@ FAINT = 5e-3
 
 @inlined
 def march(
-    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, across, light, work,
-    result,
+    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, phase_f12, light,
+    work, result,
 ):  # fmt: skip
     """Light of a stretch of air towards its start, per irradiance of the star.
 
@@ -72,7 +72,7 @@ def march(
     air, peaks, polarised : bool
         Whether the air's radiance is found, single scattering by the peaked constituents, and Q and
         U of the air's light. Constants in a shader.
-    phase, across : array, shape (nc·w,)
+    phase, phase_f12 : array, shape (nc·w,)
         Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
         [sr⁻¹]
     light, work : MarchTables, MarchWorkspace
@@ -99,7 +99,7 @@ def march(
         if polarised:
             store(result, 4 * light.lanes + at, splat(0.0))
             store(result, 5 * light.lanes + at, splat(0.0))
-    clear_peaks(light, work)
+    reset_peaks(light, work)
     for panel in range(count - 1):
         points = n
         if light.hides > 0 and not is_transparent(light, work):
@@ -109,15 +109,15 @@ def march(
         for k in range(points):
             add_point(
                 r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine,
-                turn_sine, phase, across, light, work, result,
+                turn_sine, phase, phase_f12, light, work, result,
             )  # fmt: skip
     for c in range(light.constituents):
         work.totals[c] = work.before[c]
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.totals, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.totals, light.scaled_extinction, light.constituents, light.lanes, at
         )
-        store(result, light.lanes + at, through)
+        store(result, light.lanes + at, transmittance)
     if light.widened and orders != 0:
         widen(half_sine, air, peaks, light, work, result)
 
@@ -126,27 +126,27 @@ def march(
 def widen(half_sine, air, peaks, light, work, result):
     """Widen the forward peaks of a line's light scattered once; arguments as in ``march``."""
     for at in range(0, light.lanes, LANES):
-        more = more_light(half_sine, light, work, at)
+        more = peak_gain(half_sine, light, work, at)
         if air:
             store(result, at, load(result, at) + more * load(work.peaks, at))
         if peaks and light.first_peak >= 0:
-            factor = np.float32(1.0) + more * peaked_share(light.first_peak, light, at)
+            factor = np.float32(1.0) + more * peak_fraction(light.first_peak, light, at)
             store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) * factor)
         if peaks and light.second_peak >= 0:
-            factor = np.float32(1.0) + more * peaked_share(light.second_peak, light, at)
+            factor = np.float32(1.0) + more * peak_fraction(light.second_peak, light, at)
             store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) * factor)
 
 
 @inlined
 def add_point(
     r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
-    across, light, work, result,
+    phase_f12, light, work, result,
 ):  # fmt: skip
     """Add the light of one point of a panel to the result of a march.
 
     Parameters
     ----------
-    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, across, light, work, result :
+    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, phase_f12, light, work, result :
         Arguments of ``march``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
@@ -177,17 +177,17 @@ def add_point(
     if air and gathers:
         near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, light, work)
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.depths, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.depths, light.scaled_extinction, light.constituents, light.lanes, at
         ) * np.float32(work.weight[k])
-        onward = splat(1.0)
+        polarised_ratio = splat(1.0)
         if polarised and orders != 1:
-            onward = onward_columns(
-                work.depths, light.polarising, light.constituents, light.lanes, at
+            polarised_ratio = polarised_ratio_columns(
+                work.depths, light.polarised_phase, light.constituents, light.lanes, at
             )
         if seen > 0.0:
-            star = through * star_at(
-                seen, work.here, work.there, spread, light.extinction, light.constituents,
+            star = transmittance * direct_beam(
+                seen, work.here, work.there, spread, light.scaled_extinction, light.constituents,
                 light.lanes, at,
             )  # fmt: skip
             add_star(star, air, peaks, phase, light, work, at, result)
@@ -195,17 +195,24 @@ def add_point(
                 add_peaks(star, np.float32(1.0), spread, phase, light, work, at)
             if polarised:
                 add_polarised_star(
-                    onward * star, turn_cosine, turn_sine, across, light, work, at, result
+                    polarised_ratio * star,
+                    turn_cosine,
+                    turn_sine,
+                    phase_f12,
+                    light,
+                    work,
+                    at,
+                    result,
                 )
         if air and gathers:
-            gathered = through * gathered_at(
+            source = transmittance * multiple_scattering_at(
                 near, block, np.float32(f), np.float32(e), light, work, at
             )
-            store(result, at, load(result, at) + gathered)
+            store(result, at, load(result, at) + source)
             if polarised:
                 add_polarised_light(
-                    onward * through, mu_q, near, block, np.float32(f), np.float32(e), light, work,
-                    at, result,
+                    polarised_ratio * transmittance, mu_q, near, block, np.float32(f),
+                    np.float32(e), light, work, at, result,
                 )  # fmt: skip
 
 
@@ -262,7 +269,7 @@ def add_star(star, air, peaks, phase, light, work, at, result):
         Index of the first lane.
     """
     if air:
-        once = star * scattered_star(
+        once = star * single_scattering_source(
             work.rho, light.scattering, phase, light.constituents, light.lanes, at
         )
         store(result, at, load(result, at) + once)
@@ -277,39 +284,43 @@ def add_star(star, air, peaks, phase, light, work, at, result):
 
 
 @inlined
-def add_polarised_star(star, turn_cosine, turn_sine, across, light, work, at, result):
+def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, light, work, at, result):
     """Add Q and U of the star's light scattered once at a point; arguments as in ``add_point``."""
-    once = star * scattered_star(
-        work.rho, light.scattering, across, light.constituents, light.lanes, at
+    once = star * single_scattering_source(
+        work.rho, light.scattering, phase_f12, light.constituents, light.lanes, at
     )
-    along, aslant = 4 * light.lanes + at, 5 * light.lanes + at
-    store(result, along, load(result, along) + once * np.float32(turn_cosine))
-    store(result, aslant, load(result, aslant) + once * np.float32(turn_sine))
+    stokes_q, stokes_u = 4 * light.lanes + at, 5 * light.lanes + at
+    store(result, stokes_q, load(result, stokes_q) + once * np.float32(turn_cosine))
+    store(result, stokes_u, load(result, stokes_u) + once * np.float32(turn_sine))
 
 
 @inlined
-def add_polarised_light(through, mu, near, block, f, e, light, work, at, result):
+def add_polarised_light(transmittance, mu, near, block, f, e, light, work, at, result):
     """Add Q and U of the light scattered before, scattered once more into the line at a point.
 
     Parameters
     ----------
-    through : lanes
+    transmittance : lanes
         Transmittance from the point times its weight. [m]
     mu : float
         Cosine of the line's zenith angle at the point. [1]
     near, block, f, e, light, work, at :
-        Arguments of ``gathered_at``.
+        Arguments of ``multiple_scattering_at``.
     result : array, shape (6·w,)
         Result of a march.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    along, aslant = gathered_polarised(
-        work.rho, light.polarising, light.field, mu, work.azimuth[0], near,
+    stokes_q, stokes_u = polarised_scattering_source(
+        work.rho, light.polarised_phase, light.field, mu, work.azimuth[0], near,
         near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip
-    store(result, 4 * light.lanes + at, load(result, 4 * light.lanes + at) + through * along)
-    store(result, 5 * light.lanes + at, load(result, 5 * light.lanes + at) + through * aslant)
+    store(
+        result, 4 * light.lanes + at, load(result, 4 * light.lanes + at) + transmittance * stokes_q
+    )
+    store(
+        result, 5 * light.lanes + at, load(result, 5 * light.lanes + at) + transmittance * stokes_u
+    )
 
 
 @kernel
@@ -370,7 +381,7 @@ def field_place(q, mu, mu_s, nu, light, work):
 
 
 @inlined
-def gathered_at(near, block, f, e, light, work, at):
+def multiple_scattering_at(near, block, f, e, light, work, at):
     """Light scattered before, scattered once more into the line, from lane ``at`` on. [m⁻¹ sr⁻¹]
 
     Parameters
@@ -383,8 +394,8 @@ def gathered_at(near, block, f, e, light, work, at):
         Index of the first lane.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    return gathered_light(
-        work.rho, light.moments, light.polarising, light.field, work.functions, near,
+    return multiple_scattering_source(
+        work.rho, light.moments, light.polarised_phase, light.field, work.functions, near,
         near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip

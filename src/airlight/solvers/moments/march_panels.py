@@ -19,7 +19,7 @@ from airlight.geometry.shell import meets_ground, radius_along
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, largest
 from airlight.optics.altitude_nodes import altitude_node
-from airlight.solvers.moments.source import through_columns
+from airlight.solvers.moments.source import transmittance_columns
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import THICK, cut_at_corners
 
@@ -98,10 +98,10 @@ def is_transparent(light, work):
     """Whether any wavelength has more than ``MIN_TRANSMITTANCE`` through ``work.before``."""
     most = np.float32(0.0)
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.before, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.before, light.scaled_extinction, light.constituents, light.lanes, at
         )
-        most = max(most, largest(through))
+        most = max(most, largest(transmittance))
     return most > MIN_TRANSMITTANCE
 
 

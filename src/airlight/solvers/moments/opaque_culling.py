@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, maximum, minimum, splat, store
-from airlight.solvers.moments.ray_optics import Air, optical_depth
+from airlight.solvers.moments.ray_optics import ScaledOptics, optical_depth
 from airlight.solvers.moments.rays import Rays
 
 Float32Array = NDArray[np.float32]
@@ -22,14 +22,14 @@ _ALONG: Final = ("radius", "mu_along", "turn", "amount", "column")
 MOST: Final = 0.5
 
 
-def cull_opaque(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
+def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
     """Rays with only the points that are not opaque at all eight wavelengths, and their factors.
 
     Parameters
     ----------
     rays : Rays
         Rays for all wavelengths.
-    air : Air
+    air : ScaledOptics
         Optics of eight wavelengths.
 
     Returns

@@ -23,14 +23,14 @@ from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.adaptive_quadrature import adaptive_quadrature
+from airlight.solvers.moments.delta_m import Optics, panel_ends
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, harmonics, moment_count
 from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.opaque_culling import cull_opaque
 from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
-from airlight.solvers.moments.ray_optics import Air, Azimuths
+from airlight.solvers.moments.ray_optics import Azimuths, ScaledOptics
 from airlight.solvers.moments.rays import Rays, trace_rays
-from airlight.solvers.moments.reduced_optics import Optics, panel_ends
 from airlight.solvers.moments.settings import Settings
 from airlight.tables.column_ratios import column_rows, mean_density_ratios
 from airlight.tables.columns import ColumnTable
@@ -296,7 +296,7 @@ class Block:
         Set-up that all wavelengths share.
     which : slice
         Indices of these wavelengths among all.
-    air : Air
+    air : ScaledOptics
         Optics of these wavelengths.
     rays : Rays
         Rays with the points that any of these wavelengths sees.
@@ -317,7 +317,7 @@ class Block:
 
     setup: Setup
     which: slice
-    air: Air
+    air: ScaledOptics
     rays: Rays
     share: Float32Array
     level: Float32Array

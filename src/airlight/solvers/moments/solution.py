@@ -25,6 +25,7 @@ from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.energy_balance import imbalance
+from airlight.solvers.moments.forward_peak import inverse_peak_fraction, peak_broadening
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.irradiance import (
     direct_irradiance,
@@ -38,7 +39,6 @@ from airlight.solvers.moments.march_tables import MarchTables, new_workspace, qu
 from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.settings import Settings, settings_for
 from airlight.solvers.moments.setup import Setup
-from airlight.solvers.moments.widened_peaks import peak_widening, sharpness
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import column_rows, mean_density_ratios
@@ -120,7 +120,7 @@ class MomentsSolution(Solution):
         shell = medium.bottom_radius, medium.top_radius
         table = ColumnTable(*shell, self.setup.column_radii, moments.columns)
         optics = self.setup.optics
-        air, widening = optics.air(slice(None)), peak_widening(optics)
+        air, widening = optics.air(slice(None)), peak_broadening(optics)
         ends = self.setup.march_ends
         low, high = (part * medium.thickness for part in _MIDDLE)
         cut = bool(((ends > low) & (ends < high)).any())
@@ -154,14 +154,14 @@ class MomentsSolution(Solution):
             ahead=expansion.ahead,
             back=expansion.back,
             rules=quadratures(settings.cut_nodes if cut else (settings.march_nodes,) * 3),
-            extinction=air.extinction,
-            true_extinction=pack(medium.extinction),
+            scaled_extinction=air.extinction,
+            extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
             moments=air.moments,
-            polarising=air.polarising,
+            polarised_phase=air.polarised_phase,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
-            across=pack(self._across(medium)),
-            sharpness=pack(sharpness(optics)),
+            phase_f12=pack(self._phase_f12(medium)),
+            inverse_peak_fraction=pack(inverse_peak_fraction(optics)),
             widening=pack(np.zeros((1, self.wavelengths.size)) if widening is None else widening),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
@@ -170,7 +170,7 @@ class MomentsSolution(Solution):
             ground=air.ground,
         )
 
-    def _across(self, medium: Medium) -> FloatArray:
+    def _phase_f12(self, medium: Medium) -> FloatArray:
         """Elements F₁₂ of the phase matrices on the nodes of the phase table, (nodes, nc, nl)."""
         nodes, constituents, count = (
             medium.phase_table.shape[2],
@@ -287,7 +287,7 @@ class MomentsSolution(Solution):
         """
         seen = self.paths.seen_nu(sight)
         n, count = sight.r.size, self.wavelengths.size
-        out, through, air = (np.empty((n, count)) for _ in range(3))
+        out, transmittance, air = (np.empty((n, count)) for _ in range(3))
         polarised = np.zeros((n, 3, count))
         ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
         block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
@@ -300,9 +300,9 @@ class MomentsSolution(Solution):
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
             half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
-            across = phase[:, :0]
+            phase_f12 = phase[:, :0]
             if stokes:
-                across = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
+                phase_f12 = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
             result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
             _march_all(
                 sight.r[rows],
@@ -315,20 +315,20 @@ class MomentsSolution(Solution):
                 orders,
                 stokes,
                 phase,
-                across,
+                phase_f12,
                 chosen,
                 new_workspace(chosen),
                 result,
             )
             out[rows] = result[:, :count]
-            through[rows] = result[:, chosen.lanes : chosen.lanes + count]
+            transmittance[rows] = result[:, chosen.lanes : chosen.lanes + count]
             air[rows] = result[:, 2 * chosen.lanes : 2 * chosen.lanes + count]
             if stokes:
                 kept = result.reshape(-1, 6, chosen.lanes)[:, [0, 4, 5], :count]
                 polarised[rows] = kept
 
         run_blocks(run, -(-n // block))
-        return out, through, polarised, air
+        return out, transmittance, polarised, air
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
@@ -364,7 +364,8 @@ class MomentsSolution(Solution):
 
 @compiled_loop
 def _march_all(
-    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, across, light, work, out
+    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, light, work,
+    out,
 ):  # fmt: skip
     light, work = borrowed((light, work))
     lanes, bottom = light.lanes, light.bottom
@@ -372,7 +373,7 @@ def _march_all(
     for k in range(r.size):
         march(
             r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
-            phase[k], across[k], light, work, found,
+            phase[k], phase_f12[k], light, work, found,
         )  # fmt: skip
         for at in range(0, lanes, LANES):  # in the place of the peaks
             store(found, 2 * lanes + at, load(found, at))

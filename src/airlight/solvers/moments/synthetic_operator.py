@@ -14,7 +14,7 @@ from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, s
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.harmonics import legendre_functions
-from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, through_ray
+from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, transmittance_ray
 
 
 @compiled_loop
@@ -51,14 +51,14 @@ def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order
         for k in range(starts[i, a], starts[i, a + 1]):
             legendre_functions(mu_along[k], expansion, functions)
             depth = optical_depth(depths[k], 0, extinction, constituents)
-            through = exponential(0.0 - depth) * exact
+            transmittance = exponential(0.0 - depth) * exact
             for l in range(degree + 1):
                 strength = splat(0.0)
                 for c in range(constituents):
                     strength = strength + load(
                         moments, LANES * (c * (highest + 1) + l)
                     ) * np.float32(amounts[k, c])
-                store(strengths, LANES * l, strength * through)
+                store(strengths, LANES * l, strength * transmittance)
             x = node_value(ray_radii[k], bottom, top, first_nodes, rows_at)
             row = min(int(x), radii.size - 2)
             f = x - row
@@ -73,9 +73,9 @@ def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order
                     low += LANES
                     high += LANES
         if a < angles // 2:
-            through = through_ray(extinction, totals[i, a], 0, constituents)
+            transmittance = transmittance_ray(extinction, totals[i, a], 0, constituents)
             leaving = leaving_at_end(rays.end, i, a, rays.mu[i, a])
-            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * through)
+            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * transmittance)
 
 
 @compiled_loop

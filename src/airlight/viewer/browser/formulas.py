@@ -35,9 +35,9 @@ from airlight.solvers.moments.convergence import (
     geometric_tail,
     is_near,
 )
+from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.packing import floor_below, level_weight, thick_share
-from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
@@ -91,11 +91,11 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     lateral_diffusion_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
     factorise: (LocalArray(1, VEC4), I32),
     substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
-    reduce_optics: (
+    delta_m_scaling: (
         Table("scattering", 2),
         Table("absorption", 2),
         Table("phases", 3),
-        Table("turning", 3),
+        Table("polarised_elements", 3),
         Table("columns"),
         I32,
         LocalArray(1),

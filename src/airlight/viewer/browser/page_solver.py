@@ -22,10 +22,10 @@ from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import convergence
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.iterate import POLARISED_OVER_RELAXATION
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import filled
-from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES, Settings
 from airlight.solvers.moments.setup import (
     LATERAL_THRESHOLD,
@@ -97,7 +97,9 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
             "scattering": _table(_four(drawn.scattering)),
             "absorption": _table(_four(drawn.absorption)),
             "phases": _table(np.moveaxis(_four(np.moveaxis(optics.phases, 1, 2)), 2, 1)),
-            "turning": _table(np.moveaxis(_four(np.moveaxis(optics.turning, 1, 2)), 2, 1)),
+            "polarised_elements": _table(
+                np.moveaxis(_four(np.moveaxis(optics.polarised_elements, 1, 2)), 2, 1)
+            ),
             "columns": _table(drawn.columns),
             "degree": optics.degree,
             "albedo": _four(drawn.ground_albedo).tolist(),

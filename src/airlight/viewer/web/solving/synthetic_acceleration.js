@@ -150,7 +150,7 @@ export class SyntheticAcceleration {
     for (let lane = 0; lane < LANES; lane++) {
       const { sizes, factors, toSky } = this.lanes[lane];
       const once = this.deep && !light;
-      const across = (more) => (once ? this.spread(more, this.diffusion) : more);
+      const diffused = (more) => (once ? this.spread(more, this.diffusion) : more);
       const around = once ? this.gridDiffusion : this.both;
       const known = light ?? change;
       let scale;
@@ -158,7 +158,7 @@ export class SyntheticAcceleration {
         const before = this.unknowns(change, block, lane);
         const after = before.slice();
         substitute(factors[index], sizes[index], after, suns);
-        const more = across(after.map((x, i) => x - before[i]));
+        const more = diffused(after.map((x, i) => x - before[i]));
         // With the star in the zenith or the nadir no light depends on azimuth.
         const inner = block.m > 0 ? 1 : 0;
         const { first, width } = block;
@@ -174,7 +174,7 @@ export class SyntheticAcceleration {
           all[(node * terms + this.pairs[first + (row % width)]) * LANES + lane] += x * scale[node];
         });
         if (block.m > 0) return;
-        const sky = across(this.irradiances(toSky, after));
+        const sky = diffused(this.irradiances(toSky, after));
         const received = this.scaleOf((i, s) => sky[i * suns + s], known, 1, nodes * terms, lane);
         this.spread(sky.map((x, k) => x / received[k]), around).forEach((x, k) => {
           all[(nodes * terms + k) * LANES + lane] += x * received[k];
