@@ -82,11 +82,11 @@ def level_by_two(a, b, c, low, high, extinction):
     here, there = np.empty(THREE), np.empty(THREE)
     here[0], here[1], here[2] = a, b, c
     there[0], there[1], there[2] = c, a, b
-    return source.level_star(here, there, low, high, extinction, THREE, LANES, 0)
+    return source.direct_horizontal(here, there, low, high, extinction, THREE, LANES, 0)
 
 
 def level_under_sky(place, share, sky):
-    return source.level_sky(sky, place, share, LANES, 0)
+    return source.diffuse_horizontal(sky, place, share, LANES, 0)
 
 
 def third_phase(half_sine, table):
@@ -155,7 +155,7 @@ def three_columns(r, mu, nodes, rows, ratios):
 def corners_cut(r, mu, count, ends):
     edges = np.empty(EDGES)
     edges[0], edges[1] = 0.0, 1e7
-    count = columns.cut_at_corners(r, mu, BOTTOM, ends, edges, count)
+    count = columns.split_at_profile_edges(r, mu, BOTTOM, ends, edges, count)
     return count, edges[1], edges[2], edges[3]
 
 
@@ -173,7 +173,7 @@ def edge_inserted(cut):
 
 
 def star_lifted(x, mu_s, lift):
-    return bending.seen_star(x, mu_s, BOTTOM, TOP, lift)
+    return bending.apparent_sun(x, mu_s, BOTTOM, TOP, lift)
 
 
 def star_in_two(x, mu_s, lift):
@@ -181,7 +181,7 @@ def star_in_two(x, mu_s, lift):
 
 
 def star_on_level(x, mu_s, lift):
-    return bending.level_light(x, mu_s, BOTTOM, TOP, STAR, lift)
+    return bending.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, lift)
 
 
 def sky_between(row, sky, azimuth, table):
@@ -273,9 +273,10 @@ CASES = [
     Case(star_of_two, (source.direct_beam,), (UNIT, *AMOUNTS, UNIT > 0.5), {}, SPECTRA, DEPTH),
     Case(scattered_by_three, (source.single_scattering_source,), AMOUNTS, {},
          {"scattering": lanes(THREE), "phase": lanes(THREE)}),
-    Case(level_by_two, (source.level_star,), (*AMOUNTS, UNIT, 1.0 - UNIT), {}, SPECTRA, DEPTH),
-    Case(level_under_sky, (source.level_sky,), (RNG.integers(0, NODES - 1, COUNT), UNIT), {},
-         {"sky": lanes(2 * NODES, low=0.1)}),
+    Case(level_by_two, (source.direct_horizontal,),
+         (*AMOUNTS, UNIT, 1.0 - UNIT), {}, SPECTRA, DEPTH),
+    Case(level_under_sky, (source.diffuse_horizontal,),
+         (RNG.integers(0, NODES - 1, COUNT), UNIT), {}, {"sky": lanes(2 * NODES, low=0.1)}),
     # The position in the table is accurate to EPS of its length, its slope is the table's step.
     Case(third_phase, (source.read_phase,), (UNIT,), {}, {"table": lanes(NODES * THREE)},
          atol=16 * NODES * EPS),
@@ -303,7 +304,7 @@ CASES = [
     # Positions in the table as in test_kernels_agree, its steps a fifth; a path of up to 1000 km.
     Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
          {"nodes": CELLS, "rows": ROWS, "ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
-    Case(corners_cut, (columns.cut_at_corners,), (uniform(BOTTOM, BOTTOM + 15e3),
+    Case(corners_cut, (columns.split_at_profile_edges,), (uniform(BOTTOM, BOTTOM + 15e3),
          uniform(0.2, 0.9), np.full(COUNT, 2)), {"ends": np.array([20e3, 60e3])},
          atol=4 * METRES / 0.2),
     # Where the path is divided evenly in the root of its height.
@@ -311,13 +312,13 @@ CASES = [
          atol=8 * METRES / 0.2),
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
     # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
-    Case(star_lifted, (bending.seen_star, bending.place_of_star), (R, uniform(0.02, 1.0)),
-         {"lift": LIFT}, atol=16 * 12 * EPS),
+    Case(star_lifted, (bending.apparent_sun, bending.refraction_table_index),
+         (R, uniform(0.02, 1.0)), {"lift": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
     Case(star_in_two, (bending.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
          atol=32 * 12 * EPS),
-    Case(star_on_level, (bending.level_light,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
-         atol=32 * 12 * EPS),
+    Case(star_on_level, (bending.direct_horizontal_weights,),
+         (R, uniform(0.02, 0.2)), {"lift": LIFT}, atol=32 * 12 * EPS),
     # Fourth power of the value between texels.
     Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
          uniform(0.0, 1.0) < 0.5, uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)},
@@ -470,11 +471,11 @@ WHOLE = {
         "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
         "refined", "row", "share", "sound", "strength", "transmittance", "ray_share",
-        "depth_in_row",
-        "direct_light", "scattered_once", "contracted", "gathered", "star_factor", "sky_factor",
-        "polarised_again", "azimuthal_once", "azimuthal_weight", "coupled_moments",
-        "fill_phase_f12", "polarised_functions", "polarised_function", "odd_moment", "star_plane",
-        "first_register", "source_at_point", "polarised_transmittance_ratio", "bounce",
+        "depth_in_row", "direct_light", "scattered_once", "contracted", "gathered",
+        "star_factor", "sky_factor", "polarised_again", "azimuthal_once", "azimuthal_weight",
+        "coupled_moments", "fill_phase_f12", "polarised_functions", "polarised_function",
+        "odd_moment", "star_plane", "first_register", "source_at_point",
+        "polarised_transmittance_ratio", "bounce",
     ),
 }  # fmt: skip
 

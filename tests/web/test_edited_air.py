@@ -20,14 +20,14 @@ from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.kernel import vectorized
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.convergence import change_at, count_at, estimated_tail
 from airlight.solvers.moments.delta_m import Optics
-from airlight.solvers.moments.packing import level_weights, pack, thickness
+from airlight.solvers.moments.packing import level_weights, optically_thick_weights, pack
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import solve
 from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.page_solver import MOST, page_settings, solver_data
 from airlight.viewer.browser.tables_text import from_text
 from airlight.viewer.parameters.amounts import AMOUNTS, amounts_of
@@ -78,7 +78,7 @@ def test_edited_air_is_that_of_an_edited_medium(
         absorption=factors * solution.medium.absorption,
         ground_albedo=ground * solution.medium.ground_albedo,
     )
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     degree = int(data["plan"]["sizes"]["degree"])
     optics = Optics(paths.medium, degree)
     air, depth = optics.air(slice(None)), optics.scattering_depth
@@ -95,7 +95,7 @@ def test_edited_air_is_that_of_an_edited_medium(
         assert_allclose(got[name], wanted, rtol=1e-5, atol=1e-6 * abs(wanted).max(), err_msg=name)
     wanted = level_weights(grid.sun_cosines, dip, depth)
     assert_allclose(np.reshape(got["level"], (-1, 4))[:, :3], wanted, rtol=1e-6, atol=1e-7)
-    assert_allclose(got["thick"][:3], thickness(depth), rtol=1e-6)
+    assert_allclose(got["thick"][:3], optically_thick_weights(depth), rtol=1e-6)
     assert_allclose(got["strongest"], paths.medium.extinction.max(axis=1), rtol=1e-6)
     assert_allclose(got["brightest"], paths.medium.scattering.max(axis=1), rtol=1e-6)
 
@@ -123,7 +123,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     settings = dataclasses.replace(settings, thick_degree=4)
     medium = Medium.from_planet(load_planet("titan"), WAVELENGTHS)
     data = solver_data(SimpleNamespace(medium=medium), settings)  # type: ignore[arg-type]
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     plan = plan_for(paths, settings)
     assert plan.sizes["parts"] > 1
     assert plan.setup.optics.transport_depth.max() > data["synthetic"]["thicker"]

@@ -64,8 +64,8 @@ CASES: dict[str, tuple[Any, ...]] = {
         np.maximum(numbers(-0.005, 0.005), 0.0),
     ),
     "horizon_cosine": (numbers(BOTTOM, TOP), BOTTOM),
-    "place_of_star": STAR,
-    "raised_star": STAR,
+    "refraction_table_index": STAR,
+    "apparent_sun_cosine": STAR,
     "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
     "exposure_of": (
         np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0)
@@ -135,7 +135,7 @@ CASES: dict[str, tuple[Any, ...]] = {
     "polarised_truncated_fraction": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
     "turbidity_of": (POSITIVE, POSITIVE[::-1]),
     "haze_of": (1.0 + POSITIVE, POSITIVE[::-1]),
-    "thick_share": (POSITIVE,),
+    "optically_thick_weight": (POSITIVE,),
     "level_weight": (numbers(0.0, 1.0), POSITIVE),
 }  # fmt: skip
 

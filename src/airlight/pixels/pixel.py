@@ -70,7 +70,7 @@ class Screen(NamedTuple):
     zz: float
     sky_columns: int
     sky_rows: int
-    keeps_peaks: bool
+    separated_phases: bool
     overlaid: bool
     clouded: bool
     cloud_altitude: float
@@ -192,13 +192,13 @@ def polarised_between(
         Results of ``star_plane``. [1]
     """
     peaked = splat(0.0)
-    if light.first_peak >= 0:
-        element = phase_of(half_sine, light.first_peak, light.phase_f12, light, lanes, at)
+    if light.separated_1 >= 0:
+        element = phase_of(half_sine, light.separated_1, light.phase_f12, light, lanes, at)
         peaked = peaked + element * between_texels(
             screen.sky_first, near, stride, right, down, lanes, at
         )
-    if light.second_peak >= 0:
-        element = phase_of(half_sine, light.second_peak, light.phase_f12, light, lanes, at)
+    if light.separated_2 >= 0:
+        element = phase_of(half_sine, light.separated_2, light.phase_f12, light, lanes, at)
         peaked = peaked + element * between_texels(
             screen.sky_second, near, stride, right, down, lanes, at
         )
@@ -222,13 +222,13 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
         Table of the sky, and tables of the solution.
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
-    if light.first_peak >= 0:
+    if light.separated_1 >= 0:
         total = total + phase_of(
-            half_sine, light.first_peak, light.phase, light, lanes, at
+            half_sine, light.separated_1, light.phase, light, lanes, at
         ) * between_texels(screen.sky_first, near, stride, right, down, lanes, at)
-    if light.second_peak >= 0:
+    if light.separated_2 >= 0:
         total = total + phase_of(
-            half_sine, light.second_peak, light.phase, light, lanes, at
+            half_sine, light.separated_2, light.phase, light, lanes, at
         ) * between_texels(screen.sky_second, near, stride, right, down, lanes, at)
     return total
 
@@ -365,7 +365,7 @@ def seen_line(
                 )  # fmt: skip
                 store(work.found, MIRRORED * light.lanes + at, value)
         if to_ground and light.bend > 0.0:
-            bent = bent_to_ground(z, sine, observer, light, work.totals)
+            bent = bent_to_ground(z, sine, observer, light, work.columns_total)
     return bent
 
 
@@ -406,7 +406,7 @@ def pixel_light(
                 x, y, z, sine, bent, observer, screen, light, work, color
             )
             if screen.overlaid:
-                columns_to_ground(z, sine, observer, light, work.totals, work.before)
+                columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
     if screen.filter > 0:
         whole, stokes_q, stokes_u = filter_shares(x, y, z, screen)
@@ -421,7 +421,7 @@ def pixel_light(
             )  # fmt: skip
             total = total + load(work.found, light.lanes + at) * factor
             if screen.overlaid:
-                total = total + lamp_light(color, screen, light, work.totals, at)
+                total = total + lamp_light(color, screen, light, work.columns_total, at)
         if screen.filter > 0:
             total = total * np.float32(whole)
             if through_air:
@@ -433,12 +433,12 @@ def pixel_light(
         p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         if apart < reach:
             p0, p1, p2, p3, p4, p5 = star_disc(
-                px, py, x, y, z, observer, screen, light, work.totals
+                px, py, x, y, z, observer, screen, light, work.columns_total
             )
         if p0 > 0.0:
             for at in range(0, light.lanes, LANES):
                 through = transmittance_columns(
-                    work.totals, light.extinction, light.constituents, light.lanes, at
+                    work.columns_total, light.extinction, light.constituents, light.lanes, at
                 )
                 disc = darkened(p0, p1, p2, p3, p4, p5, light, at)
                 store(result, at, load(result, at) + through * disc * np.float32(whole))

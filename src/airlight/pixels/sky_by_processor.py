@@ -60,7 +60,7 @@ def fill_texels(begin, end, window, observer, light, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     light, work, layers = borrowed((light, work, layers))
     found, lanes = work.found, light.lanes
-    peaks, polarised = light.first_peak >= 0, layers.stokes_q.size > 1
+    peaks, polarised = light.separated_1 >= 0, layers.stokes_q.size > 1
     stride = window.column_count
     sky_texels = stride * window.sky_count
     for texel in range(begin, end):
@@ -78,9 +78,9 @@ def fill_texels(begin, end, window, observer, light, work, layers):
         for at in range(0, lanes, LANES):
             store(layers.air, lanes * texel + at, load(found, at))
             store(layers.ground, lanes * texel + at, load(found, lanes + at))
-            if light.first_peak >= 0:
+            if light.separated_1 >= 0:
                 store(layers.first, lanes * texel + at, load(found, 2 * lanes + at))
-            if light.second_peak >= 0:
+            if light.separated_2 >= 0:
                 store(layers.second, lanes * texel + at, load(found, 3 * lanes + at))
             if polarised:
                 store(layers.stokes_q, lanes * texel + at, load(found, 4 * lanes + at))
@@ -123,8 +123,8 @@ def filled_sky(
     layers = SkyLayers(
         air=np.empty(size, np.float32),
         ground=np.empty(size, np.float32),
-        first=np.zeros(size if tables.first_peak >= 0 else 1, np.float32),
-        second=np.zeros(size if tables.second_peak >= 0 else 1, np.float32),
+        first=np.zeros(size if tables.separated_1 >= 0 else 1, np.float32),
+        second=np.zeros(size if tables.separated_2 >= 0 else 1, np.float32),
         stokes_q=np.empty(size if polarised else 1, np.float32),
         stokes_u=np.empty(size if polarised else 1, np.float32),
     )

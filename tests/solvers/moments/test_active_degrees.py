@@ -10,18 +10,18 @@ from numpy.testing import assert_allclose
 
 from airlight import load_planet
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import iterate
 from airlight.solvers.moments.active_degrees import active_degrees
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 def block_of(name: str, tolerance: float = 1e-2) -> Block:
     planet = load_planet(name)
     settings = replace(settings_for("preview"), tolerance=tolerance)
     medium = Medium.from_planet(planet, planet.wavelengths[:3])
-    return Setup(paths=LightPaths.of(medium), settings=settings).block(slice(None))
+    return Setup(paths=RefractedGeometry.of(medium), settings=settings).block(slice(None))
 
 
 def test_light_from_all_sides_has_few_degrees_and_a_level_between_those_of_both_ends() -> None:

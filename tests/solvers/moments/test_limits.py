@@ -15,12 +15,12 @@ from airlight.planets import Constituent, Ground, Planet, Star, replace
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import iterate
 from airlight.solvers.moments.limits import diffusion_lengths
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.stopping import PATIENCE, Iteration, Stopping
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 def haze(asymmetry: float, depth: float, *, kept: float = 1.0, thickness: float = 60e3) -> Planet:
@@ -42,7 +42,7 @@ def haze(asymmetry: float, depth: float, *, kept: float = 1.0, thickness: float 
 
 def setup_of(planet: Planet, quality: str = "preview") -> Setup:
     medium = Medium.from_planet(planet, planet.own_wavelengths)
-    return Setup(paths=LightPaths.of(medium), settings=settings_for(quality))
+    return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
 def medium_of(planet: Planet) -> tuple[Medium, np.ndarray]:

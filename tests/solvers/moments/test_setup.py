@@ -7,9 +7,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import load_planet
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 NM = [450.0, 530.0, 600.0, 680.0]
 
@@ -17,7 +17,7 @@ NM = [450.0, 530.0, 600.0, 680.0]
 def setup_of(name: str, quality: str = "preview", **changes: float) -> Setup:
     changed = {path.replace("__", "."): value for path, value in changes.items()}
     medium = Medium.from_planet(load_planet(name, changed), NM)
-    return Setup(paths=LightPaths.of(medium), settings=settings_for(quality))
+    return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
 def test_lanes_without_a_wavelength_repeat_others():
@@ -66,7 +66,7 @@ def test_light_is_gathered_at_the_ground_and_at_the_top():
 
 def test_infinitely_thick_air_is_by_day_what_its_levels_say():
     # Its weight is 1 with the star in the zenith and 0 with it in the nadir, never falling.
-    daylight = setup_of("earth").daylight
-    assert daylight[0] == 0.0
-    assert daylight[-1] == 1.0
-    assert (np.diff(daylight) >= 0.0).all()
+    day_weight = setup_of("earth").day_weight
+    assert day_weight[0] == 0.0
+    assert day_weight[-1] == 1.0
+    assert (np.diff(day_weight) >= 0.0).all()

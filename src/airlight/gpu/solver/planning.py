@@ -17,9 +17,9 @@ from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
 from airlight.pixels.capacity import check_capacity
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 Float32Array = NDArray[np.float32]
 
@@ -28,13 +28,13 @@ _SPAN: Final = 4 << 20
 
 
 def plan_for(
-    paths: LightPaths, settings: Settings, *, extinction_headroom: float = 1.0
+    paths: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
 ) -> SolverPlan:
     """Make the plan of a medium's solve.
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
         Paths in a medium of at most four wavelengths.
     settings : Settings
         Grid sizes.

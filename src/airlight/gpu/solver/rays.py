@@ -60,9 +60,8 @@ def strength(index, sizes, tables):
 def factor(index, sizes, tables):
     """Contribution of a point to its ray from one moment. [1]
 
-    Texels (point, moment), even polarised ones by the coupling with the radiance's of degree 2;
-    after them the coupling, and the keeping of even and of odd polarised moments, themselves, for Q
-    and U.
+    Texels (point, moment), even polarised ones by β₁, which couples them with the radiance's of
+    degree 2; after them β₁, α₂ and α₃ themselves, for Q and U.
     """
     point, part = index // (sizes.terms + 1), index % (sizes.terms + 1)
     harmonics = sizes.terms - POLARISED
@@ -71,7 +70,7 @@ def factor(index, sizes, tables):
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
     )
     transmittance = exponential(0.0 - depth)
-    if part >= coupled:  # coupling and keeping
+    if part >= coupled:  # β₁, α₂ and α₃
         transmittance = transmittance * polarised_transmittance_ratio(
             tables.column, point * sizes.constituents, tables.polarised_phase, sizes.constituents
         )

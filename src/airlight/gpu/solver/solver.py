@@ -25,13 +25,13 @@ from airlight.gpu.solver.sweeper import GpuSweeper, borrowed_sweeper
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.energy_balance import energy_error
 from airlight.solvers.moments.iterate import Moments
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.stopping import Iteration, Stopping
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -87,7 +87,7 @@ def solve_on(
         If ``cancel`` requested it.
     """
     started = perf_counter()
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     if Optics.chosen(paths.medium, settings).transport_depth.max() > THICKEST:
         raise ThickAir
     plan = plan_for(paths, settings)

@@ -66,7 +66,7 @@ class Tables(NamedTuple):
     ratios :
         Table from ``mean_density_ratios``.
     lift :
-        Table from ``star_lift``.
+        Table from ``refraction_table``.
     level : array, shape (s·4,)
         Weights from ``level_weights``, of four wavelengths.
     extinction, moments, polarised_phase :

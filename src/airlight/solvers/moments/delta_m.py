@@ -117,8 +117,8 @@ def delta_m_scaling(
     moments : array, shape (nc·(degree + 1)·nl,)
         Receives scattering coefficient times Legendre moment, both scaled. [m⁻¹]
     polarised_phase : array, shape (nc·4·nl,)
-        Receives scattering coefficient times the scaled elements of degree 2: γ between moments of
-        the radiance and even polarised ones, α₊ and α₋ between even and between odd polarised
+        Receives scattering coefficient times the scaled elements of degree 2: β₁ between moments of
+        the radiance and even polarised ones, α₂ and α₃ between even and between odd polarised
         ones; then the extinction of I less that of Q and U. [m⁻¹]
     depths : array, shape (3·nl,)
         Receives the weight of the scaling, from 0 (thin) to 1 (thick); the scaled vertical

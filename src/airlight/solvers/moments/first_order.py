@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import level_light
+from airlight.geometry.bending import direct_horizontal_weights
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import (
@@ -63,7 +63,9 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift
 
     Row ``local`` of ``depths`` is the ground's.
     """
-    from_low, from_high, low, high = level_light(bottom, mu_s, bottom, top, star_radius, lift)
+    from_low, from_high, low, high = direct_horizontal_weights(
+        bottom, mu_s, bottom, top, star_radius, lift
+    )
     x = direction_coordinate(bottom, low, bottom, top) * (directions - 1)
     light = transmittance_row(depths, local, x, directions) * np.float32(from_low)
     x = direction_coordinate(bottom, high, bottom, top) * (directions - 1)
@@ -265,15 +267,15 @@ def _first_order(
             transmittance = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
-            gamma = splat(0.0)
+            beta_1 = splat(0.0)
             for c in range(count):
                 amount = transmittance * np.float32(amounts[first + k, scatterers[c]])
                 store(strength, LANES * (k * count + c), amount)
-                gamma = gamma + load(polarised_phase, LANES * ELEMENTS * scatterers[c]) * amount
+                beta_1 = beta_1 + load(polarised_phase, LANES * ELEMENTS * scatterers[c]) * amount
             polarised_ratio = polarised_transmittance_ratio(
                 depths[first + k], 0, polarised_phase, constituents
             )
-            store(phase_f12, LANES * k, polarised_ratio * gamma)
+            store(phase_f12, LANES * k, polarised_ratio * beta_1)
             turned[2 * k] = np.float32(turns_along[first + k, 0] + turns_along[first + k, 1] * mu)
             turned[2 * k + 1] = np.float32(turns_along[first + k, 1] * sine)
             longest = sqrt(max((q - bottom) * (q + bottom), 0.0)) + sqrt(
@@ -424,7 +426,7 @@ def first_order_radius(
     ratios : array, shape (radii, nc, 2, directions)
         ``Setup.star_ratios``.
     lift : array, shape (rows, columns, 2)
-        Table from ``star_lift``. [1]
+        Table from ``refraction_table``. [1]
     """
     _first_order(
         i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, False

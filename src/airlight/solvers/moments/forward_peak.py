@@ -84,11 +84,11 @@ def add_peaks(star, dimmed, spread, phase, light, work, at):
     for c in range(light.constituents):
         here = light.lanes * c + at
         part = load(light.extinction, here) - load(light.scaled_extinction, here)
-        column = work.here[c]
+        column = work.columns_to_sun_low[c]
         if spread:
-            column = 0.5 * (column + work.there[c])
+            column = 0.5 * (column + work.columns_to_sun_high[c])
         depth = depth + part * np.float32(work.depths[c] + column)
-        part = part * work.rho[c]
+        part = part * work.point_density[c]
         strength = strength + part
         peaked = peaked + part * load(light.inverse_peak_fraction, here) * load(phase, here)
     strength = strength * star

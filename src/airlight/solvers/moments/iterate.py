@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.active_degrees import active_degrees
 from airlight.solvers.moments.convergence import (
     Light,
@@ -42,6 +41,7 @@ from airlight.solvers.moments.spectral_initial_guess import SpectralGuess, wavel
 from airlight.solvers.moments.stopping import Iteration, Stopping
 from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_of_few
 from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -122,7 +122,7 @@ class Moments:
 
 
 def solve_moments(
-    paths: LightPaths,
+    paths: RefractedGeometry,
     settings: Settings,
     *,
     progress: Progress | None = None,
@@ -132,7 +132,7 @@ def solve_moments(
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
         Light paths of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.

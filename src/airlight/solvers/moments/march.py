@@ -89,8 +89,8 @@ def march(
     n = int(light.rules[rule])
     scatters = 0.0
     for c in range(light.constituents):
-        scatters += light.brightest[c] * work.totals[c]
-        work.before[c] = 0.0
+        scatters += light.brightest[c] * work.columns_total[c]
+        work.columns_so_far[c] = 0.0
     faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
     for at in range(0, light.lanes, LANES):
         store(result, at, splat(0.0))
@@ -112,10 +112,10 @@ def march(
                 turn_sine, phase, phase_f12, light, work, result,
             )  # fmt: skip
     for c in range(light.constituents):
-        work.totals[c] = work.before[c]
+        work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, light.lanes, LANES):
         transmittance = transmittance_columns(
-            work.totals, light.scaled_extinction, light.constituents, light.lanes, at
+            work.columns_total, light.scaled_extinction, light.constituents, light.lanes, at
         )
         store(result, light.lanes + at, transmittance)
     if light.widened and orders != 0:
@@ -129,11 +129,11 @@ def widen(half_sine, air, peaks, light, work, result):
         more = peak_gain(half_sine, light, work, at)
         if air:
             store(result, at, load(result, at) + more * load(work.peaks, at))
-        if peaks and light.first_peak >= 0:
-            factor = np.float32(1.0) + more * peak_fraction(light.first_peak, light, at)
+        if peaks and light.separated_1 >= 0:
+            factor = np.float32(1.0) + more * peak_fraction(light.separated_1, light, at)
             store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) * factor)
-        if peaks and light.second_peak >= 0:
-            factor = np.float32(1.0) + more * peak_fraction(light.second_peak, light, at)
+        if peaks and light.separated_2 >= 0:
+            factor = np.float32(1.0) + more * peak_fraction(light.separated_2, light, at)
             store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) * factor)
 
 
@@ -162,7 +162,7 @@ def add_point(
     nu_q = nu
     scatters = 0.0
     for c in range(light.constituents):
-        work.rho[c] = work.density[c * n + k]
+        work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
         scatters += light.brightest[c] * work.density[c * n + k]
     if light.bend > 0.0:
@@ -187,8 +187,8 @@ def add_point(
             )
         if seen > 0.0:
             star = transmittance * direct_beam(
-                seen, work.here, work.there, spread, light.scaled_extinction, light.constituents,
-                light.lanes, at,
+                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
+                light.scaled_extinction, light.constituents, light.lanes, at,
             )  # fmt: skip
             add_star(star, air, peaks, phase, light, work, at, result)
             if light.widened:
@@ -238,7 +238,14 @@ def star_columns(q, mu_s, light, work):
     seen, low, high = star_points(q, mu_s, bottom, top, light.star_radius, light.lift)
     if seen > 0.0:
         columns_to_top(
-            q, low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+            q,
+            low,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.columns_to_sun_low,
         )
         if high > low:
             columns_to_top(
@@ -249,7 +256,7 @@ def star_columns(q, mu_s, light, work):
                 light.first_nodes,
                 light.column_rows,
                 light.columns,
-                work.there,
+                work.columns_to_sun_high,
             )
     return seen, high > low
 
@@ -270,16 +277,16 @@ def add_star(star, air, peaks, phase, light, work, at, result):
     """
     if air:
         once = star * single_scattering_source(
-            work.rho, light.scattering, phase, light.constituents, light.lanes, at
+            work.point_density, light.scattering, phase, light.constituents, light.lanes, at
         )
         store(result, at, load(result, at) + once)
-    if peaks and light.first_peak >= 0:
-        c = light.first_peak
-        once = star * load(light.scattering, light.lanes * c + at) * work.rho[c]
+    if peaks and light.separated_1 >= 0:
+        c = light.separated_1
+        once = star * load(light.scattering, light.lanes * c + at) * work.point_density[c]
         store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) + once)
-    if peaks and light.second_peak >= 0:
-        c = light.second_peak
-        once = star * load(light.scattering, light.lanes * c + at) * work.rho[c]
+    if peaks and light.separated_2 >= 0:
+        c = light.separated_2
+        once = star * load(light.scattering, light.lanes * c + at) * work.point_density[c]
         store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) + once)
 
 
@@ -287,7 +294,7 @@ def add_star(star, air, peaks, phase, light, work, at, result):
 def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, light, work, at, result):
     """Add Q and U of the star's light scattered once at a point; arguments as in ``add_point``."""
     once = star * single_scattering_source(
-        work.rho, light.scattering, phase_f12, light.constituents, light.lanes, at
+        work.point_density, light.scattering, phase_f12, light.constituents, light.lanes, at
     )
     stokes_q, stokes_u = 4 * light.lanes + at, 5 * light.lanes + at
     store(result, stokes_q, load(result, stokes_q) + once * np.float32(turn_cosine))
@@ -311,7 +318,7 @@ def add_polarised_light(transmittance, mu, near, block, f, e, light, work, at, r
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     stokes_q, stokes_u = polarised_scattering_source(
-        work.rho, light.polarised_phase, light.field, mu, work.azimuth[0], near,
+        work.point_density, light.polarised_phase, light.field, mu, work.azimuth[0], near,
         near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip
@@ -395,7 +402,7 @@ def multiple_scattering_at(near, block, f, e, light, work, at):
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(
-        work.rho, light.moments, light.polarised_phase, light.field, work.functions, near,
+        work.point_density, light.moments, light.polarised_phase, light.field, work.functions, near,
         near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip

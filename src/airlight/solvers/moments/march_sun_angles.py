@@ -53,7 +53,7 @@ class SunAngleWorkspace(NamedTuple):
     ----------
     edges : array, shape (n, MAX_EDGES)
         Ends of the panels for each sun angle. [m]
-    before : array, shape (n, nc)
+    columns_so_far : array, shape (n, nc)
         Columns up to the next panel. [m]
     next, counts, rules : array, shape (n,)
         Index of the next panel, number of edges, and start of the quadrature.
@@ -78,7 +78,7 @@ class SunAngleWorkspace(NamedTuple):
     """
 
     edges: FloatArray
-    before: FloatArray
+    columns_so_far: FloatArray
     next: NDArray[np.int64]
     counts: NDArray[np.int64]
     rules: NDArray[np.int64]
@@ -97,7 +97,7 @@ def _new_workspace(light: MarchTables) -> SunAngleWorkspace:
     lanes, count = light.lanes, light.constituents
     return SunAngleWorkspace(
         edges=np.empty((_STARS, MAX_EDGES)),
-        before=np.empty((_STARS, count)),
+        columns_so_far=np.empty((_STARS, count)),
         next=np.empty(_STARS, np.int64),
         counts=np.empty(_STARS, np.int64),
         rules=np.empty(_STARS, np.int64),
@@ -124,7 +124,7 @@ def scattering_by_constituent(
     sight : Sight
         n lines of sight; neighbours with equal radius, view and length are marched together.
     orders : int
-        Orders of the light as for ``MomentsSolution.marched``.
+        Orders of the light as for ``MomentsSolution.radiance_per_irradiance``.
     delta_scaled : bool
         Whether single scattering is the solution's, with delta-M scaled extinction and broadened
         forward peaks; otherwise extinction and phase functions are unscaled.
@@ -138,7 +138,7 @@ def scattering_by_constituent(
     """
     light, paths = solution.light, solution.paths
     sight = paths.sight(sight)
-    seen = paths.seen_nu(sight)
+    seen = paths.apparent_nu(sight)
     n, count, constituents = sight.r.size, solution.wavelengths.size, light.constituents
     out, once = np.empty((n, count)), np.empty((n, constituents, count))
 
@@ -202,8 +202,8 @@ def _march_line(
             stars.edges[index, edge] = work.edges[edge]
         scatters = 0.0
         for c in range(light.constituents):
-            scatters += light.brightest[c] * work.totals[c]
-            stars.before[index, c] = 0.0
+            scatters += light.brightest[c] * work.columns_total[c]
+            stars.columns_so_far[index, c] = 0.0
         points = int(light.rules[rule]) * (edges - 1)
         stars.faint[index] = FAINT * min(scatters, 1.0) / points if day else 0.0
     for at in range(0, count * width, LANES):
@@ -215,7 +215,7 @@ def _march_line(
         for edge in range(edges):
             work.edges[edge] = stars.edges[lead, edge]
         for c in range(light.constituents):
-            work.before[c] = stars.before[lead, c]
+            work.columns_so_far[c] = stars.columns_so_far[lead, c]
         place_panel(r[first], mu[first], panel, edges, rule, light, work)
         panel_columns(rule, light, work)
         n = int(light.rules[rule])
@@ -228,7 +228,7 @@ def _march_line(
             index = stars.together[member]
             stars.next[index] += 1
             for c in range(light.constituents):
-                stars.before[index, c] = work.before[c]
+                stars.columns_so_far[index, c] = work.columns_so_far[c]
         members = _next_panel(count, light, stars)
     for index in range(count):
         star, sums = first + index, index * width
@@ -301,7 +301,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
     mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
     scatters = 0.0
     for c in range(constituents):
-        work.rho[c] = work.density[c * n + k]
+        work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
         scatters += light.brightest[c] * work.density[c * n + k]
     angle = 0.0
@@ -320,7 +320,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
             store(stars.transmittance_once, at, transmittance * weight)
         for c in range(constituents):
             here = c * lanes + at
-            store(stars.scattering, here, load(light.scattering, here) * work.rho[c])
+            store(stars.scattering, here, load(light.scattering, here) * work.point_density[c])
     x = node_value(q, light.bottom, light.top, light.first_nodes, light.row)
     row = min(int(x), light.radii - 2)
     f = np.float32(x - row)
@@ -355,7 +355,14 @@ def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
     lanes, constituents = light.lanes, light.constituents
     for at in range(0, lanes, LANES):
         star = load(stars.transmittance, at) * direct_beam(
-            seen, work.here, work.there, spread, light.scaled_extinction, constituents, lanes, at
+            seen,
+            work.columns_to_sun_low,
+            work.columns_to_sun_high,
+            spread,
+            light.scaled_extinction,
+            constituents,
+            lanes,
+            at,
         )
         if orders != 0:
             source = splat(0.0)
@@ -375,7 +382,14 @@ def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
                 )
         if apart:
             star = load(stars.transmittance_once, at) * direct_beam(
-                seen, work.here, work.there, spread, light.extinction, constituents, lanes, at
+                seen,
+                work.columns_to_sun_low,
+                work.columns_to_sun_high,
+                spread,
+                light.extinction,
+                constituents,
+                lanes,
+                at,
             )
         for c in range(constituents):
             own = sums + (4 + c) * lanes + at
@@ -396,15 +410,18 @@ def _place_direction(mu, light, work, stars):
             strength = splat(0.0)
             for c in range(light.constituents):
                 moment = load(light.moments, lanes * (c * (degree + 1) + l) + at)
-                strength = strength + moment * work.rho[c]
+                strength = strength + moment * work.point_density[c]
             for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
                 store(stars.factors, index * lanes + at, strength * work.functions[index])
-        gamma = splat(0.0)
+        beta_1 = splat(0.0)
         for c in range(light.constituents):
-            gamma = gamma + load(light.polarised_phase, lanes * ELEMENTS * c + at) * work.rho[c]
+            beta_1 = (
+                beta_1
+                + load(light.polarised_phase, lanes * ELEMENTS * c + at) * work.point_density[c]
+            )
         last = (degree + 1) * (degree + 2) // 2
         for m in range(EVEN):
-            factor = gamma * work.functions[3 + m]
+            factor = beta_1 * work.functions[3 + m]
             store(stars.factors, (last + m) * lanes + at, factor)
 
 

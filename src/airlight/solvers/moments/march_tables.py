@@ -45,7 +45,7 @@ class MarchTables(NamedTuple):
         side.
     constituents, degree, radii, suns, phase_nodes : int
         Sizes of the tables.
-    first_peak, second_peak : int
+    separated_1, separated_2 : int
         Constituents whose single scattering is also found without its phase function; -1 for none.
     widened : bool
         Whether single scattering has the gain by forward peaks, see ``forward_peak``.
@@ -60,7 +60,7 @@ class MarchTables(NamedTuple):
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
     lift : array, shape (rows, columns, 2)
-        Table from ``star_lift``; without rows where light is not bent. [1]
+        Table from ``refraction_table``; without rows where light is not bent. [1]
     ends : array, shape (n,)
         Altitudes at which panels end, from ``panel_ends``. [m]
     row, place : array
@@ -112,8 +112,8 @@ class MarchTables(NamedTuple):
     radii: int
     suns: int
     phase_nodes: int
-    first_peak: Annotated[int, CHOICE]
-    second_peak: Annotated[int, CHOICE]
+    separated_1: Annotated[int, CHOICE]
+    separated_2: Annotated[int, CHOICE]
     widened: bool
     first_nodes: Annotated[FloatArray, scalars()]
     column_rows: Annotated[FloatArray, scalars()]
@@ -159,11 +159,11 @@ class MarchWorkspace(NamedTuple):
     density, amounts, columns : array, shape (nc·p,)
         Densities at the points [1], the same times weight, and columns up to the points [m]; one
         constituent after another.
-    before, totals : array, shape (nc,)
+    columns_so_far, columns_total : array, shape (nc,)
         Columns up to the end of a panel, and of the whole line. [m]
-    rho, depths : array, shape (nc,)
-        Densities at a point [1], and columns up to it [m].
-    here, there : array, shape (nc,)
+    point_density, depths : array, shape (nc,)
+        Relative densities at a point [1], and columns up to it [m].
+    columns_to_sun_low, columns_to_sun_high : array, shape (nc,)
         Columns from a point towards the two points that represent the star. [m]
     functions : array, shape (k,)
         Harmonics of the line at a point. [1]
@@ -187,12 +187,12 @@ class MarchWorkspace(NamedTuple):
     density: FloatArray
     amounts: FloatArray
     columns: FloatArray
-    before: FloatArray
-    totals: FloatArray
-    rho: Float32Array
+    columns_so_far: FloatArray
+    columns_total: FloatArray
+    point_density: Float32Array
     depths: Float32Array
-    here: FloatArray
-    there: FloatArray
+    columns_to_sun_low: FloatArray
+    columns_to_sun_high: FloatArray
     functions: Float32Array
     received: Float32Array
     azimuth: FloatArray
@@ -215,7 +215,17 @@ def workspace_sizes(constituents: int, points: int, terms: int) -> dict[str, int
         "cuts": 3,
         **dict.fromkeys(("distance", "radius", "weight"), points),
         **dict.fromkeys(("density", "amounts", "columns"), constituents * points),
-        **dict.fromkeys(("before", "totals", "rho", "depths", "here", "there"), constituents),
+        **dict.fromkeys(
+            (
+                "columns_so_far",
+                "columns_total",
+                "point_density",
+                "depths",
+                "columns_to_sun_low",
+                "columns_to_sun_high",
+            ),
+            constituents,
+        ),
         "functions": terms,
         "azimuth": 1,
     }
@@ -243,7 +253,7 @@ def new_workspace(tables: MarchTables) -> MarchWorkspace:
     """
     count = tables.constituents
     points = max(int(tables.rules[int(tables.rules[k])]) for k in range(3))
-    single = ("rho", "depths", "functions")
+    single = ("point_density", "depths", "functions")
     arrays: dict[str, Any] = {
         name: np.empty(size, np.float32 if name in single else np.float64)
         for name, size in workspace_sizes(count, points, tables.ahead.size).items()

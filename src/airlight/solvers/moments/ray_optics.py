@@ -30,7 +30,7 @@ class ScaledOptics(NamedTuple):
     star_radius : float
         Angular radius of the star. [rad]
     polarised_phase : array, shape (nc·4·8,)
-        Scattering coefficient times the elements γ, α₊ and α₋ of degree 2; extinction of I less
+        Scattering coefficient times the elements β₁, α₂ and α₃ of degree 2; extinction of I less
         that of Q and U; see ``delta_m.delta_m_scaling``. [m⁻¹]
     """
 

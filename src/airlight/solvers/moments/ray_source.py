@@ -102,19 +102,19 @@ def fill_factors(
             for m in range(l + 1):
                 store(factors, at + LANES * m, strength * np.float32(functions[index + m]))
     last = ELEMENTS - 1
-    gamma = transmittance * strength_of(polarised_phase, amounts, point, 0, last, constituents)
+    beta_1 = transmittance * strength_of(polarised_phase, amounts, point, 0, last, constituents)
     polarised_ratio = polarised_transmittance_ratio(depths[point], 0, polarised_phase, constituents)
-    alpha_plus = (
+    alpha_2 = (
         polarised_ratio
         * transmittance
         * strength_of(polarised_phase, amounts, point, 1, last, constituents)
     )
-    alpha_minus = (
+    alpha_3 = (
         polarised_ratio
         * transmittance
         * strength_of(polarised_phase, amounts, point, 2, last, constituents)
     )
-    turned = polarised_ratio * gamma
+    turned = polarised_ratio * beta_1
     # The Legendre functions of degree 2.
     second_0, second_1, second_2 = functions[3], functions[4], functions[5]
     a0, a1, a2, b1, b2 = polarised_functions(mu_along[point])
@@ -135,13 +135,13 @@ def fill_factors(
                 second, even, odd = splat(second_1), splat(a1), splat(b1)
             if m == 2:
                 second, even, odd = splat(second_2), splat(a2), splat(b2)
-        store(factors, at, gamma * second)
+        store(factors, at, beta_1 * second)
         store(factors, at + LANES, even * turned)
-        store(factors, at + 2 * LANES, even * alpha_plus)
-        store(factors, at + 3 * LANES, odd * alpha_minus)
+        store(factors, at + 2 * LANES, even * alpha_2)
+        store(factors, at + 3 * LANES, odd * alpha_3)
         store(factors, at + 4 * LANES, odd * turned)
-        store(factors, at + 5 * LANES, odd * alpha_plus)
-        store(factors, at + 6 * LANES, even * alpha_minus)
+        store(factors, at + 5 * LANES, odd * alpha_2)
+        store(factors, at + 6 * LANES, even * alpha_3)
         at = at + _COUPLINGS * LANES
 
 

@@ -21,17 +21,22 @@ from airlight.kernel.lanes import FEW
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.adaptive_quadrature import adaptive_quadrature
 from airlight.solvers.moments.delta_m import Optics, panel_ends
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, harmonics, moment_count
 from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.opaque_culling import cull_opaque
-from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
+from airlight.solvers.moments.packing import (
+    day_weight,
+    filled,
+    level_weights,
+    optically_thick_weights,
+)
 from airlight.solvers.moments.ray_optics import Azimuths, ScaledOptics
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.column_ratios import column_rows, mean_density_ratios
 from airlight.tables.columns import ColumnTable
 
@@ -68,7 +73,7 @@ class Setup:
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
         Light paths of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
@@ -77,7 +82,7 @@ class Setup:
         that increase it reuse them. [1]
     """
 
-    paths: LightPaths
+    paths: RefractedGeometry
     settings: Settings
     extinction_headroom: float = 1.0
 
@@ -244,9 +249,9 @@ class Setup:
         return np.ascontiguousarray(self.ratios.transpose(0, 2, 3, 1), np.float32)
 
     @property
-    def daylight(self) -> FloatArray:
+    def day_weight(self) -> FloatArray:
         """Level weights of infinitely thick air, shape (s,): 0 at night, 1 by day. [1]"""
-        return daylight(self.grid.sun_cosines, self.dip)
+        return day_weight(self.grid.sun_cosines, self.dip)
 
     def level(self, which: slice) -> Float32Array:
         """Level weights of some wavelengths in whole groups of eight, shape (s, 8). [1]"""
@@ -265,7 +270,7 @@ class Setup:
         rays = adaptive_quadrature(self.rays, air, self.ray_nodes) if self.parts > 1 else self.rays
         rays, share = cull_opaque(rays, air)
         transport = self.optics.transport_depth[which]
-        thick = filled(thickness(self.optics.scattering_depth[which]))
+        thick = filled(optically_thick_weights(self.optics.scattering_depth[which]))
         depth_ratio = np.maximum(filled(transport) / TRANSPORT_DEPTH_SCALE, 1.0)
         length = self.optics.depths.diffusion_length
         radius = self.medium.bottom_radius
@@ -305,7 +310,7 @@ class Block:
     level : array, shape (s, 8)
         Weights from ``level_weights``. [1]
     thick : array, shape (8,)
-        Weight from ``thickness``, 0 to 1: exponent of ``convergence.count_at``. [1]
+        Weight from ``optically_thick_weights``, 0 to 1: exponent of ``convergence.count_at``. [1]
     lateral_threshold : array, shape (8,)
         Fraction of the largest mean radiance below which lateral transport dominates. [1]
     diffusion_length, grid_diffusion : float

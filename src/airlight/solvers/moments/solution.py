@@ -23,13 +23,12 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.reflection import leaving_cosine
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.energy_balance import imbalance
 from airlight.solvers.moments.forward_peak import inverse_peak_fraction, peak_broadening
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.irradiance import (
     direct_irradiance,
-    facing_irradiance,
+    direct_normal_irradiance,
     ground_radiance,
     sky_irradiance,
 )
@@ -39,6 +38,7 @@ from airlight.solvers.moments.march_tables import MarchTables, new_workspace, qu
 from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.settings import Settings, settings_for
 from airlight.solvers.moments.setup import Setup
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import column_rows, mean_density_ratios
@@ -67,7 +67,7 @@ class MomentsSolution(Solution):
         Result of the iteration.
     seconds : float
         Time of the solve; 0 from the cache. [s]
-    paths : LightPaths, optional
+    paths : RefractedGeometry, optional
         Light paths of the medium, if already known.
     """
 
@@ -77,10 +77,10 @@ class MomentsSolution(Solution):
         settings: Settings,
         moments: Moments,
         seconds: float,
-        paths: LightPaths | None = None,
+        paths: RefractedGeometry | None = None,
     ) -> None:
         self.medium = medium
-        self.paths = LightPaths.of(medium) if paths is None else paths
+        self.paths = RefractedGeometry.of(medium) if paths is None else paths
         self.settings = settings
         self.moments = moments
         unbalanced = imbalance(moments.energy, medium.wavelengths, settings.energy_tolerance)
@@ -137,8 +137,8 @@ class MomentsSolution(Solution):
             radii=grid.radii.size,
             suns=grid.sun_cosines.size,
             phase_nodes=medium.phase_table.shape[2],
-            first_peak=-1,
-            second_peak=-1,
+            separated_1=-1,
+            separated_2=-1,
             widened=widening is not None,
             first_nodes=medium.density.first_nodes,
             column_rows=column_rows(table, medium.density),
@@ -193,9 +193,9 @@ class MomentsSolution(Solution):
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
-        return self.marched(sight, 2 if order is None else 1)
+        return self.radiance_per_irradiance(sight, 2 if order is None else 1)
 
-    def marched(
+    def radiance_per_irradiance(
         self,
         sight: Sight,
         orders: int,
@@ -236,7 +236,7 @@ class MomentsSolution(Solution):
         sight : Sight
             n lines of sight.
         orders : int
-            As for ``marched``.
+            As for ``radiance_per_irradiance``.
 
         Returns
         -------
@@ -256,7 +256,7 @@ class MomentsSolution(Solution):
         sight : Sight
             n lines of sight, from ``paths.sight``.
         length : array, shape (n,)
-            Lengths, not beyond those of the lines, as ``paths.drawn_length`` gives them. [m]
+            Lengths, not beyond those of the lines, as ``paths.optical_length`` gives them. [m]
         light : MarchTables, optional
             Replaces ``self.light``.
 
@@ -285,7 +285,7 @@ class MomentsSolution(Solution):
         Radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0 without
         ``stokes`` [sr⁻¹]; radiance of the air alone, (n, nl). [sr⁻¹]
         """
-        seen = self.paths.seen_nu(sight)
+        seen = self.paths.apparent_nu(sight)
         n, count = sight.r.size, self.wavelengths.size
         out, transmittance, air = (np.empty((n, count)) for _ in range(3))
         polarised = np.zeros((n, 3, count))
@@ -346,7 +346,9 @@ class MomentsSolution(Solution):
         """
         work = new_workspace(self.light)
         x = self.paths.optical_radius(r)
-        return self._received(x, lambda light, out: facing_irradiance(x, mu_s, light, work, out))
+        return self._received(
+            x, lambda light, out: direct_normal_irradiance(x, mu_s, light, work, out)
+        )
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
@@ -381,7 +383,9 @@ def _march_all(
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
             if light.bend > 0.0:
                 mu_ground = (r[k] * mu[k] + length[k]) / bottom
-                angle = bend_angle(r[k], mu[k], light.bend, work.totals[light.constituents - 1])
+                angle = bend_angle(
+                    r[k], mu[k], light.bend, work.columns_total[light.constituents - 1]
+                )
                 mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
             leaving = leaving_cosine(r[k], mu[k], bottom)
@@ -414,7 +418,7 @@ def solve(
         See ``airlight.kernel.threads``.
     """
     key = _key(medium, settings)
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     if cache:
         stored = disk.load(key)
         if stored is not None:

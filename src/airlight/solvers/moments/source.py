@@ -131,16 +131,16 @@ def multiple_scattering_source(
                 field, near + here, far + here, block, w00, w01, w10, w11
             )
         source = source + strength * part
-    gamma = splat(0.0)
+    beta_1 = splat(0.0)
     for c in range(constituents):
-        gamma = gamma + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
+        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
     part = splat(0.0)
     for m in range(EVEN):
         here = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
         part = part + functions[3 + m] * between(
             field, near + here, far + here, block, w00, w01, w10, w11
         )
-    source = source + gamma * part
+    source = source + beta_1 * part
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
     # A sum of few harmonics may be negative where there is almost no light.
     return maximum(source / scale, 0.0)
@@ -166,15 +166,11 @@ def polarised_scattering_source(
     stokes_q, stokes_u : lanes
         Q and U in the frame of ``stokes_frame``. [m⁻¹ sr⁻¹]
     """
-    gamma, alpha_plus, alpha_minus = splat(0.0), splat(0.0), splat(0.0)
+    beta_1, alpha_2, alpha_3 = splat(0.0), splat(0.0), splat(0.0)
     for c in range(constituents):
-        gamma = gamma + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
-        alpha_plus = (
-            alpha_plus + load(polarised_phase, lanes * (ELEMENTS * c + 1) + at) * density[c]
-        )
-        alpha_minus = (
-            alpha_minus + load(polarised_phase, lanes * (ELEMENTS * c + 2) + at) * density[c]
-        )
+        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
+        alpha_2 = alpha_2 + load(polarised_phase, lanes * (ELEMENTS * c + 1) + at) * density[c]
+        alpha_3 = alpha_3 + load(polarised_phase, lanes * (ELEMENTS * c + 2) + at) * density[c]
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     first = lanes * (1 + (degree + 1) * (degree + 2) // 2) + at  # E_20; M_20 has index 3
     stokes_q, stokes_u = splat(0.0), splat(0.0)
@@ -182,17 +178,15 @@ def polarised_scattering_source(
     for m in range(EVEN):
         bright = lanes * (4 + m) + at
         turned = first + lanes * m
-        part = gamma * between(
+        part = beta_1 * between(
             field, near + bright, far + bright, block, w00, w01, w10, w11
-        ) + alpha_plus * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
+        ) + alpha_2 * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
         even, odd = polarised_function(mu, m)
         stokes_q = stokes_q + part * np.float32(even * cos_m)
         stokes_u = stokes_u + part * np.float32(odd * sin_m)
         if m > 0:
             turned = first + lanes * (EVEN - 1 + m)
-            part = alpha_minus * between(
-                field, near + turned, far + turned, block, w00, w01, w10, w11
-            )
+            part = alpha_3 * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
             stokes_q = stokes_q + part * np.float32(odd * cos_m)
             stokes_u = stokes_u + part * np.float32(even * sin_m)
         following = cos_m * cosine - sin_m * sine
@@ -227,7 +221,7 @@ def read_phase(half_sine, table, nodes, width, out):
 
 
 @inlined
-def level_star(below, above, from_low, from_high, extinction, constituents, lanes, at):
+def direct_horizontal(below, above, from_low, from_high, extinction, constituents, lanes, at):
     """Direct horizontal irradiance, per that outside the air. [1]
 
     Parameters
@@ -235,7 +229,7 @@ def level_star(below, above, from_low, from_high, extinction, constituents, lane
     below, above : array, shape (nc,)
         Columns towards the two points that represent the star. [m]
     from_low, from_high : float
-        Weights from ``level_light``. [1]
+        Weights from ``direct_horizontal_weights``. [1]
     extinction, constituents, lanes, at :
         As in ``transmittance_columns``.
     """
@@ -245,7 +239,7 @@ def level_star(below, above, from_low, from_high, extinction, constituents, lane
 
 
 @inlined
-def level_sky(sky, place, share, lanes, at):
+def diffuse_horizontal(sky, place, share, lanes, at):
     """Diffuse horizontal irradiance of the ground, between two sun elevations of the field. [1]
 
     Parameters

@@ -11,7 +11,7 @@ from airlight.color.exposure import eased, exposure_with_stars
 from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
 from airlight.ephemeris import moon_formula, sun_formula
-from airlight.geometry.bending import raised_star
+from airlight.geometry.bending import apparent_sun_cosine
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
@@ -37,7 +37,7 @@ from airlight.solvers.moments.convergence import (
 )
 from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.packing import floor_below, level_weight, thick_share
+from airlight.solvers.moments.packing import floor_below, level_weight, optically_thick_weight
 from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
@@ -51,7 +51,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     filter_axis: (),
     ground_axes: (),
     observer_numbers: (),
-    raised_star: (F32, F32, F32, F32, Table("lift", 3)),
+    apparent_sun_cosine: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
     exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
     eased: (),
@@ -105,7 +105,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     ),
     turbidity_of: (),
     haze_of: (),
-    thick_share: (),
+    optically_thick_weight: (),
     level_weight: (),
 }
 

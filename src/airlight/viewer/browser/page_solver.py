@@ -20,7 +20,6 @@ from airlight.gpu.solver.solver import THICKEST
 from airlight.optics.reflection import LAWS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import convergence
 from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.iterate import POLARISED_OVER_RELAXATION
@@ -36,6 +35,7 @@ from airlight.solvers.moments.setup import (
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.stopping import SWEEP_ITERATES, Stopping
 from airlight.solvers.moments.synthetic_acceleration import DEGREE, ORDER
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.browser.web_shaders import solver_shaders
 
@@ -75,7 +75,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
     """
     chosen = page_settings() if settings is None else settings
     medium = solution.medium
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     own = float(Optics.chosen(paths.medium, chosen).transport_depth.max())
     plan = plan_for(paths, chosen, extinction_headroom=_HEADROOM if own > THICKEST else 1.0)
     made = plan.as_dict()
@@ -104,7 +104,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
             "degree": optics.degree,
             "albedo": _four(drawn.ground_albedo).tolist(),
             "brightest": tuple(LAWS.values())[drawn.reflection.law].LARGEST_ALBEDO,
-            "day": [float(x) for x in plan.setup.daylight],
+            "day": [float(x) for x in plan.setup.day_weight],
             "thickest": max(THICKEST, _HEADROOM * own),
         },
         "synthetic": _synthetic(plan),

@@ -4,7 +4,7 @@
  * What an edit changes is emitted from solvers/moments/delta_m.py and packing.py. Tables are
  * `{values, shape}`, as the emitted functions read them, with four wavelengths on their last axis.
  */
-import { level_weight, delta_m_scaling, thick_share } from "../generated/formulas.js";
+import { level_weight, delta_m_scaling, optically_thick_weight } from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
 
 /**
@@ -66,7 +66,7 @@ export function editedAir(air, { amounts, ground }) {
     level: Float32Array.from(air.day.flatMap((day) => depth.map((one) => level_weight(day, one)))),
     strongest: Float32Array.from(split(whole), (row) => Math.max(...row)),
     brightest: Float32Array.from(split(scattering.values), (row) => Math.max(...row)),
-    thick: depth.map(thick_share),
+    thick: depth.map(optically_thick_weight),
     transport,
   };
 }
