@@ -22,8 +22,8 @@ from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import solve_on
 from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import settings_for
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 NM = (450.0, 530.0, 600.0, 680.0)
 CASES = [("earth", "preview"), ("earth", "default")]
@@ -49,7 +49,7 @@ def test_edit(benchmark: Any, device: Any, planet: str, quality: str) -> None:
 @pytest.mark.parametrize(("planet", "quality"), CASES)
 @pytest.mark.benchmark(group="the host's part of a solve on the GPU")
 def test_host(benchmark: Any, planet: str, quality: str) -> None:
-    paths = LightPaths.of(Medium.from_planet(load_planet(planet), NM))
+    paths = RefractedGeometry.of(Medium.from_planet(load_planet(planet), NM))
     settings = settings_for(quality)
     plan_for(paths, settings)  # compiles, and keeps the columns of these profiles
     benchmark.pedantic(plan_for, (paths, settings), rounds=5)
@@ -60,7 +60,7 @@ def test_host(benchmark: Any, planet: str, quality: str) -> None:
 def test_passes(
     benchmark: Any, device: Any, tell: Callable[[str], None], planet: str, quality: str
 ) -> None:
-    paths = LightPaths.of(Medium.from_planet(load_planet(planet), NM))
+    paths = RefractedGeometry.of(Medium.from_planet(load_planet(planet), NM))
     seconds: dict[str, float] = {}
     with borrowed_sweeper(device) as sweeper:
         sweeper.load(plan_for(paths, settings_for(quality)))

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.optics.air_mass import air_mass_pickering2002
-from airlight.optics.bent_density import BentShell
+from airlight.optics.bent_density import RefractingShell
 from airlight.optics.density_profile import DensitySegments, exponential
 from airlight.tables.columns import columns
 
@@ -42,7 +42,7 @@ def air_masses(bottom: float, top: float, density: DensitySegments, altitude: fl
 def test_air_masses_match_the_table_of_section_6(row: tuple[float, ...]) -> None:
     altitude, gas, gas_bent, pickering, haze, haze_bent = row
     straight = air_masses(BOTTOM, BOTTOM + THICK, DENSITY, float(altitude))
-    shell = BentShell.build(DENSITY, np.array([2.93e-4, 0.0]), BOTTOM, BOTTOM + THICK)
+    shell = RefractingShell.build(DENSITY, np.array([2.93e-4, 0.0]), BOTTOM, BOTTOM + THICK)
     bent = air_masses(shell.bottom, shell.top, shell.density, float(altitude))
     ours = (straight[0], bent[0], air_mass_pickering2002(altitude), straight[1], bent[1])
     for value, printed in zip(ours, (gas, gas_bent, pickering, haze, haze_bent), strict=True):

@@ -23,7 +23,7 @@ from airlight.fit.report import html, result_lines, warnings_of
 from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solvers import solve
-from airlight.solvers.moments.reduced_optics import Optics
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.settings import Settings, settings_for
 
 #: Wavelengths [nm] and view zenith angles [deg] of predictions.

@@ -106,8 +106,8 @@ def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
     """Light of the air between an observer and an object, as the shaders march it."""
     phases_towards(half_sine, True, light.phase, light, work.phase)
     march(
-        r, mu, mu_s, nu, half_sine, length, 2, True, False, False, work.phase, work.across, light,
-        work, result,
+        r, mu, mu_s, nu, half_sine, length, 2, True, False, False, work.phase, work.phase_f12,
+        light, work, result,
     )  # fmt: skip
 
 
@@ -138,7 +138,9 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
         assert textures is not None
         numbers: dict[str, Any] = {**scene_numbers(Scene(), pictures._shown()), **textures.numbers}
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
-        values = FRAME.packed({**numbers, "first_peak": -1.0, "second_peak": -1.0}, textures.places)
+        values = FRAME.packed(
+            {**numbers, "separated_1": -1.0, "separated_2": -1.0}, textures.places
+        )
         uniforms = device.device.create_buffer(size=values.nbytes, usage=use)
         device.device.queue.write_buffer(uniforms, 0, values)
         target = empty_flat_texture(device, len(rows), 4)
@@ -194,7 +196,7 @@ def test_a_sphere_before_the_horizon_has_no_stripe(
     rows, sight = rows_of(earth, altitude, elevation, length)
     seen = stretches(rows)
     # a second march
-    assert_allclose(seen, earth.marched(sight, 2, ground=False)[:, :4], rtol=0.01)
+    assert_allclose(seen, earth.radiance_per_irradiance(sight, 2, ground=False)[:, :4], rtol=0.01)
     stripe = np.abs(0.5 * (seen[:-2] + seen[2:]) - seen[1:-1]) / seen[1:-1]
     tell(f"sphere before the horizon, from {altitude:g} m: largest stripe {stripe.max():.1e}")
     assert stripe.max() < 1e-3

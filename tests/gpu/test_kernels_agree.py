@@ -356,8 +356,9 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
     # The other functions have array arguments, or a separate test.
     named = {case.function.py_func for case in
              [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND]}  # fmt: skip
-    others = {"meets_ground", "panel_leg", "seen_star", "place_of_star", "raised_star",
-              "star_points", "level_light", "shown_light", "insert_edge", "place_edges",
+    others = {"meets_ground", "panel_leg", "apparent_sun", "refraction_table_index",
+              "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
+              "insert_edge", "place_edges",
               "place_nodes", "map_color", "add_texel", "encoded"}  # fmt: skip
     rooms = [shell, path, bending, sun_disc, transmittance, sky_view, phase_functions, ground_place]
     for room in rooms:

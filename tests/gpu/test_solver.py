@@ -21,7 +21,6 @@ from airlight.gpu.solver.solver import ThickAir, fields_on, solve_on
 from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets import replace
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.first_order import first_order_radius
 from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.iterate import gather
@@ -31,6 +30,7 @@ from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.solve import solve
 from airlight.solvers.moments.sweep import sweep_radius
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 WAVELENGTHS = [450.0, 530.0, 600.0, 680.0]
 PREVIEW = settings_for("preview")
@@ -81,7 +81,7 @@ def light_of(plan, sweeper, texture):
 def test_each_order_is_that_of_the_cpu(device, name, changes):
     # The same functions on the same tables; the differences are single precision of radii (0.5 m),
     # cosines and look-ups: 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
-    paths = LightPaths.of(medium_of(name, **changes))
+    paths = RefractedGeometry.of(medium_of(name, **changes))
     plan = plan_for(paths, PREVIEW)
     block = Setup(paths=paths, settings=PREVIEW).block(slice(None))
     first, first_sky = gather(
@@ -97,7 +97,7 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
         lit = bright(first_sky[..., :4], 1e-4)
         assert_allclose(got_sky[lit], first_sky[..., :4][lit], rtol=3e-4)
         gpu.sweep()
-        got, got_sky = light_of(plan, gpu, "image")
+        got, got_sky = light_of(plan, gpu, "iterate")
         assert_moments_agree(got, (first + second)[..., :4], 1e-4, 3e-4)
         sky = (first_sky + second_sky)[..., :4]
         lit = bright(sky, 1e-4)
@@ -197,7 +197,7 @@ def test_spans_of_radii_do_not_change_the_result(device, monkeypatch):
     medium = medium_of("earth")
     whole = solve_on(device, medium, PREVIEW)
     monkeypatch.setattr(solver_planning, "_SPAN", 1 << 15)
-    assert len(plan_for(LightPaths.of(medium), PREVIEW).spans) > 3
+    assert len(plan_for(RefractedGeometry.of(medium), PREVIEW).spans) > 3
     cut = solve_on(device, medium, PREVIEW)
     assert_array_equal(cut.moments.field, whole.moments.field)
     assert_array_equal(cut.moments.sky, whole.moments.sky)
@@ -256,11 +256,11 @@ def test_a_pass_keeps_a_browsers_limits(name):
 @pytest.mark.parametrize("name", ["earth", "mars-standard"])
 def test_the_plan_can_be_run_by_another_host(name):
     # JSON preserves it, every texture is named in it, and none is higher than browsers allow.
-    plan = plan_for(LightPaths.of(medium_of(name)), settings_for("default"))
+    plan = plan_for(RefractedGeometry.of(medium_of(name)), settings_for("default"))
     written = json.loads(json.dumps(plan.as_dict()))
     assert written["sizes"]["degree"] == plan.setup.degree
     assert len(written["uniform"]) == plan.solve.shape[0]
-    known = {*written["textures"], "scalars", "spectra", "image"}
+    known = {*written["textures"], "scalars", "spectra", "iterate"}
     for part in written["passes"].values():
         for one in part:
             assert set(one["targets"]) <= known
@@ -274,7 +274,7 @@ def test_the_plan_can_be_run_by_another_host(name):
     assert spans[-1][1] == written["textures"]["radiances"]
     # Tables are at their recorded positions.
     air = plan.setup.optics.air(slice(None))
-    for table in ("extinction", "polarising"):
+    for table in ("extinction", "polarised_phase"):
         places = written["tables"][table]
         rows = plan.tables["spectra"][places["start"] : places["start"] + places["shape"][0]]
         assert_array_equal(rows, getattr(air, table).reshape(-1, 8)[:, :4])

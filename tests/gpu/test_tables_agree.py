@@ -27,7 +27,7 @@ from airlight.kernel.lanes import LANES, lane_array, load, store
 from airlight.optics import altitude_nodes
 from airlight.pixels import pixel as picture
 from airlight.solvers.moments import first_order, harmonics, ray_optics, source
-from airlight.solvers.moments import visible_rays as block_rays
+from airlight.solvers.moments import opaque_culling as block_rays
 from airlight.tables import column_ratios, columns
 
 EPS = 2.0**-23
@@ -62,31 +62,31 @@ def lanes(*shape: int, low: float = 0.0, high: float = 1.0) -> np.ndarray:
 def through_three(a, b, c, extinction):
     here = np.empty(THREE)
     here[0], here[1], here[2] = a, b, c
-    return source.through_columns(here, extinction, THREE, LANES, 0)
+    return source.transmittance_columns(here, extinction, THREE, LANES, 0)
 
 
 def star_of_two(seen, a, b, c, spread, extinction):
     here, there = np.empty(THREE), np.empty(THREE)
     here[0], here[1], here[2] = a, b, c
     there[0], there[1], there[2] = c, a, b
-    return source.star_at(seen, here, there, spread, extinction, THREE, LANES, 0)
+    return source.direct_beam(seen, here, there, spread, extinction, THREE, LANES, 0)
 
 
 def scattered_by_three(a, b, c, scattering, phase):
     here = np.empty(THREE, np.float32)
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
-    return source.scattered_star(here, scattering, phase, THREE, LANES, 0)
+    return source.single_scattering_source(here, scattering, phase, THREE, LANES, 0)
 
 
 def level_by_two(a, b, c, low, high, extinction):
     here, there = np.empty(THREE), np.empty(THREE)
     here[0], here[1], here[2] = a, b, c
     there[0], there[1], there[2] = c, a, b
-    return source.level_star(here, there, low, high, extinction, THREE, LANES, 0)
+    return source.direct_horizontal(here, there, low, high, extinction, THREE, LANES, 0)
 
 
 def level_under_sky(place, share, sky):
-    return source.level_sky(sky, place, share, LANES, 0)
+    return source.diffuse_horizontal(sky, place, share, LANES, 0)
 
 
 def third_phase(half_sine, table):
@@ -111,7 +111,9 @@ def some_directed(mu, cosine, start, ahead, back):
     return out[0], out[2], out[7], out[10], out[14]
 
 
-def gathered_of_four(a, b, c, mu, f, e, start, ahead, back, moments, polarising, field):
+def multiple_scattering_of_four(
+    a, b, c, mu, f, e, start, ahead, back, moments, polarised_phase, field
+):
     here = np.empty(THREE, np.float32)
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
     out = np.empty(TERMS, np.float32)
@@ -119,8 +121,8 @@ def gathered_of_four(a, b, c, mu, f, e, start, ahead, back, moments, polarising,
     block = LANES * (1 + MOMENTS)
     g, h = np.float32(1.0 - f), np.float32(1.0 - e)
     f, e = np.float32(f), np.float32(e)
-    return source.gathered_light(
-        here, moments, polarising, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e,
+    return source.multiple_scattering_source(
+        here, moments, polarised_phase, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e,
         DEGREE, THREE, LANES, 0,
     )  # fmt: skip
 
@@ -153,7 +155,7 @@ def three_columns(r, mu, nodes, rows, ratios):
 def corners_cut(r, mu, count, ends):
     edges = np.empty(EDGES)
     edges[0], edges[1] = 0.0, 1e7
-    count = columns.cut_at_corners(r, mu, BOTTOM, ends, edges, count)
+    count = columns.split_at_profile_edges(r, mu, BOTTOM, ends, edges, count)
     return count, edges[1], edges[2], edges[3]
 
 
@@ -171,7 +173,7 @@ def edge_inserted(cut):
 
 
 def star_lifted(x, mu_s, lift):
-    return bending.seen_star(x, mu_s, BOTTOM, TOP, lift)
+    return bending.apparent_sun(x, mu_s, BOTTOM, TOP, lift)
 
 
 def star_in_two(x, mu_s, lift):
@@ -179,7 +181,7 @@ def star_in_two(x, mu_s, lift):
 
 
 def star_on_level(x, mu_s, lift):
-    return bending.level_light(x, mu_s, BOTTOM, TOP, STAR, lift)
+    return bending.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, lift)
 
 
 def sky_between(row, sky, azimuth, table):
@@ -206,7 +208,7 @@ def strength_of_point(point, l, amount, moments):
 
 
 def through_whole_ray(first, total, extinction):
-    return ray_optics.through_ray(extinction, total, first, THREE)
+    return ray_optics.transmittance_ray(extinction, total, first, THREE)
 
 
 def angle_leaving(i, a, mu, end):
@@ -222,7 +224,7 @@ def emitted_by(a, scale):
 
 
 def through_a_row(local, x, depths):
-    return first_order.through_row(depths, local, x, NODES)
+    return first_order.transmittance_row(depths, local, x, NODES)
 
 
 def depth_above(row, f, place, distance, ratios, extinction):
@@ -267,13 +269,14 @@ FIELD = np.concatenate(
 ).reshape(-1, 4)
 
 CASES = [
-    Case(through_three, (source.through_columns,), AMOUNTS, {}, SPECTRA, DEPTH),
-    Case(star_of_two, (source.star_at,), (UNIT, *AMOUNTS, UNIT > 0.5), {}, SPECTRA, DEPTH),
-    Case(scattered_by_three, (source.scattered_star,), AMOUNTS, {},
+    Case(through_three, (source.transmittance_columns,), AMOUNTS, {}, SPECTRA, DEPTH),
+    Case(star_of_two, (source.direct_beam,), (UNIT, *AMOUNTS, UNIT > 0.5), {}, SPECTRA, DEPTH),
+    Case(scattered_by_three, (source.single_scattering_source,), AMOUNTS, {},
          {"scattering": lanes(THREE), "phase": lanes(THREE)}),
-    Case(level_by_two, (source.level_star,), (*AMOUNTS, UNIT, 1.0 - UNIT), {}, SPECTRA, DEPTH),
-    Case(level_under_sky, (source.level_sky,), (RNG.integers(0, NODES - 1, COUNT), UNIT), {},
-         {"sky": lanes(2 * NODES, low=0.1)}),
+    Case(level_by_two, (source.direct_horizontal,),
+         (*AMOUNTS, UNIT, 1.0 - UNIT), {}, SPECTRA, DEPTH),
+    Case(level_under_sky, (source.diffuse_horizontal,),
+         (RNG.integers(0, NODES - 1, COUNT), UNIT), {}, {"sky": lanes(2 * NODES, low=0.1)}),
     # The position in the table is accurate to EPS of its length, its slope is the table's step.
     Case(third_phase, (source.read_phase,), (UNIT,), {}, {"table": lanes(NODES * THREE)},
          atol=16 * NODES * EPS),
@@ -286,8 +289,10 @@ CASES = [
          atol=64 * EPS),
     Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {}, {"field": lanes(4)}),
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
-    Case(gathered_of_four, (source.gathered_light,), (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
-         {"moments": lanes(THREE * (DEGREE + 1)), "polarising": lanes(4 * THREE), "field": FIELD},
+    Case(multiple_scattering_of_four, (source.multiple_scattering_source,),
+         (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
+         {"moments": lanes(THREE * (DEGREE + 1)), "polarised_phase": lanes(4 * THREE),
+          "field": FIELD},
          rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
     Case(row_in_grid, (altitude_nodes.node_value,), (R,), {"nodes": CELLS, "row": GRID},
@@ -299,7 +304,7 @@ CASES = [
     # Positions in the table as in test_kernels_agree, its steps a fifth; a path of up to 1000 km.
     Case(three_columns, (column_ratios.columns_to_top,), (R, uniform(0.05, 1.0)),
          {"nodes": CELLS, "rows": ROWS, "ratios": RATIOS}, rtol=1e-4, atol=4 * METRES),
-    Case(corners_cut, (columns.cut_at_corners,), (uniform(BOTTOM, BOTTOM + 15e3),
+    Case(corners_cut, (columns.split_at_profile_edges,), (uniform(BOTTOM, BOTTOM + 15e3),
          uniform(0.2, 0.9), np.full(COUNT, 2)), {"ends": np.array([20e3, 60e3])},
          atol=4 * METRES / 0.2),
     # Where the path is divided evenly in the root of its height.
@@ -307,13 +312,13 @@ CASES = [
          atol=8 * METRES / 0.2),
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
     # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
-    Case(star_lifted, (bending.seen_star, bending.place_of_star), (R, uniform(0.02, 1.0)),
-         {"lift": LIFT}, atol=16 * 12 * EPS),
+    Case(star_lifted, (bending.apparent_sun, bending.refraction_table_index),
+         (R, uniform(0.02, 1.0)), {"lift": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
     Case(star_in_two, (bending.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
          atol=32 * 12 * EPS),
-    Case(star_on_level, (bending.level_light,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
-         atol=32 * 12 * EPS),
+    Case(star_on_level, (bending.direct_horizontal_weights,),
+         (R, uniform(0.02, 0.2)), {"lift": LIFT}, atol=32 * 12 * EPS),
     # Fourth power of the value between texels.
     Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
          uniform(0.0, 1.0) < 0.5, uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)},
@@ -328,7 +333,7 @@ CASES = [
     Case(strength_of_point, (ray_optics.strength_of,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, DEGREE + 1, COUNT)), {"amount": RNG.uniform(0.0, 1.0, (5, THREE))},
          {"moments": lanes(THREE * (DEGREE + 1))}),
-    Case(through_whole_ray, (ray_optics.through_ray,), (RNG.integers(0, 20, COUNT),),
+    Case(through_whole_ray, (ray_optics.transmittance_ray,), (RNG.integers(0, 20, COUNT),),
          {"total": RNG.uniform(0.0, 2.0, 24)}, SPECTRA, DEPTH),
     Case(angle_leaving, (ray_optics.leaving_at_end,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, 3, COUNT), MU), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
@@ -338,7 +343,7 @@ CASES = [
     # 1 - e^-τ from its series or directly: exact where τ is small, to EPS of 1 elsewhere.
     Case(emitted_by, (block_rays.emitted,), (np.geomspace(1e-6, 20.0, COUNT),), {},
          {"scale": lanes(1, low=0.5)}, rtol=DEPTH),
-    Case(through_a_row, (first_order.through_row,), (RNG.integers(0, 3, COUNT),
+    Case(through_a_row, (first_order.transmittance_row,), (RNG.integers(0, 3, COUNT),
          uniform(0.0, NODES - 1.0)), {}, {"depths": lanes(3 * NODES)}, DEPTH),
     Case(depth_above, (ray_sums.depth_towards,), (RNG.integers(0, 7, COUNT), UNIT,
          RNG.integers(0, 16, COUNT), uniform(0.0, 3.0)), {"ratios": RATIOS}, SPECTRA),
@@ -401,17 +406,17 @@ WHOLE = {
         "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
         "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
-        "field_place", "gathered_at", "place_panels", "place_panel", "panel_columns",
+        "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
-        "widen", "clear_peaks", "add_peaks", "more_light", "peaked_share",
+        "widen", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
         "bent_to_ground", "place_in_sky", "seen_line",
     ),
     "test_pictures.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
-        "add_polarised_star", "add_polarised_light", "gathered_polarised", "polarised_between",
-        "onward_columns",
+        "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
+        "polarised_between", "polarised_ratio_columns",
         "filter_shares",
     ),
     "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
@@ -465,11 +470,12 @@ WHOLE = {
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
         "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
-        "refined", "row", "share", "sound", "strength", "through", "ray_share", "depth_in_row",
-        "direct_light", "scattered_once", "contracted", "gathered", "star_factor", "sky_factor",
-        "polarised_again", "azimuthal_once", "azimuthal_weight", "coupled_moments",
-        "fill_polarising", "polarised_functions", "polarised_function", "odd_moment", "star_plane",
-        "first_register", "sent_by_point", "onward_light", "bounce",
+        "refined", "row", "share", "sound", "strength", "transmittance", "ray_share",
+        "depth_in_row", "direct_light", "scattered_once", "contracted", "gathered",
+        "star_factor", "sky_factor", "polarised_again", "azimuthal_once", "azimuthal_weight",
+        "coupled_moments", "fill_phase_f12", "polarised_functions", "polarised_function",
+        "odd_moment", "star_plane", "first_register", "source_at_point",
+        "polarised_transmittance_ratio", "bounce",
     ),
 }  # fmt: skip
 

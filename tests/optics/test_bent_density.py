@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
-from airlight.optics.bent_density import BentShell
+from airlight.optics.bent_density import RefractingShell
 from airlight.optics.density_profile import DensitySegments, exponential, tent, uniform
 
 BOTTOM, THICK = 6371e3, 100e3
@@ -15,8 +15,10 @@ ROWS = [exponential(8434.0, THICK), tent(25e3, 15e3, THICK), uniform(THICK)]
 NO_TENT = np.array([2.78e-4, 0.0, 0.0])
 
 
-def shell(rows: list, refractivity: np.ndarray) -> BentShell:
-    return BentShell.build(DensitySegments.from_rows(rows), refractivity, BOTTOM, BOTTOM + THICK)
+def shell(rows: list, refractivity: np.ndarray) -> RefractingShell:
+    return RefractingShell.build(
+        DensitySegments.from_rows(rows), refractivity, BOTTOM, BOTTOM + THICK
+    )
 
 
 def test_vertical_columns_are_those_of_the_profiles() -> None:

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import seen_star
+from airlight.geometry.bending import apparent_sun
 from airlight.render.sun_disc import leaving_direction, straight_sight, sun_solid_angle
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
@@ -212,5 +212,5 @@ def _seen(direction: FloatArray, solution: MomentsSolution, altitude: float) -> 
     if paths.shell is None or solution.medium.thickness <= altitude:
         return true, 1.0
     x = float(paths.optical_radius(np.array(solution.medium.bottom_radius + altitude)))
-    seen, squeeze, _ = seen_star(x, true, paths.shell.bottom, paths.shell.top, paths.lift)
+    seen, squeeze, _ = apparent_sun(x, true, paths.shell.bottom, paths.shell.top, paths.lift)
     return float(seen), float(squeeze)

@@ -16,7 +16,7 @@ from airlight.ephemeris.sun_vector import solar_point
 from airlight.errors import ParameterError
 from airlight.planets.medium import Medium
 from airlight.scene.apparent_sun import apparent_altitude, apparent_zenith
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 TIME = datetime(2026, 6, 21, 14, 10, tzinfo=UTC)
 
@@ -107,7 +107,7 @@ def test_a_body_behind_the_limb_is_seen_where_its_ray_leads(altitude: float) -> 
     # a second method: the star's table inside the air; outside, a ray that grazes the ground is
     # bent as much as two from the ground to space, and one that misses the air goes straight
     earth = load_planet("earth")
-    paths = LightPaths.of(Medium.from_planet(earth, [550.0]))
+    paths = RefractedGeometry.of(Medium.from_planet(earth, [550.0]))
     assert paths.shell is not None
     r = earth.bottom_radius + altitude
     x = float(paths.optical_radius(np.array(r)))

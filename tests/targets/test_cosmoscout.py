@@ -15,7 +15,7 @@ from airlight.color.xyz import luminance
 from airlight.errors import FileError
 from airlight.planets import load_planet, replace
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.targets import target_of
 from airlight.targets.cosmoscout_inputs import planet_from_inputs, wavelengths_for
 from airlight.targets.cosmoscout_tables import (
@@ -162,7 +162,7 @@ def test_illuminance_and_sunlight_are_the_solutions(written):
 def test_bending_is_that_of_the_horizon_and_of_a_setting_star(written):
     solution, folder, _ = written
     tables = CosmoScoutTables.read(folder)
-    paths = LightPaths.of(solution.medium)
+    paths = RefractedGeometry.of(solution.medium)
     ground = np.array([tables.bottom_radius])
     # 34 arc minutes on the horizon: the refraction of almanacs, for 10 deg C and 1010 hPa.
     bent, lowest = tables.bent(ground, np.array([1e-4]))

@@ -144,7 +144,7 @@ def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
     """Counterpart of ``viewer.browser.package.solution_package``, with tables as text."""
     return {
         "uniforms": {
-            "first_peak": -1.0,
+            "separated_1": -1.0,
             "star_radius": 0.0,
             **dict.fromkeys((f"lamp_{one}" for one in CHANNELS), 0.0),
             **{f"{one}_{i}": x for one in CHANNELS for i, x in enumerate(paint)},

@@ -20,14 +20,14 @@ from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.kernel import vectorized
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.acceleration import mixing_weights
-from airlight.solvers.moments.convergence import change_at, count_at, remaining_change
-from airlight.solvers.moments.packing import level_weights, pack, thickness
-from airlight.solvers.moments.reduced_optics import Optics
+from airlight.solvers.moments.convergence import change_at, count_at, estimated_tail
+from airlight.solvers.moments.delta_m import Optics
+from airlight.solvers.moments.packing import level_weights, optically_thick_weights, pack
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solve import solve
-from airlight.solvers.moments.vertical_coupling import Wandering
+from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.page_solver import MOST, page_settings, solver_data
 from airlight.viewer.browser.tables_text import from_text
 from airlight.viewer.parameters.amounts import AMOUNTS, amounts_of
@@ -78,7 +78,7 @@ def test_edited_air_is_that_of_an_edited_medium(
         absorption=factors * solution.medium.absorption,
         ground_albedo=ground * solution.medium.ground_albedo,
     )
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     degree = int(data["plan"]["sizes"]["degree"])
     optics = Optics(paths.medium, degree)
     air, depth = optics.air(slice(None)), optics.scattering_depth
@@ -87,7 +87,7 @@ def test_edited_air_is_that_of_an_edited_medium(
     # float32, to which both are rounded, after sums in different orders
     tables = {
         "extinction": air.extinction, "moments": air.moments,
-        "polarising": air.polarising, "albedo": air.ground.albedo,
+        "polarised_phase": air.polarised_phase, "albedo": air.ground.albedo,
         "true_extinction": pack(paths.medium.extinction),
     }  # fmt: skip
     for name, table in tables.items():
@@ -95,7 +95,7 @@ def test_edited_air_is_that_of_an_edited_medium(
         assert_allclose(got[name], wanted, rtol=1e-5, atol=1e-6 * abs(wanted).max(), err_msg=name)
     wanted = level_weights(grid.sun_cosines, dip, depth)
     assert_allclose(np.reshape(got["level"], (-1, 4))[:, :3], wanted, rtol=1e-6, atol=1e-7)
-    assert_allclose(got["thick"][:3], thickness(depth), rtol=1e-6)
+    assert_allclose(got["thick"][:3], optically_thick_weights(depth), rtol=1e-6)
     assert_allclose(got["strongest"], paths.medium.extinction.max(axis=1), rtol=1e-6)
     assert_allclose(got["brightest"], paths.medium.scattering.max(axis=1), rtol=1e-6)
 
@@ -117,16 +117,16 @@ def test_air_that_is_too_thick_is_refused_in_one_line(
 def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     gpu: Any, modules: Callable[..., Any]
 ) -> None:
-    # A second method: the matrix that the processor's loops make of the same rays, for any change
-    # of the light. The page's is made of textures in single precision: 3e-4 of the largest.
+    # A second method: the operator that the CPU's loops assemble from the same rays, for any
+    # residual. The page's is assembled from textures in single precision: 3e-4 of the largest.
     settings = dataclasses.replace(page_settings(), radii=5, suns=7, zenith_angles=3, degree=4)
     settings = dataclasses.replace(settings, thick_degree=4)
     medium = Medium.from_planet(load_planet("titan"), WAVELENGTHS)
     data = solver_data(SimpleNamespace(medium=medium), settings)  # type: ignore[arg-type]
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     plan = plan_for(paths, settings)
     assert plan.sizes["parts"] > 1
-    assert plan.setup.optics.transport_depth.max() > data["completion"]["thicker"]
+    assert plan.setup.optics.transport_depth.max() > data["synthetic"]["thicker"]
     rays = {}
     with borrowed_sweeper(gpu) as sweeper:
         sweeper.load(plan)
@@ -144,29 +144,31 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
             "sun_cosines": plan.setup.grid.sun_cosines,
         }.items()
     }  # fmt: skip
-    cubics = from_text(data["completion"]["cubics"]).tolist()
-    wide, leak = (length / plan.setup.grid.bottom_radius for length in plan.block.reach)
-    page = modules({"solving/completion": ("Completion",)})
+    cubics = from_text(data["synthetic"]["cubics"]).tolist()
+    page = modules({"solving/synthetic_acceleration": ("SyntheticAcceleration",)})
     got = page.evaluate(
-        """async ([plan, tables, fixed, rays, reach, change]) => {
+        """async ([plan, tables, fixed, rays, diffusion, change]) => {
           const arrays = Object.fromEntries(
             Object.entries(rays).map(([name, values]) => [name, Float32Array.from(values)]));
           const light = Float32Array.from(change);
           const found = [];
           for (const deep of [false, true]) {
-            const made = new Completion(
-              plan, (name) => tables[name], fixed, arrays, { ...reach, deep });
-            await made.eliminate(async () => {});
-            found.push([...made.finish(light)], [...made.finish(light, light)]);
+            const synthetic = new SyntheticAcceleration(
+              plan, (name) => tables[name], fixed, arrays, { ...diffusion, deep });
+            await synthetic.eliminate(async () => {});
+            found.push([...synthetic.apply(light)], [...synthetic.apply(light, light)]);
           }
           return found;
         }""",
         [
             {"sizes": {name: float(value) for name, value in plan.sizes.items()}},
             tables,
-            {**data["completion"], "cubics": cubics},
+            {**data["synthetic"], "cubics": cubics},
             rays,
-            {"wide": wide, "leak": leak},
+            {
+                "diffusion_length": plan.block.diffusion_length,
+                "grid_diffusion": plan.block.grid_diffusion,
+            },
             change.tolist(),
         ],
     )
@@ -178,9 +180,9 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
         (deep, light) for deep in (False, True) for light in (None, (both[0][:, :, 0], both[1]))
     ]
     for found, (deep, light) in zip(got, cases, strict=True):
-        wandering = Wandering(dataclasses.replace(plan.block, deep=deep))
-        moments, irradiances = wandering.finish(*both, light)
-        assert abs(moments[..., :4] - field).max() > 1.0  # the further sweeps bring much light
+        synthetic = SyntheticAcceleration(dataclasses.replace(plan.block, deep=deep))
+        moments, irradiances = synthetic.apply(*both, light)
+        assert abs(moments[..., :4] - field).max() > 1.0  # acceleration adds much light
         parts = np.split(np.array(found, np.float32), [field.size])
         for part, expected in zip(parts, (moments, irradiances), strict=True):
             wanted = expected[..., :4].ravel()
@@ -272,14 +274,14 @@ def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., An
     means = np.exp(rng.normal(scale=4.0, size=(2, *shape))).astype(np.float32)
     thick = np.array([0.0, 0.2, 0.7, 1.0])
     shrinking = 0.4 ** np.arange(4)[:, None, None] * rng.normal(size=(4, 15, 4))
-    names = ("relativeChange", "counts", "whatFollows", "mixingWeights", "brightest")
+    names = ("relativeChange", "counts", "estimatedTail", "mixingWeights", "brightest")
     page = modules({"solving/convergence": names})
     got = page.evaluate(
         """([before, mean, thick, residuals]) => ({
           change: [...relativeChange(before, mean)],
           counted: [...counts(mean, thick)],
-          follows: whatFollows(residuals.map((one) => Float64Array.from(one)), 2),
-          first: whatFollows([Float64Array.from(residuals[0])], 2),
+          follows: estimatedTail(residuals.map((one) => Float64Array.from(one)), 2),
+          first: estimatedTail([Float64Array.from(residuals[0])], 2),
           weights: [0, 1, 2, 3].map((lane) =>
             mixingWeights(residuals.map((one) => Float64Array.from(one)), lane)),
           brightest: [...brightest(mean)],
@@ -298,8 +300,8 @@ def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., An
     assert_allclose(got["change"], changes.ravel(), rtol=1e-12)
     counted = vectorized(count_at)(after, brightest, thick)
     assert_allclose(got["counted"], counted.ravel(), rtol=1e-6)
-    assert_allclose(got["follows"], remaining_change(deque(shrinking)), rtol=1e-12)
-    assert_allclose(got["first"], remaining_change(deque(shrinking[:1])), rtol=1e-12)
+    assert_allclose(got["follows"], estimated_tail(deque(shrinking)), rtol=1e-12)
+    assert_allclose(got["first"], estimated_tail(deque(shrinking[:1])), rtol=1e-12)
     for lane in range(4):
         assert_allclose(got["weights"][lane], mixing_weights(shrinking[..., lane]), rtol=1e-8)
     assert_allclose(got["brightest"], means[1].max(axis=(0, 1)))

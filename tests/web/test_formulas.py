@@ -34,7 +34,7 @@ SUN = tuple(np.array([numbers(-0.5, 0.5) for _ in range(3)]))
 POSITIVE = np.geomspace(1e-8, 10.0, COUNT)
 STEPS = 4
 #: Formulas that write to an array, which are compared in a separate test.
-FILLING = {"combine", "reduce_optics", "factorise", "substitute", "sideways_equations"}
+FILLING = {"combine", "delta_m_scaling", "factorise", "substitute", "lateral_diffusion_equations"}
 #: Arguments of each function: numbers, or tables, which are the same for all calls.
 CASES: dict[str, tuple[Any, ...]] = {
     "days_of_date": DATES,
@@ -64,8 +64,8 @@ CASES: dict[str, tuple[Any, ...]] = {
         np.maximum(numbers(-0.005, 0.005), 0.0),
     ),
     "horizon_cosine": (numbers(BOTTOM, TOP), BOTTOM),
-    "place_of_star": STAR,
-    "raised_star": STAR,
+    "refraction_table_index": STAR,
+    "apparent_sun_cosine": STAR,
     "luminance_of": (numbers(0.0, 9.0), numbers(0.0, 9.0), numbers(0.0, 9.0)),
     "exposure_of": (
         np.sort(RNG.lognormal(-3.0, 3.0, 500)), RNG.uniform(0.0, 1.0, 500), numbers(0.0, 900.0)
@@ -117,9 +117,9 @@ CASES: dict[str, tuple[Any, ...]] = {
     "pixel_angle_orthographic": PIXELS,
     "change_at": (POSITIVE, POSITIVE[::-1], 10.0),
     "count_at": (POSITIVE, 10.0, numbers(0.0, 1.0)),
-    "rest_after": (POSITIVE, POSITIVE[::-1], RNG.integers(0, 3, COUNT)),
+    "geometric_tail": (POSITIVE, POSITIVE[::-1], RNG.integers(0, 3, COUNT)),
     "is_near": (POSITIVE, POSITIVE[::-1], 10.0),
-    "trusted_part": (POSITIVE, POSITIVE[::-1]),
+    "acceleration_weight": (POSITIVE, POSITIVE[::-1]),
     "floor_below": (POSITIVE,),
     "node_value": (
         numbers(BOTTOM, TOP), BOTTOM, TOP, np.cumsum([0, *RNG.integers(1, 4, 32)]),
@@ -130,12 +130,12 @@ CASES: dict[str, tuple[Any, ...]] = {
     ),
     "squared": (numbers(-3.0, 3.0),),
     "is_peaked": (numbers(-2e-6, 2e-6),),
-    "cut_weight": (POSITIVE,),
-    "cut_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
-    "onward_part": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
+    "delta_m_weight": (POSITIVE,),
+    "truncated_fraction": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
+    "polarised_truncated_fraction": (numbers(-1.0, 1.2), numbers(0.0, 1.0)),
     "turbidity_of": (POSITIVE, POSITIVE[::-1]),
     "haze_of": (1.0 + POSITIVE, POSITIVE[::-1]),
-    "thick_share": (POSITIVE,),
+    "optically_thick_weight": (POSITIVE,),
     "level_weight": (numbers(0.0, 1.0), POSITIVE),
 }  # fmt: skip
 
@@ -210,15 +210,19 @@ def test_the_weights_of_the_next_guess_are_python_s(calls: Callable[..., Any]) -
         assert_allclose(seen[0], mixing_weights(values), rtol=1e-9)
 
 
-def test_the_spread_sideways_is_python_s(calls: Callable[..., Any]) -> None:
+def test_lateral_diffusion_is_python_s(calls: Callable[..., Any]) -> None:
     # Sums in the same order, cosines of float64.
     cosines = np.sort(np.concatenate([[-1.0, 1.0], RNG.uniform(-1.0, 1.0, 9)]))
     table = {"values": cosines.tolist(), "shape": [cosines.size]}
     spread, measure = np.zeros(cosines.size**2), np.zeros(cosines.size)
-    functions()["sideways_equations"](cosines, 0.02, 0.3, spread, measure)
+    functions()["lateral_diffusion_equations"](cosines, 0.02, 0.3, spread, measure)
     row = [table, 0.02, 0.3, [0.0] * spread.size, [0.0] * measure.size]
-    assert_allclose(calls("sideways_equations", [row], 3)[0], spread, rtol=1e-9, atol=1e-12)
-    assert_allclose(calls("sideways_equations", [row], 4)[0], measure, rtol=1e-9, atol=1e-12)
+    assert_allclose(
+        calls("lateral_diffusion_equations", [row], 3)[0], spread, rtol=1e-9, atol=1e-12
+    )
+    assert_allclose(
+        calls("lateral_diffusion_equations", [row], 4)[0], measure, rtol=1e-9, atol=1e-12
+    )
 
 
 def test_elimination_in_javascript_solves_equations(calls: Callable[..., Any]) -> None:
@@ -240,12 +244,12 @@ def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) ->
     scattering, absorption = RNG.uniform(1e-6, 1e-4, (2, 3, wavelengths))
     scattering[2] = 0.0
     columns = np.array([8e3, 1e3, 2e3])
-    turning = RNG.uniform(-1.0, 1.0, (3, wavelengths, 4))
-    tables = (scattering, absorption, phases, turning, columns)
+    polarised_elements = RNG.uniform(-1.0, 1.0, (3, wavelengths, 4))
+    tables = (scattering, absorption, phases, polarised_elements, columns)
     parts = (1, degree + 1, 4, 1)
     sizes = [3 * wavelengths * part for part in parts]
     filled = [np.zeros(size) for size in sizes]
-    functions()["reduce_optics"](*tables, degree, *filled)
+    functions()["delta_m_scaling"](*tables, degree, *filled)
     row = [
         *({"values": one.ravel().tolist(), "shape": list(one.shape)} for one in tables),
         degree,
@@ -253,4 +257,4 @@ def test_optics_without_forward_peaks_are_python_s(calls: Callable[..., Any]) ->
     ]
     for index, wanted in enumerate(filled, start=6):
         assert np.ptp(wanted) > 0.0
-        assert_allclose(calls("reduce_optics", [row], index)[0], wanted, rtol=1e-12)
+        assert_allclose(calls("delta_m_scaling", [row], index)[0], wanted, rtol=1e-12)

@@ -78,7 +78,7 @@ class Air:
             chord = np.sqrt(np.maximum(self._top**2 - np.square(r * sine), 0.0))
             way = np.where(entered.length > 0.0, -r * mu - chord, 0.0)
         wanted = np.minimum(np.maximum(distances - way, 0.0), 1e3 * self._top)
-        asked = paths.drawn_length(sight.r, sight.mu, wanted, sight.length, quick=True)
+        asked = paths.optical_length(sight.r, sight.mu, wanted, sight.length, quick=True)
         longest = np.where(below & sight.to_ground, _BELOW * sight.length, sight.length)
         length = np.minimum(asked, longest)
         radiance = np.zeros((mu.size, self.solution.wavelengths.size))

@@ -20,7 +20,7 @@ from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import vectorized
 from airlight.optics.reflection import leaving_cosine, sky_factors, star_factors
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.many_stars import light_apart
+from airlight.solvers.moments.march_sun_angles import scattering_by_constituent
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Solution
@@ -120,10 +120,12 @@ class AirLight:
         assert isinstance(solution, MomentsSolution)
         whole = None in self.orders
         if whole and not self.peaks_once:
-            light, once = light_apart(solution, sight, 2, thinned=False)
-            own = solution.medium.phase_function(solution.paths.seen_nu(sight))
+            light, once = scattering_by_constituent(solution, sight, 2, delta_scaled=False)
+            own = solution.medium.phase_function(solution.paths.apparent_nu(sight))
             return once, np.maximum(light - (once * own).sum(axis=1), 0.0)
-        light, once = light_apart(solution, sight, 0 if whole else 1, thinned=True)
+        light, once = scattering_by_constituent(
+            solution, sight, 0 if whole else 1, delta_scaled=True
+        )
         return once, light if whole else np.zeros_like(light)
 
     def __call__(self, sight: Sight) -> FloatArray:
@@ -137,7 +139,7 @@ class AirLight:
             return self(sight)
         assert isinstance(self.solution, MomentsSolution)
         orders = 2 if None in self.orders else 1
-        return light_apart(self.solution, sight, orders, thinned=True)[0]
+        return scattering_by_constituent(self.solution, sight, orders, delta_scaled=True)[0]
 
     def before_the_ground(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
         """Air's light, and all light of the same orders, the ground's included, (n, nl). [sr⁻¹]"""

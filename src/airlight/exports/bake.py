@@ -31,7 +31,7 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.phase_functions import rayleigh
 from airlight.planets.reading.reader import PlanetLike
 from airlight.scene.limits import within
-from airlight.solvers.light_paths import only_straight
+from airlight.solvers.refracted_geometry import require_no_refraction
 from airlight.solvers.solution import Solution
 from airlight.solvers.solve import solution_of
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
@@ -164,7 +164,7 @@ def bake(
         If ``cancel`` returned True.
     """
     solution = solution_of(solution, progress=progress, cancel=cancel)
-    only_straight(solution.medium, "tables, whose look-ups draw straight lines")
+    require_no_refraction(solution.medium, "tables, whose look-ups draw straight lines")
     azimuth = within("azimuth", azimuth, -360.0, 360.0, "deg")
     lowest = None if mu_s_min is None else within("mu_s_min", mu_s_min, -1.0, 0.0, "1")
     where = _layout(solution, layout, mapping, azimuth, size, lowest)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
-from airlight.solvers.moments.reduced_optics import Optics
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.settings import Settings, settings_for
 
 FloatArray = NDArray[np.float64]

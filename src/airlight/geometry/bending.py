@@ -73,8 +73,8 @@ def bend_angle(x, mu, bend, column):
 
 
 @inlined
-def place_of_star(x, mu_s, bottom, top, lift):
-    """Coordinates of a star in the table ``lift``; parameters as in ``seen_star``.
+def refraction_table_index(x, mu_s, bottom, top, lift):
+    """Fractional indices in the refraction table ``lift``; parameters as in ``apparent_sun``.
 
     Returns
     -------
@@ -96,16 +96,16 @@ def place_of_star(x, mu_s, bottom, top, lift):
 
 
 @inlined
-def raised_star(x, mu_s, bottom, top, lift):
-    """Cosine of the zenith angle at which a star is seen; as ``seen_star``. [1]"""
-    row, f, column, e, _ = place_of_star(x, mu_s, bottom, top, lift)
+def apparent_sun_cosine(x, mu_s, bottom, top, lift):
+    """Cosine of the star's apparent zenith angle; parameters as in ``apparent_sun``. [1]"""
+    row, f, column, e, _ = refraction_table_index(x, mu_s, bottom, top, lift)
     near = (1.0 - e) * lift[row, column, 0] + e * lift[row, column + 1, 0]
     far = (1.0 - e) * lift[row + 1, column, 0] + e * lift[row + 1, column + 1, 0]
     return min(mu_s + (1.0 - f) * near + f * far, 1.0)
 
 
 @inlined
-def seen_star(x, mu_s, bottom, top, lift):
+def apparent_sun(x, mu_s, bottom, top, lift):
     """Apparent zenith cosine of a star from a point of optical radius x, and its flattening.
 
     Parameters
@@ -117,13 +117,13 @@ def seen_star(x, mu_s, bottom, top, lift):
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     lift : array, shape (rows, columns, 2)
-        Table from ``airlight.tables.star_lift``; without rows where light goes straight. [1]
+        Table from ``airlight.tables.refraction_table``; without rows where light goes straight. [1]
 
     Returns
     -------
     mu_seen : float
         Cosine of the star's apparent zenith angle. [1]
-    squeeze : float
+    refraction_jacobian : float
         d mu_seen/d mu_s: the factor by which the star's disc is smaller than without air, and so is
         the light that arrives, since each part of the disc keeps its radiance. [1]
     elevation : float
@@ -132,7 +132,7 @@ def seen_star(x, mu_s, bottom, top, lift):
     if lift.shape[0] == 0:
         return mu_s, 1.0, sun_elevation(x, mu_s, bottom)
     sine = bottom / x
-    row, f, column, e, above = place_of_star(x, mu_s, bottom, top, lift)
+    row, f, column, e, above = refraction_table_index(x, mu_s, bottom, top, lift)
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
     raised = (
@@ -141,13 +141,13 @@ def seen_star(x, mu_s, bottom, top, lift):
         + w10 * lift[row + 1, column, 0]
         + w11 * lift[row + 1, column + 1, 0]
     )
-    squeeze = (
+    refraction_jacobian = (
         w00 * lift[row, column, 1]
         + w01 * lift[row, column + 1, 1]
         + w10 * lift[row + 1, column, 1]
         + w11 * lift[row + 1, column + 1, 1]
     )
-    return min(mu_s + raised, 1.0), squeeze, above / sine
+    return min(mu_s + raised, 1.0), refraction_jacobian, above / sine
 
 
 #: A star whose centre is more than this many of its radii above the horizon is sampled at its
@@ -162,7 +162,7 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
     Parameters
     ----------
     x, mu_s, bottom, top, lift :
-        Arguments of ``seen_star``.
+        Arguments of ``apparent_sun``.
     star_radius : float
         True angular radius of the star. [rad]
 
@@ -175,19 +175,19 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
         Cosines of the apparent zenith angles of the two points that represent the visible part,
         half each; the same where its height does not matter. [1]
     """
-    seen, squeeze, elevation = seen_star(x, mu_s, bottom, top, lift)
-    received = squeeze * visible_fraction(elevation, star_radius)
+    seen, refraction_jacobian, elevation = apparent_sun(x, mu_s, bottom, top, lift)
+    received = refraction_jacobian * visible_fraction(elevation, star_radius)
     if received <= 0.0 or star_radius <= 0.0 or elevation > HIGH * star_radius:
         return received, seen, seen
     mean, deviation = visible_spread(elevation, star_radius)
-    middle = seen + squeeze * (bottom / x) * (mean - elevation)
-    apart = squeeze * (bottom / x) * deviation
+    middle = seen + refraction_jacobian * (bottom / x) * (mean - elevation)
+    apart = refraction_jacobian * (bottom / x) * deviation
     lowest = horizon_cosine(x, bottom)
     return received, max(middle - apart, lowest), min(middle + apart, 1.0)
 
 
 @inlined
-def level_light(x, mu_s, bottom, top, star_radius, lift):
+def direct_horizontal_weights(x, mu_s, bottom, top, star_radius, lift):
     """Irradiance of a level surface by a star, as one or two directions.
 
     Parameters

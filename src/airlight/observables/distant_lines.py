@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
@@ -60,6 +60,6 @@ def disc_lines(
     return lines_into_shell(impact, mu_s, np.full(mu_s.shape, -np.cos(phase)), bottom, top)
 
 
-def ground_edge(paths: LightPaths) -> float:
+def ground_edge(paths: RefractedGeometry) -> float:
     """Radius of the ground's disc as seen from afar, enlarged by refraction. [m]"""
     return paths.medium.bottom_radius if paths.shell is None else float(paths.shell.bottom)

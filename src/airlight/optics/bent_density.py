@@ -29,7 +29,7 @@ _LEAST_GROWTH: Final = 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class BentShell:
+class RefractingShell:
     """Shell in which light is bent, by optical radius.
 
     Attributes
@@ -63,7 +63,7 @@ class BentShell:
         refractivity: FloatArray,
         bottom_radius: float,
         top_radius: float,
-    ) -> BentShell:
+    ) -> RefractingShell:
         """Make the shell of profiles of which some refract.
 
         Parameters

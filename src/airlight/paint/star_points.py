@@ -12,7 +12,7 @@ from airlight.ephemeris.instant import days_of
 from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun
 from airlight.ephemeris.world import WORLDS
 from airlight.errors import ParameterError
-from airlight.geometry.bending import raised_star
+from airlight.geometry.bending import apparent_sun_cosine
 from airlight.render.through_air import through_air
 from airlight.scene import Scene
 from airlight.scene.pixel_position import pixel_positions
@@ -159,7 +159,7 @@ def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) 
         return true
     r = np.array(solution.medium.bottom_radius + altitude)
     place = float(paths.optical_radius(r)), paths.shell.bottom, paths.shell.top
-    seen = np.array([raised_star(place[0], z, *place[1:], paths.lift) for z in true[:, 2]])
+    seen = np.array([apparent_sun_cosine(place[0], z, *place[1:], paths.lift) for z in true[:, 2]])
     flat = np.hypot(true[:, 0], true[:, 1])
     level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))
     scale = np.divide(level, flat, out=np.ones_like(flat), where=flat > 0.0)

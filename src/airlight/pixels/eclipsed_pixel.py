@@ -23,7 +23,7 @@ from airlight.pixels.samples import sample_place, samples_per_side
 from airlight.pixels.sky_table import half_sine_between
 from airlight.pixels.star_disc import camera_direction
 from airlight.solvers.eclipsed.eclipsed_march import (
-    WHOLE,
+    TOTAL,
     eclipsed_ground_light,
     end_on_ground,
     march_eclipsed,
@@ -77,7 +77,7 @@ def eclipsed_light(
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
     read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, work.phase)
     march_eclipsed(
-        a, b, c, u, v, w, half_sine, length, WHOLE, work.phase, light, shadow, work, spare, found
+        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, spare, found
     )
     for at in range(0, lanes, LANES):
         store(result, at, load(found, at))
@@ -86,7 +86,7 @@ def eclipsed_light(
     p, q, s, leaving = end_on_ground(a, b, c, u, v, w, length, light, work)
     bent = 0.0
     if light.bend > 0.0:
-        bent = bend_angle(r, mu, light.bend, work.totals[light.constituents - 1])
+        bent = bend_angle(r, mu, light.bend, work.columns_total[light.constituents - 1])
     for at in range(0, lanes, LANES):
         store(work.found, lanes + at, load(found, lanes + at))
     if light.ground.wet:
@@ -96,9 +96,9 @@ def eclipsed_light(
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
         x, y, z, sine, bent, observer, screen, light, work, color
     )
-    eclipsed_ground_light(p, q, s, WHOLE, light, shadow, work, spare)
+    eclipsed_ground_light(p, q, s, TOTAL, light, shadow, work, spare)
     if screen.overlaid:
-        columns_to_ground(z, sine, observer, light, work.totals, work.before)
+        columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
     for at in range(0, lanes, LANES):
         received = load(work.received, at) + load(work.received, lanes + at)
         factor = ground_factor(
@@ -107,7 +107,7 @@ def eclipsed_light(
         behind = received * INVERSE_PI * load(work.found, lanes + at)
         total = load(result, at) + behind * factor
         if screen.overlaid:
-            total = total + lamp_light(color, screen, light, work.totals, at)
+            total = total + lamp_light(color, screen, light, work.columns_total, at)
         store(result, at, total)
 
 
@@ -142,7 +142,7 @@ def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
     )
     length = distance_to_top(light.bottom, mu, light.top)
     march_eclipsed(
-        p, q, s, u, v, w, half_sine, length, WHOLE, work.phase, light, shadow, work, spare, found
+        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, spare, found
     )
 
 

@@ -24,7 +24,7 @@ from airlight.scene.ground_detail import ground_detail
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
 from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.march_tables import MIRRORED
-from airlight.solvers.moments.source import through_columns
+from airlight.solvers.moments.source import transmittance_columns
 
 #: Length of the array that ``ground_color`` fills.
 GROUND_VALUES: Final = 11
@@ -200,7 +200,9 @@ def lamp_light(color, screen, light, columns, at):
     blue = np.float32(color[6] * screen.lamp_blue)
     total = load(light.basis, at) * red + load(light.basis, light.lanes + at) * green
     total = total + load(light.basis, 2 * light.lanes + at) * blue
-    through = through_columns(columns, light.extinction, light.constituents, light.lanes, at)
+    through = transmittance_columns(
+        columns, light.scaled_extinction, light.constituents, light.lanes, at
+    )
     return total * through
 
 

@@ -14,7 +14,7 @@ from airlight.color.texels import CHANNELS
 from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.geometry.bending import seen_star
+from airlight.geometry.bending import apparent_sun
 from airlight.pixels.disc_shading import OCCULTER, shading_numbers
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.pixels.occulted_light import disc_factor
@@ -66,7 +66,7 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     sun = scene.sun_direction
     seen, lift = sun[2], solution.paths
     if lift.shell is not None and not outside:
-        seen = float(seen_star(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
+        seen = float(apparent_sun(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
     axes = camera.axes
     assert camera.field_of_view is not None
     star_radius = solution.lights[0].angular_radius
@@ -175,13 +175,13 @@ def screen_from(
         "over_texels": np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
         "sky_columns": 0,
         "sky_rows": 0,
-        "keeps_peaks": layers.first.size > 1,
+        "separated_phases": layers.first.size > 1,
         "sky_air": layers.air,
         "sky_ground": layers.ground,
         "sky_first": layers.first,
         "sky_second": layers.second,
-        "sky_along": layers.along,
-        "sky_aslant": layers.aslant,
+        "sky_q": layers.stokes_q,
+        "sky_u": layers.stokes_u,
     }
     return Screen(**values)
 

@@ -18,7 +18,7 @@ from airlight.pixels.polarising_filter import filter_shares
 from airlight.pixels.sky_table import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
 from airlight.solvers.moments.march_tables import MIRRORED
-from airlight.solvers.moments.source import through_columns
+from airlight.solvers.moments.source import transmittance_columns
 from airlight.solvers.stokes_frame import star_plane
 
 
@@ -70,7 +70,7 @@ class Screen(NamedTuple):
     zz: float
     sky_columns: int
     sky_rows: int
-    keeps_peaks: bool
+    separated_phases: bool
     overlaid: bool
     clouded: bool
     cloud_altitude: float
@@ -99,8 +99,8 @@ class Screen(NamedTuple):
     sky_ground: Annotated[np.ndarray, InTexture("behind", spectral=True, whole=True)]
     sky_first: Annotated[np.ndarray, InTexture("first", spectral=True, whole=True)]
     sky_second: Annotated[np.ndarray, InTexture("second", spectral=True, whole=True)]
-    sky_along: Annotated[np.ndarray, InTexture("along", spectral=True, whole=True)]
-    sky_aslant: Annotated[np.ndarray, InTexture("aslant", spectral=True, whole=True)]
+    sky_q: Annotated[np.ndarray, InTexture("stokes_q", spectral=True, whole=True)]
+    sky_u: Annotated[np.ndarray, InTexture("stokes_u", spectral=True, whole=True)]
 
 
 @kernel
@@ -164,7 +164,7 @@ def phase_of(half_sine, constituent, table, light, lanes, at):
     constituent : int
         Index of the constituent.
     table : array
-        ``phase`` or ``across`` of the tables.
+        ``phase`` or ``phase_f12`` of the tables.
     light : MarchTables
         Tables of the solution.
     lanes, at : int
@@ -192,20 +192,20 @@ def polarised_between(
         Results of ``star_plane``. [1]
     """
     peaked = splat(0.0)
-    if light.first_peak >= 0:
-        element = phase_of(half_sine, light.first_peak, light.across, light, lanes, at)
+    if light.separated_1 >= 0:
+        element = phase_of(half_sine, light.separated_1, light.phase_f12, light, lanes, at)
         peaked = peaked + element * between_texels(
             screen.sky_first, near, stride, right, down, lanes, at
         )
-    if light.second_peak >= 0:
-        element = phase_of(half_sine, light.second_peak, light.across, light, lanes, at)
+    if light.separated_2 >= 0:
+        element = phase_of(half_sine, light.separated_2, light.phase_f12, light, lanes, at)
         peaked = peaked + element * between_texels(
             screen.sky_second, near, stride, right, down, lanes, at
         )
     rest = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
-    along = between_texels(screen.sky_along, near, stride, right, down, lanes, at) - rest
-    aslant = between_texels(screen.sky_aslant, near, stride, right, down, lanes, at) - rest
-    return along + peaked * np.float32(turn_cosine), aslant + peaked * np.float32(turn_sine)
+    stokes_q = between_texels(screen.sky_q, near, stride, right, down, lanes, at) - rest
+    stokes_u = between_texels(screen.sky_u, near, stride, right, down, lanes, at) - rest
+    return stokes_q + peaked * np.float32(turn_cosine), stokes_u + peaked * np.float32(turn_sine)
 
 
 @inlined
@@ -222,13 +222,13 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
         Table of the sky, and tables of the solution.
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
-    if light.first_peak >= 0:
+    if light.separated_1 >= 0:
         total = total + phase_of(
-            half_sine, light.first_peak, light.phase, light, lanes, at
+            half_sine, light.separated_1, light.phase, light, lanes, at
         ) * between_texels(screen.sky_first, near, stride, right, down, lanes, at)
-    if light.second_peak >= 0:
+    if light.separated_2 >= 0:
         total = total + phase_of(
-            half_sine, light.second_peak, light.phase, light, lanes, at
+            half_sine, light.separated_2, light.phase, light, lanes, at
         ) * between_texels(screen.sky_second, near, stride, right, down, lanes, at)
     return total
 
@@ -347,12 +347,12 @@ def seen_line(
             )
             store(work.found, at, value)
             if screen.filter > 0:
-                along, aslant = polarised_between(
+                stokes_q, stokes_u = polarised_between(
                     near, window.column_count, right, down, half_sine, turn_cosine, turn_sine,
                     screen, light, light.lanes, at,
                 )  # fmt: skip
-                store(work.found, 4 * light.lanes + at, along)
-                store(work.found, 5 * light.lanes + at, aslant)
+                store(work.found, 4 * light.lanes + at, stokes_q)
+                store(work.found, 5 * light.lanes + at, stokes_u)
             if to_ground:
                 value = between_texels(
                     screen.sky_ground, near, window.column_count, right, down, light.lanes, at
@@ -365,7 +365,7 @@ def seen_line(
                 )  # fmt: skip
                 store(work.found, MIRRORED * light.lanes + at, value)
         if to_ground and light.bend > 0.0:
-            bent = bent_to_ground(z, sine, observer, light, work.totals)
+            bent = bent_to_ground(z, sine, observer, light, work.columns_total)
     return bent
 
 
@@ -406,10 +406,10 @@ def pixel_light(
                 x, y, z, sine, bent, observer, screen, light, work, color
             )
             if screen.overlaid:
-                columns_to_ground(z, sine, observer, light, work.totals, work.before)
-    whole, along, aslant = 1.0, 0.0, 0.0
+                columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
+    whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
     if screen.filter > 0:
-        whole, along, aslant = filter_shares(x, y, z, screen)
+        whole, stokes_q, stokes_u = filter_shares(x, y, z, screen)
     for at in range(0, light.lanes, LANES):
         total = splat(0.0)
         if through_air:
@@ -421,24 +421,24 @@ def pixel_light(
             )  # fmt: skip
             total = total + load(work.found, light.lanes + at) * factor
             if screen.overlaid:
-                total = total + lamp_light(color, screen, light, work.totals, at)
+                total = total + lamp_light(color, screen, light, work.columns_total, at)
         if screen.filter > 0:
             total = total * np.float32(whole)
             if through_air:
-                total = total + load(work.found, 4 * light.lanes + at) * np.float32(along)
-                total = total + load(work.found, 5 * light.lanes + at) * np.float32(aslant)
+                total = total + load(work.found, 4 * light.lanes + at) * np.float32(stokes_q)
+                total = total + load(work.found, 5 * light.lanes + at) * np.float32(stokes_u)
         store(result, at, total)
     if screen.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
         p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         if apart < reach:
             p0, p1, p2, p3, p4, p5 = star_disc(
-                px, py, x, y, z, observer, screen, light, work.totals
+                px, py, x, y, z, observer, screen, light, work.columns_total
             )
         if p0 > 0.0:
             for at in range(0, light.lanes, LANES):
-                through = through_columns(
-                    work.totals, light.true_extinction, light.constituents, light.lanes, at
+                through = transmittance_columns(
+                    work.columns_total, light.extinction, light.constituents, light.lanes, at
                 )
                 disc = darkened(p0, p1, p2, p3, p4, p5, light, at)
                 store(result, at, load(result, at) + through * disc * np.float32(whole))

@@ -33,7 +33,7 @@ def filter_shares(x, y, z, screen):
 
     Returns
     -------
-    whole, along, aslant : float
+    whole, stokes_q, stokes_u : float
         Of I, Q and U, where U is that of the azimuth of 0 to 180 degrees. [1]
     """
     sine = sqrt(x * x + y * y)
@@ -50,11 +50,11 @@ def filter_shares(x, y, z, screen):
     side = cos_azimuth * axis_y - sin_azimuth * axis_x
     square = max(down * down + side * side, 1e-12)
     whole = 0.5
-    along, aslant = 0.5 * (down * down - side * side) / square, down * side / square
+    stokes_q, stokes_u = 0.5 * (down * down - side * side) / square, down * side / square
     if screen.filter == ALONG:
-        whole, along, aslant = 0.0, 1.0, 0.0
+        whole, stokes_q, stokes_u = 0.0, 1.0, 0.0
     if screen.filter == ASLANT:
-        whole, along, aslant = 0.0, 0.0, -1.0  # azimuths are negative where y is positive
+        whole, stokes_q, stokes_u = 0.0, 0.0, -1.0  # azimuths are negative where y is positive
     if y < 0.0:
-        aslant = 0.0 - aslant
-    return whole, along, aslant
+        stokes_u = 0.0 - stokes_u
+    return whole, stokes_q, stokes_u

@@ -32,7 +32,7 @@ _PEAKED: Final = 0.08
 MOST_PEAKS: Final = 2
 
 
-def peaked_constituents(solution: MomentsSolution) -> tuple[int, ...]:
+def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     """Constituents whose phase functions are too sharp for a table of the sky, at most two.
 
     They are those with a peak that scatter most: within 10° of straight on an even phase function
@@ -102,10 +102,10 @@ def shown_solution(
     panels : int
         Number of panels of a leg; shaders have one.
     """
-    kept = (*(peaked_constituents(solution) if peaks else ()), -1, -1)
+    kept = (*(separated_constituents(solution) if peaks else ()), -1, -1)
     return solution.light._replace(
-        first_peak=kept[0],
-        second_peak=kept[1],
+        separated_1=kept[0],
+        separated_2=kept[1],
         rules=quadratures(even_points(solution) if points is None else points),
         panels=panels,
     )

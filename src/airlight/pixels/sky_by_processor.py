@@ -37,7 +37,7 @@ class SkyLayers(NamedTuple):
         Radiance of the air, and of a ground of albedo 1 behind it. [sr^-¼]
     first, second : array
         Single scattering by the peaked constituents, without their phase functions. [1]
-    along, aslant : array
+    stokes_q, stokes_u : array
         I + Q and I + U of the air, without these; one value if they are not asked. [sr^-¼]
     """
 
@@ -45,8 +45,8 @@ class SkyLayers(NamedTuple):
     ground: Float32Array
     first: Float32Array
     second: Float32Array
-    along: Float32Array
-    aslant: Float32Array
+    stokes_q: Float32Array
+    stokes_u: Float32Array
 
     @classmethod
     def none(cls) -> SkyLayers:
@@ -60,7 +60,7 @@ def fill_texels(begin, end, window, observer, light, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     light, work, layers = borrowed((light, work, layers))
     found, lanes = work.found, light.lanes
-    peaks, polarised = light.first_peak >= 0, layers.along.size > 1
+    peaks, polarised = light.separated_1 >= 0, layers.stokes_q.size > 1
     stride = window.column_count
     sky_texels = stride * window.sky_count
     for texel in range(begin, end):
@@ -78,13 +78,13 @@ def fill_texels(begin, end, window, observer, light, work, layers):
         for at in range(0, lanes, LANES):
             store(layers.air, lanes * texel + at, load(found, at))
             store(layers.ground, lanes * texel + at, load(found, lanes + at))
-            if light.first_peak >= 0:
+            if light.separated_1 >= 0:
                 store(layers.first, lanes * texel + at, load(found, 2 * lanes + at))
-            if light.second_peak >= 0:
+            if light.separated_2 >= 0:
                 store(layers.second, lanes * texel + at, load(found, 3 * lanes + at))
             if polarised:
-                store(layers.along, lanes * texel + at, load(found, 4 * lanes + at))
-                store(layers.aslant, lanes * texel + at, load(found, 5 * lanes + at))
+                store(layers.stokes_q, lanes * texel + at, load(found, 4 * lanes + at))
+                store(layers.stokes_u, lanes * texel + at, load(found, 5 * lanes + at))
 
 
 def filled_sky(
@@ -123,10 +123,10 @@ def filled_sky(
     layers = SkyLayers(
         air=np.empty(size, np.float32),
         ground=np.empty(size, np.float32),
-        first=np.zeros(size if tables.first_peak >= 0 else 1, np.float32),
-        second=np.zeros(size if tables.second_peak >= 0 else 1, np.float32),
-        along=np.empty(size if polarised else 1, np.float32),
-        aslant=np.empty(size if polarised else 1, np.float32),
+        first=np.zeros(size if tables.separated_1 >= 0 else 1, np.float32),
+        second=np.zeros(size if tables.separated_2 >= 0 else 1, np.float32),
+        stokes_q=np.empty(size if polarised else 1, np.float32),
+        stokes_u=np.empty(size if polarised else 1, np.float32),
     )
 
     def run(index: int) -> None:

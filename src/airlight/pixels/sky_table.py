@@ -139,7 +139,7 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
 
 @inlined
 def look(
-    mu, sine, cos_azimuth, half_sine, to_ground, mirrored, keeps_peaks, air, peaks, polarised,
+    mu, sine, cos_azimuth, half_sine, to_ground, mirrored, separated_phases, air, peaks, polarised,
     observer, light, work, result,
 ):  # fmt: skip
     """Light along one line of sight, and that of a ground behind the air.
@@ -156,7 +156,7 @@ def look(
         Whether the light is asked of the sky that water at that end mirrors, without the air in
         front of it. It is spread as the facets are: a peaked phase function is read no closer to
         the star than that.
-    keeps_peaks : bool
+    separated_phases : bool
         Whether the air's radiance has the single scattering of the peaked constituents.
     air, peaks, polarised, work : bool, bool, bool, MarchWorkspace
         Arguments of ``march``.
@@ -177,7 +177,7 @@ def look(
     angle, orders = 0.0, observer.orders
     if mirrored:
         if light.bend > 0.0:
-            angle = bent_to_ground(mu, sine, observer, light, work.totals)
+            angle = bent_to_ground(mu, sine, observer, light, work.columns_total)
         r, orders = light.bottom, 2
         start_mu, start_mu_s, nu = mirrored_line(
             sine * cos_azimuth, mu, sine, angle, observer, light
@@ -185,16 +185,16 @@ def look(
         length = distance_to_top(r, start_mu, light.top)
         spread = 0.25 * mean_square_slope(light.ground.wind)
         half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
-    phases_towards(half_sine, keeps_peaks or mirrored, light.phase, light, work.phase)
+    phases_towards(half_sine, separated_phases or mirrored, light.phase, light, work.phase)
     if polarised:
-        phases_towards(half_sine, keeps_peaks, light.across, light, work.across)
+        phases_towards(half_sine, separated_phases, light.phase_f12, light, work.phase_f12)
     march(
         r, start_mu, start_mu_s, nu, half_sine, length, orders, air, peaks, polarised, work.phase,
-        work.across, light, work, result,
+        work.phase_f12, light, work, result,
     )  # fmt: skip
     if air and to_ground and not mirrored:
         mu_s, angle = star_on_ground(
-            sine, cos_azimuth, r, start_mu, nu, length, work.totals[light.constituents - 1],
+            sine, cos_azimuth, r, start_mu, nu, length, work.columns_total[light.constituents - 1],
             observer, light,
         )  # fmt: skip
         ground_light(mu_s, observer.orders, light, work)
@@ -209,29 +209,29 @@ def look(
 
 
 @inlined
-def phases_towards(half_sine, keeps_peaks, table, light, phase):
+def phases_towards(half_sine, separated_phases, table, light, phase):
     """Element of all constituents' phase matrices; 0 for the peaked ones unless kept. [sr⁻¹]
 
     Parameters
     ----------
     half_sine : float
         sin(θ/2). [1]
-    keeps_peaks : bool
+    separated_phases : bool
         Whether those of the peaked constituents are kept.
     table : array
-        ``phase`` or ``across`` of the tables.
+        ``phase`` or ``phase_f12`` of the tables.
     light : MarchTables
         Tables of the solution.
     phase : array, shape (c·w,)
         Receives the elements. [sr⁻¹]
     """
     read_phase(half_sine, table, light.phase_nodes, light.lanes * light.constituents, phase)
-    if not keeps_peaks:
+    if not separated_phases:
         for at in range(0, light.lanes, LANES):
-            if light.first_peak >= 0:
-                store(phase, light.lanes * light.first_peak + at, splat(0.0))
-            if light.second_peak >= 0:
-                store(phase, light.lanes * light.second_peak + at, splat(0.0))
+            if light.separated_1 >= 0:
+                store(phase, light.lanes * light.separated_1 + at, splat(0.0))
+            if light.separated_2 >= 0:
+                store(phase, light.lanes * light.separated_2 + at, splat(0.0))
 
 
 @inlined

@@ -17,7 +17,7 @@ import numpy.typing as npt
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.optics.bent_density import BentShell
+from airlight.optics.bent_density import RefractingShell
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.effective_top import effective_top
 from airlight.optics.layer_edges import ThinLayer, thin_layers
@@ -248,7 +248,7 @@ class Medium:
             reflection=planet.ground.reflection,
         )
         medium._check()
-        _ = medium.bent_shell  # refuses air in which light would follow the ground
+        _ = medium.refracting_shell  # refuses air in which light would follow the ground
         return medium
 
     @property
@@ -274,19 +274,21 @@ class Medium:
         return tuple(thin_layers(self.density, *strongest, widest=widest))
 
     @cached_property
-    def bent_shell(self) -> BentShell | None:
+    def refracting_shell(self) -> RefractingShell | None:
         """Shell by optical radius, or None without refraction."""
         if not self.refractivity.any():
             return None
-        return BentShell.build(self.density, self.refractivity, self.bottom_radius, self.top_radius)
+        return RefractingShell.build(
+            self.density, self.refractivity, self.bottom_radius, self.top_radius
+        )
 
-    def drawn_straight(self) -> Medium:
+    def in_optical_radius(self) -> Medium:
         """Medium in which rays are straight: by optical radius if light is bent, otherwise itself.
 
         It has one more constituent, "bending", which neither scatters nor absorbs; see
         ``optics.bent_density``.
         """
-        shell = self.bent_shell
+        shell = self.refracting_shell
         if shell is None:
             return self
         nothing = np.zeros((1, self.wavelengths.size))

@@ -13,7 +13,7 @@ from airlight.kernel import vectorized
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.plots.figure import grid, new_figure, wavelength_words
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
 from airlight.units import values_in
 
@@ -54,7 +54,7 @@ def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLi
     >>> f"{float(mean_transmittance(medium, 0.0, 0.0)):.5f}"  # of .940359, .867616, .762310
     '0.85676'
     """
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     drawn = paths.medium
     r = np.minimum(medium.bottom_radius + values_in(altitude, "m", "altitude"), medium.top_radius)
     mu = np.cos(np.radians(values_in(view_zenith, "deg", "view_zenith")))
@@ -73,7 +73,7 @@ def horizon_zenith(medium: Medium, altitude: ArrayLike) -> FloatArray:
     altitude : array, shape (...)
         Altitude of the observer. [m]
     """
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     r = paths.optical_radius(medium.bottom_radius + values_in(altitude, "m", "altitude"))
     cosine = vectorized(horizon_cosine)(r, paths.medium.bottom_radius)
     return np.asarray(np.degrees(np.arccos(cosine)))

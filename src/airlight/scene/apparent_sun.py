@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from airlight.geometry.bending import raised_star
+from airlight.geometry.bending import apparent_sun_cosine
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -51,7 +51,7 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
     x = float(paths.optical_radius(np.array(planet.bottom_radius + altitude)))
     shell = paths.shell
     true = math.cos(math.radians(sun_zenith))
-    seen = float(raised_star(x, true, shell.bottom, shell.top, paths.lift))
+    seen = float(apparent_sun_cosine(x, true, shell.bottom, shell.top, paths.lift))
     lowest = -math.sqrt(max(1.0 - (shell.bottom / x) ** 2, 0.0))
     return None if seen < lowest else math.degrees(math.asin(seen))
 
@@ -111,6 +111,6 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
     return 0.5 * (low + high)
 
 
-def _paths(planet: Planet) -> LightPaths:
+def _paths(planet: Planet) -> RefractedGeometry:
     low, high = planet.wavelength_limits
-    return LightPaths.of(Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)]))
+    return RefractedGeometry.of(Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)]))

@@ -21,15 +21,15 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii, layer_ends
-from airlight.solvers.light_paths import only_straight
+from airlight.solvers.refracted_geometry import require_no_refraction
 from airlight.solvers.sight import Sight
 from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
     TABLE_SHAPE,
     ColumnTable,
-    cut_at_corners,
     density_table,
     new_path,
+    split_at_profile_edges,
     trace_resolved,
 )
 
@@ -57,7 +57,7 @@ def _scattered(sight, panels, rule, ends, shell, star_radius, optics, tables, wo
             continue
         first, second = shadow_edges(r[p], mu[p], mu_s[p], nu[p], bottom)
         count = place_edges(r[p], mu[p], length[p], panels, first, second, edges)
-        count = cut_at_corners(r[p], mu[p], bottom, ends, edges, count)
+        count = split_at_profile_edges(r[p], mu[p], bottom, ends, edges, count)
         points = trace_resolved(
             r[p], mu[p], edges, count, rule, bottom, top - bottom, nodes, strongest, path
         )
@@ -94,7 +94,7 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     array, shape (n, nc, nl)
         Light per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
     """
-    only_straight(medium, "a table of light scattered once")
+    require_no_refraction(medium, "a table of light scattered once")
     bottom, top = medium.bottom_radius, medium.top_radius
     radii = column_radii(medium, TABLE_SHAPE[0])
     columns = ColumnTable.build(bottom, top, medium.density, TABLE_SHAPE, radii)

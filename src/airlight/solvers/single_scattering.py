@@ -34,7 +34,7 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
 from airlight.optics.reflection import leaving_cosine, star_factors
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import only_straight
+from airlight.solvers.refracted_geometry import require_no_refraction
 from airlight.solvers.sight import Sight
 from airlight.solvers.star_light import (
     PANELS,
@@ -43,7 +43,7 @@ from airlight.solvers.star_light import (
     star_light,
     star_rules,
 )
-from airlight.tables.columns import cut_at_corners
+from airlight.tables.columns import split_at_profile_edges
 
 FloatArray = NDArray[np.float64]
 
@@ -164,7 +164,7 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, workspace,
         count = _cut_at_shadow(
             r, mu, all_mu_s[ray_at], all_nu[ray_at], shell[0], star_radius, edges, count
         )
-        count = cut_at_corners(r, mu, shell[0], density[2], edges, count)
+        count = split_at_profile_edges(r, mu, shell[0], density[2], edges, count)
         before[:] = 0.0
         for panel in range(count - 1):
             _panel(
@@ -241,7 +241,7 @@ def single_scattering(
     Cancelled
         If ``cancel`` returned True.
     """
-    only_straight(medium, "single scattering by quadrature")
+    require_no_refraction(medium, "single scattering by quadrature")
     constituents, wavelengths = medium.scattering.shape
     out = np.zeros((sight.r.size, constituents, wavelengths))
     arrays = (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length)
@@ -278,7 +278,7 @@ def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
         # From the ground upwards the points are dense where the air is.
         up = -(length + r * mu) / bottom
         count = place_edges(bottom, up, length, PANELS, 0.0, 0.0, edges)
-        count = cut_at_corners(bottom, up, bottom, density[2], edges, count)
+        count = split_at_profile_edges(bottom, up, bottom, density[2], edges, count)
         points = place_nodes(bottom, up, edges, count, rule[0], rule[1], distance, radius, weight)
         for i in range(out.shape[1]):
             total = 0.0

@@ -21,9 +21,9 @@ from airlight.optics.air_mass import air_mass_pickering2002
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.named_axes import Argument, NamedAxes
 from airlight.solvers.provenance import provenance
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.stokes_frame import STOKES, to_meridian
 from airlight.tables.columns import columns
@@ -134,9 +134,9 @@ class Solution(ABC):
         return provenance(self.planet, self.report.provenance, self.report.settings)
 
     @cached_property
-    def paths(self) -> LightPaths:
+    def paths(self) -> RefractedGeometry:
         """Paths of light in the medium."""
-        return LightPaths.of(self.medium)
+        return RefractedGeometry.of(self.medium)
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
@@ -368,7 +368,7 @@ class Solution(ABC):
         if distance is not None:
             half_chord = np.sqrt(np.maximum(top**2 - (r * sine) ** 2, 0.0))
             way = np.where(r > top, -r * mu - half_chord, 0.0)
-            asked = self.paths.drawn_length(
+            asked = self.paths.optical_length(
                 sight.r, sight.mu, np.maximum(arrays[2] - way, 0.0), length
             )
             blocked = blocked & (asked > length * (1.0 + 1e-12))

@@ -23,7 +23,7 @@ from airlight.geometry.sun_disc import star_elevation
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import relative_density
 from airlight.planets.medium import Medium
-from airlight.tables.columns import cut_at_corners
+from airlight.tables.columns import split_at_profile_edges
 
 FloatArray = NDArray[np.float64]
 Rule = tuple[FloatArray, FloatArray, FloatArray]
@@ -62,7 +62,7 @@ def columns_to_space(r, mu, shell, density, rule, workspace, out):
     density_edges, coefficients, corners = density
     length = max(-r * mu + chord(r, mu, top), 0.0)
     count = place_edges(r, mu, length, PANELS, 0.0, 0.0, edges)
-    count = cut_at_corners(r, mu, bottom, corners, edges, count)
+    count = split_at_profile_edges(r, mu, bottom, corners, edges, count)
     points = place_nodes(r, mu, edges, count, rule[0], rule[1], distance, radius, weight)
     for i in range(out.size):
         total = 0.0

@@ -181,7 +181,7 @@ def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
 
 
 @compiled_loop
-def cut_at_corners(r, mu, bottom_radius, corners, edges, count):
+def split_at_profile_edges(r, mu, bottom_radius, corners, edges, count):
     """Add panel edges where a ray crosses the altitudes at which a profile has a corner.
 
     Parameters
@@ -218,7 +218,7 @@ def _columns(radii, cosines, lengths, panels, rule, bottom_radius, density, out)
     for k in range(radii.size):
         r, mu = radii[k], cosines[k]
         edge_count = place_edges(r, mu, lengths[k], panels, 0.0, 0.0, edges)
-        edge_count = cut_at_corners(r, mu, bottom_radius, corners, edges, edge_count)
+        edge_count = split_at_profile_edges(r, mu, bottom_radius, corners, edges, edge_count)
         count = place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weight)
         for i in range(out.shape[1]):
             total = 0.0

@@ -14,8 +14,8 @@ from airlight.errors import FileError, ParameterError
 from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
 from airlight.exports.whole_folder import whole_folder
 from airlight.kernel.threads import Progress
-from airlight.solvers.light_paths import only_straight
 from airlight.solvers.provenance import version
+from airlight.solvers.refracted_geometry import require_no_refraction
 from airlight.solvers.solution import Solution
 
 #: Keys of the account in a manifest.
@@ -224,7 +224,9 @@ class Target:
         self.check_options(options)
         self._check_wavelengths(solution)
         if not self.bends_light:
-            only_straight(solution.medium, f"files for {self.program}, which draws straight lines")
+            require_no_refraction(
+                solution.medium, f"files for {self.program}, which draws straight lines"
+            )
         with whole_folder(folder, self.form, self.files, overwrite=overwrite) as part:
             found = self.fill(solution, part, progress=progress, **options)
             files = {file.name: fingerprint(file) for file in sorted(part.iterdir())}

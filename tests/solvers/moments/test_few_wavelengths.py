@@ -8,13 +8,13 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import load_planet, solve
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
 from airlight.solvers.moments.iterate import gather
 from airlight.solvers.moments.packing import filled, pack_light
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_of_few
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 @pytest.mark.parametrize("name", ["earth", "mars-standard"])
@@ -24,7 +24,9 @@ def test_pairs_give_the_orders_that_eight_wavelengths_give(name: str) -> None:
     # azimuths and an even one.
     planet = load_planet(name)
     medium = Medium.from_planet(planet, planet.wavelengths[:3])
-    block = Setup(paths=LightPaths.of(medium), settings=settings_for("preview")).block(slice(None))
+    block = Setup(paths=RefractedGeometry.of(medium), settings=settings_for("preview")).block(
+        slice(None)
+    )
     assert block.few
     setup = block.setup
     once = (setup.column_rows, setup.star_ratios, setup.paths.lift)

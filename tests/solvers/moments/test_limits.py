@@ -15,12 +15,12 @@ from airlight.planets import Constituent, Ground, Planet, Star, replace
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import iterate
 from airlight.solvers.moments.limits import diffusion_lengths
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.stopping import PATIENCE, Iteration, Stopping
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 def haze(asymmetry: float, depth: float, *, kept: float = 1.0, thickness: float = 60e3) -> Planet:
@@ -42,7 +42,7 @@ def haze(asymmetry: float, depth: float, *, kept: float = 1.0, thickness: float 
 
 def setup_of(planet: Planet, quality: str = "preview") -> Setup:
     medium = Medium.from_planet(planet, planet.own_wavelengths)
-    return Setup(paths=LightPaths.of(medium), settings=settings_for(quality))
+    return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
 def medium_of(planet: Planet) -> tuple[Medium, np.ndarray]:
@@ -135,23 +135,23 @@ def test_air_that_scatters_nothing_and_no_air_are_solved() -> None:
     assert_allclose(up.values, 0.5 / np.pi, rtol=1e-5)
 
 
-def test_light_that_strays_goes_on_in_other_ways_and_says_so(
+def test_a_diverging_iteration_falls_back_to_another_scheme_and_says_so(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    # An inverse that adds three times too much diverges; orders alone have the same light.
+    # Acceleration that adds four times too much diverges; successive orders have the same limit.
     planet = haze(0.6, 1.0)
     sound = solve(planet, quality="preview", cache=False)
     assert not sound.report.note
-    finish = iterate.Wandering.finish
+    apply = iterate.SyntheticAcceleration.apply
 
     def too_much(self, field, sky, light=None):
-        all_field, all_sky = finish(self, field, sky, light)
+        all_field, all_sky = apply(self, field, sky, light)
         return field + 4.0 * (all_field - field), sky + 4.0 * (all_sky - sky)
 
-    monkeypatch.setattr(iterate.Wandering, "finish", too_much)
-    strayed = solve(planet, quality="preview", cache=False)
-    assert "strayed" in str(strayed.report)
-    field, known = strayed.moments.field, sound.moments.field
+    monkeypatch.setattr(iterate.SyntheticAcceleration, "apply", too_much)
+    diverged = solve(planet, quality="preview", cache=False)
+    assert "iteration diverged" in str(diverged.report)
+    field, known = diverged.moments.field, sound.moments.field
     bright = known[:, :, 0] > 1e-2 * known[:, :, 0].max()
     assert_allclose(field[:, :, 0][bright], known[:, :, 0][bright], rtol=0.02)
 
@@ -160,27 +160,27 @@ def iteration(settings: str = "preview") -> Iteration:
     return Iteration(Stopping.of_sweeps(settings_for(settings)), np.zeros(1), 1)
 
 
-def judged(one: Iteration, values: deque[float]) -> None:
-    """Judge steps from each value to the next."""
+def update(one: Iteration, values: deque[float]) -> None:
+    """Update an iteration by the steps from each value to the next."""
     for before, after in zip(list(values)[:-1], list(values)[1:], strict=True):
-        one.judge(np.full((2, 1, 1), before, np.float32), np.full((2, 1, 1), after, np.float32))
+        one.update(np.full((2, 1, 1), before, np.float32), np.full((2, 1, 1), after, np.float32))
 
 
-def test_straying_is_noticed_within_ten_orders() -> None:
+def test_divergence_is_noticed_within_ten_orders() -> None:
     one = iteration()
-    judged(one, deque([1.0, 1.5, 1.2]))
-    assert not one.strays
-    judged(one, deque([1.0, 2.0] * (PATIENCE // 2 + 1)))
-    assert one.strays
+    update(one, deque([1.0, 1.5, 1.2]))
+    assert not one.diverging
+    update(one, deque([1.0, 2.0] * (PATIENCE // 2 + 1)))
+    assert one.diverging
     assert one.sweeps < 10
     one.restart(accelerated=True)
-    assert not one.strays
+    assert not one.diverging
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_what_is_no_number_ends_the_iteration_at_once(value: float) -> None:
+def test_light_that_is_not_finite_ends_the_iteration_at_once(value: float) -> None:
     with pytest.raises(ConvergenceError, match="order 2 is not a finite number"):
-        judged(iteration(), deque([1.0, 1.1, value]))
+        update(iteration(), deque([1.0, 1.1, value]))
 
 
 def test_slow_plain_orders_are_counted_to_their_end_or_given_up() -> None:
@@ -188,16 +188,16 @@ def test_slow_plain_orders_are_counted_to_their_end_or_given_up() -> None:
     one = iteration()
     one.restart(accelerated=False)
     sums = deque(np.cumsum(0.9 ** np.arange(30.0)))
-    judged(one, sums)
-    assert_allclose(one.to_come, 9.0 * 0.9**29 / sums[-1], rtol=0.1)
-    assert one.goes_on()
+    update(one, sums)
+    assert_allclose(one.remaining_error, 9.0 * 0.9**29 / sums[-1], rtol=0.1)
+    assert one.unfinished()
     # With 0.9999 of it, tens of thousands would be needed: more than preview allows.
     slow = iteration()
     slow.restart(accelerated=False)
-    judged(slow, deque(100.0 + np.cumsum(0.9999 ** np.arange(30.0))))
+    update(slow, deque(100.0 + np.cumsum(0.9999 ** np.arange(30.0))))
     with pytest.raises(ConvergenceError, match="each order of scattering still has"):
-        slow.goes_on()
-    assert_array_less(slow.tolerance, slow.to_come)
+        slow.unfinished()
+    assert_array_less(slow.tolerance, slow.remaining_error)
 
 
 def test_plain_orders_that_shrink_ever_more_slowly_are_given_up() -> None:
@@ -205,8 +205,8 @@ def test_plain_orders_that_shrink_ever_more_slowly_are_given_up() -> None:
     one = iteration()
     one.restart(accelerated=False)
     sums = 2.0 + 0.2 * np.cumsum(1.0 / np.arange(10.0, 200.0))
-    with pytest.raises(ConvergenceError, match="still to come"):
+    with pytest.raises(ConvergenceError, match="remaining error"):
         for before, after in pairwise(sums):
-            judged(one, deque([before, after]))
-            assert one.goes_on()
+            update(one, deque([before, after]))
+            assert one.unfinished()
     assert one.sweeps < 20

@@ -61,7 +61,10 @@ def test_points_of_lines_of_sight_are_enough(
         azimuth=rng.uniform(0.0, 180.0, n),
     )
     many = solution.light._replace(rules=quadratures((28,) * 3), panels=6)
-    got, truth = solution.marched(lines, 2), solution.marched(lines, 2, light=many)
+    got, truth = (
+        solution.radiance_per_irradiance(lines, 2),
+        solution.radiance_per_irradiance(lines, 2, light=many),
+    )
     lit = truth > 1e-6 * truth.max(axis=0)
     error = np.abs(got[lit] / truth[lit] - 1.0)
     tell(f"{planet}: 95 % within {np.quantile(error, 0.95):.1e}, largest {error.max():.1e}")

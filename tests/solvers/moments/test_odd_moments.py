@@ -63,7 +63,7 @@ def test_a_harmonic_of_degree_two_is_scattered_into_itself(
                  0.0]
             )  # fmt: skip
             found += weight * (2.0 * pi / turns) * f11 * (product @ turned)
-    coupling, even, kept, _ = law.polarising_moments([550.0])[0]
+    beta_1, even, kept, _ = law.polarising_moments([550.0])[0]
     along, across = polarised_function(seen_mu, order)
     if odd:
         along, across = across, along
@@ -73,5 +73,5 @@ def test_a_harmonic_of_degree_two_is_scattered_into_itself(
     # Even light alone turns into brightness, of the harmonic of degree 2 without spin.
     sine = (1.0 - seen_mu**2) ** 0.5
     plain = (15.0 / (4.0 * pi)) ** 0.5 * sine * (seen_mu if order == 1 else 0.5 * sine)
-    bright = 0.0 if odd else coupling * plain * cos(order * seen_phi)
+    bright = 0.0 if odd else beta_1 * plain * cos(order * seen_phi)
     assert_allclose(found[0], bright, rtol=0, atol=1e-6)

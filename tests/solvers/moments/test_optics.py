@@ -10,7 +10,7 @@ from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.reduced_optics import MOST_PEAK, THIN, Optics
+from airlight.solvers.moments.delta_m import MOST_PEAK, THIN, Optics
 from airlight.solvers.moments.settings import settings_for
 
 G, SCALE_HEIGHT, ABSORBED = 0.7, 2e3, 0.25

@@ -7,9 +7,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import load_planet
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 NM = [450.0, 530.0, 600.0, 680.0]
 
@@ -17,7 +17,7 @@ NM = [450.0, 530.0, 600.0, 680.0]
 def setup_of(name: str, quality: str = "preview", **changes: float) -> Setup:
     changed = {path.replace("__", "."): value for path, value in changes.items()}
     medium = Medium.from_planet(load_planet(name, changed), NM)
-    return Setup(paths=LightPaths.of(medium), settings=settings_for(quality))
+    return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
 def test_lanes_without_a_wavelength_repeat_others():
@@ -25,18 +25,18 @@ def test_lanes_without_a_wavelength_repeat_others():
     # either half has all of few wavelengths.
     block = setup_of("earth").block(slice(1, 3))
     assert block.used == 2
-    for values in (block.level.T, block.thick, block.sidelit, block.air.ground.albedo):
+    for values in (block.level.T, block.thick, block.lateral_threshold, block.air.ground.albedo):
         assert values.shape[0] == 8
         assert_array_equal(values, values[[0, 1, 1, 1] * 2])
 
 
 def test_blocks_together_say_what_one_block_says():
-    # Wavelengths are independent, except for the rays' points in sight and the reach.
+    # Wavelengths are independent, except for the culling of rays and the numerical diffusion.
     setup = setup_of("mars-standard")
     whole, parts = setup.block(slice(None)), [setup.block(slice(0, 2)), setup.block(slice(2, 4))]
     assert_array_equal(np.concatenate([one.thick[:2] for one in parts]), whole.thick[:4])
     assert_array_equal(np.concatenate([one.level[:, :2] for one in parts], 1), whole.level[:, :4])
-    assert max(one.reach[1] for one in parts) == whole.reach[1]
+    assert max(one.grid_diffusion for one in parts) == whole.grid_diffusion
 
 
 def test_azimuths_hold_every_multiple_of_the_degree():
@@ -66,7 +66,7 @@ def test_light_is_gathered_at_the_ground_and_at_the_top():
 
 def test_infinitely_thick_air_is_by_day_what_its_levels_say():
     # Its weight is 1 with the star in the zenith and 0 with it in the nadir, never falling.
-    daylight = setup_of("earth").daylight
-    assert daylight[0] == 0.0
-    assert daylight[-1] == 1.0
-    assert (np.diff(daylight) >= 0.0).all()
+    day_weight = setup_of("earth").day_weight
+    assert day_weight[0] == 0.0
+    assert day_weight[-1] == 1.0
+    assert (np.diff(day_weight) >= 0.0).all()

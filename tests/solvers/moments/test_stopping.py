@@ -11,7 +11,7 @@ from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, LocalArray
 from airlight.solvers.moments.acceleration import combine, mixing_weights
-from airlight.solvers.moments.convergence import change_at, count_at, rest_after
+from airlight.solvers.moments.convergence import change_at, count_at, geometric_tail
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.stopping import Iteration, Stopping
 
@@ -30,7 +30,7 @@ def follow(iteration, ratio, orders):
     total = 0.0
     for order in range(orders):
         before, total = total, total + ratio**order
-        iteration.judge(np.full((2, 1, 2), before), np.full((2, 1, 2), total))
+        iteration.update(np.full((2, 1, 2), before), np.full((2, 1, 2), total))
     return total
 
 
@@ -41,65 +41,65 @@ def test_what_is_to_come_of_a_geometric_series_is_told(ratio):
     total = follow(iteration, ratio, 16)
     expected = ratio**16 / (1.0 - ratio) / total
     # The changes are relative to sums that still grow: by 0.5 % at the slowest.
-    assert_allclose(iteration.to_come, expected, rtol=0.02)
+    assert_allclose(iteration.remaining_error, expected, rtol=0.02)
 
 
 def test_it_goes_on_until_the_tolerance_is_met():
     # Of halves, 1 % is met when 2^(1 - n) / 2 falls below it: after eight orders.
     iteration = Iteration(SWEEPS, THIN, 2)
-    assert iteration.goes_on()
+    assert iteration.unfinished()
     follow(iteration, 0.5, 6)
-    assert iteration.goes_on()
+    assert iteration.unfinished()
     assert 0.0 < iteration.share < 1.0
     iteration = Iteration(SWEEPS, THIN, 2)
     follow(iteration, 0.5, 8)
-    assert not iteration.goes_on()
+    assert not iteration.unfinished()
     assert iteration.share == 1.0
 
 
 def test_one_order_never_suffices():
     # A first guess that is already the answer looks the same as one that makes no progress.
     iteration = Iteration(SWEEPS, THIN, 2)
-    iteration.judge(light(0.5), light(0.5))
-    assert iteration.to_come.max() == 0.0
-    assert iteration.goes_on()
-    iteration.judge(light(0.5), light(0.5))
-    assert not iteration.goes_on()
+    iteration.update(light(0.5), light(0.5))
+    assert iteration.remaining_error.max() == 0.0
+    assert iteration.unfinished()
+    iteration.update(light(0.5), light(0.5))
+    assert not iteration.unfinished()
 
 
 def test_giving_up_says_what_was_still_to_come():
     # Light that oscillates never converges.
     iteration = Iteration(PASSES, THIN, 2)
     for order in range(PASSES.most_sweeps):
-        assert iteration.goes_on()
-        iteration.judge(light(0.5 + order % 2), light(0.5 + (order + 1) % 2))
+        assert iteration.unfinished()
+        iteration.update(light(0.5 + order % 2), light(0.5 + (order + 1) % 2))
     with pytest.raises(ConvergenceError, match=f"after {PASSES.most_sweeps} sweeps"):
-        iteration.goes_on()
+        iteration.unfinished()
 
 
 def test_lanes_without_a_wavelength_do_not_count():
     # The second lane changes by half, but it has no wavelength.
     iteration = Iteration(SWEEPS, THIN, 1)
     for _ in range(3):
-        iteration.judge(np.ones((1, 1, 2)) * [1.0, 0.5], np.ones((1, 1, 2)))
-    assert iteration.to_come.shape == (1,)
-    assert not iteration.goes_on()
+        iteration.update(np.ones((1, 1, 2)) * [1.0, 0.5], np.ones((1, 1, 2)))
+    assert iteration.remaining_error.shape == (1,)
+    assert not iteration.unfinished()
     assert_allclose(iteration.weights()[:, 1], [0.0, 0.0, 1.0])
 
 
 def test_the_night_of_thick_air_counts_less_for_sweeps_than_for_passes():
     # A node 1e-4 as bright changes by a tenth: in thin air that counts fully; in thick air by its
     # light over 0.05 of the brightest, 1/500, for sweeps, and the fourth root of it for passes.
-    def to_come(stopping, thick):
+    def remaining_error(stopping, thick):
         iteration = Iteration(stopping, thick, 2)
-        iteration.judge(light(0.9e-4), light(1e-4))
-        return float(iteration.to_come.max())
+        iteration.update(light(0.9e-4), light(1e-4))
+        return float(iteration.remaining_error.max())
 
-    thin = to_come(SWEEPS, THIN)
+    thin = remaining_error(SWEEPS, THIN)
     assert_allclose(thin, 0.1, rtol=1e-5)
-    assert_allclose(to_come(PASSES, THIN), thin)
-    assert_allclose(to_come(SWEEPS, THICK), thin / 500.0, rtol=1e-5)
-    assert_allclose(to_come(PASSES, THICK), thin / 500.0**0.25, rtol=1e-5)
+    assert_allclose(remaining_error(PASSES, THIN), thin)
+    assert_allclose(remaining_error(SWEEPS, THICK), thin / 500.0, rtol=1e-5)
+    assert_allclose(remaining_error(PASSES, THICK), thin / 500.0**0.25, rtol=1e-5)
     assert PASSES.tolerance_in(THICK) < SWEEPS.tolerance_in(THICK) == SWEEPS.tolerance
 
 
@@ -116,11 +116,11 @@ def test_mixed_residuals_are_as_small_as_least_squares_make_them():
 def test_a_page_can_run_the_rule():
     # The formulas of one node and one wavelength are in the subset that is emitted as JavaScript.
     emitter = Emitter(JAVASCRIPT)
-    for function in (change_at, count_at, rest_after):
+    for function in (change_at, count_at, geometric_tail):
         emitter.add(function, F32, F32, F32)
     emitter.add(combine, LocalArray(6 * 7), I32, LocalArray(7))
     text = emitter.functions_text()
-    for name in ("change_at", "count_at", "rest_after", "combine"):
+    for name in ("change_at", "count_at", "geometric_tail", "combine"):
         assert f"function {name}(" in text
 
 

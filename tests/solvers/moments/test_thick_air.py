@@ -15,20 +15,20 @@ from airlight.planets import Constituent, Ground, Planet, Star, replace
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential, Tent
 from airlight.planets.medium import Medium
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.grid import make_grid
 from airlight.solvers.moments.levels import (
     Depths,
-    finer,
     finer_weights,
-    place_levels,
+    radial_grid,
+    refine,
     smoothness,
 )
+from airlight.solvers.moments.opaque_culling import cull_opaque
 from airlight.solvers.moments.rays import trace_rays
-from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import settings_for
-from airlight.solvers.moments.vertical_coupling import sideways
-from airlight.solvers.moments.visible_rays import rays_in_sight
+from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_matrix
 
 
 def exponential_air(depth: float) -> Depths:
@@ -56,8 +56,8 @@ def test_clear_air_keeps_the_radii_it_had() -> None:
     # Air that scatters little needs only radii that are even in the distance to the horizon.
     even = np.linspace(0.0, 1.0, 4097)
     for depth in (1e-12, 1e-30):  # so little that no part of the levels follows it
-        assert_allclose(place_levels(even, exponential_air(depth), 24).row, 23.0 * even)
-    levels = place_levels(even, exponential_air(0.01), 24)
+        assert_allclose(radial_grid(even, exponential_air(depth), 24).row, 23.0 * even)
+    levels = radial_grid(even, exponential_air(0.01), 24)
     assert levels.parts == 1
     assert levels.altitudes.size == 24
     assert_allclose(levels.row, 23.0 * even, atol=2e-3)
@@ -68,7 +68,7 @@ def test_levels_are_smooth_in_depth_so_that_cubics_through_them_add_no_light() -
     # straight lines should have its integral over the level's number, but for h⁴ of growing steps.
     even = np.linspace(0.0, 1.0, 4097)
     depths = exponential_air(40.0)
-    levels = place_levels(even, depths, 24)
+    levels = radial_grid(even, depths, 24)
     light = 1.0 + 40.0 - np.interp(levels.altitudes, depths.altitude, depths.scattering)
     kept = finer_weights((light.size - 1) // 3 + 1, 3) @ light[::3]
     rows = np.arange(0.0, light.size - 1 + 1e-9, 1 / 32)
@@ -83,7 +83,7 @@ def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
     # The steps should be 0.15 of a mean free path at the ends and 2 inside.
     even = np.linspace(0.0, 1.0, 4097)
     depths = exponential_air(40.0)
-    levels = place_levels(even, depths, 24)
+    levels = radial_grid(even, depths, 24)
     gathering = levels.altitudes[:: levels.parts]
     steps = np.diff(np.interp(gathering, depths.altitude, depths.scattering))
     assert steps[0] < 0.2
@@ -99,14 +99,14 @@ def test_between_radii_a_cubic_keeps_its_mean_and_an_exponential_stays_positive(
     one = np.ones((1, 1), np.float32)
     for power, inside in ((2, slice(None)), (3, slice(1, -1))):
         values = (100.0 + x**power)[:, None, None, None].astype(np.float32)
-        got = finer(values, values[:, :, 0], one, parts)[:, 0, 0, 0]
+        got = refine(values, values[:, :, 0], one, parts)[:, 0, 0, 0]
         steps = 0.5 / parts * (got[1:] + got[:-1]).reshape(-1, parts).sum(axis=1)
         known = 100.0 + np.diff(x ** (power + 1)) / (power + 1)
         assert_allclose(steps[inside], known[inside], rtol=1e-6)
         assert_allclose(got[::parts], 100.0 + x**power, rtol=1e-7)
         assert_allclose(finer_weights(9, parts) @ values[:, 0, 0, 0], got, rtol=1e-6)
     night = np.exp(-2.0 * x)[:, None, None, None].astype(np.float32)
-    got = finer(night, night[:, :, 0], 0 * one, 2)[:, 0, 0, 0]
+    got = refine(night, night[:, :, 0], 0 * one, 2)[:, 0, 0, 0]
     assert_allclose(got, np.exp(-np.arange(17.0)), rtol=1e-5)
 
 
@@ -156,7 +156,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
     grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)), np.arange(4097.0))
     rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), (6,), 14)
     air = Optics(medium, 8).air(slice(0, 1))
-    near, share = rays_in_sight(rays, air)
+    near, share = cull_opaque(rays, air)
     assert near.radius.size < rays.radius.size
     extinction = float(air.extinction[0])
     for i in (0, 5, 11):
@@ -168,10 +168,10 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
             assert_allclose(share.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
 
 
-def test_spreading_sideways_loses_nothing() -> None:
+def test_lateral_diffusion_conserves_light() -> None:
     # (1 - Λ²∇²)⁻¹ on the sphere preserves a constant, and the integral of any function.
     sun_cosines = np.sin(np.radians(np.linspace(-90.0, 90.0, 41)))
-    spread = sideways(sun_cosines, 0.05, 0.1)
+    spread = lateral_diffusion_matrix(sun_cosines, 0.05, 0.1)
     assert_allclose(spread @ np.ones(41), 1.0, rtol=1e-5)
     angle = np.arccos(sun_cosines)
     edges = np.concatenate([[-1.0], np.cos(0.5 * (angle[1:] + angle[:-1])), [1.0]])

@@ -15,16 +15,16 @@ from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop
 from airlight.planets import Medium, Planet, load_planet
 from airlight.planets.matter.profiles import Exponential, Layer, Layered, Tabulated, Tent, Uniform
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.montecarlo.history_optics import HistoryOptics, history_optics, jump_altitudes
 from airlight.solvers.montecarlo.lit_air import (
     density_in_light,
     new_lit,
     place_in_light,
-    weigh,
+    sun_sampling_integral,
 )
 from airlight.solvers.montecarlo.rays import new_trace, place_at_depth, point_at, trace
 from airlight.solvers.montecarlo.streams import stream, uniform
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
 
 CLOUD = Layered(
@@ -50,9 +50,9 @@ RAYS = [(0.0, 0.0), (0.0, 89.5), (12e3, 90.0), (2.5e3, 70.0), (30e3, 120.0), (60
 
 @compiled_loop
 def draw(depth, count, extinction, path, r, mu, state, out):
-    caught = 1.0 - np.exp(-depth)
+    collision_probability = 1.0 - np.exp(-depth)
     for k in range(out.size):
-        wanted = -np.log(1.0 - uniform(state) * caught)
+        wanted = -np.log(1.0 - uniform(state) * collision_probability)
         at, t = place_at_depth(min(wanted, depth), count, extinction, path)
         out[k] = point_at(path.panels[at], t, r, mu, extinction)[0]
 
@@ -87,7 +87,7 @@ def test_places_follow_the_exact_distribution(
     # seed, p > 0.001 for each of 72 rays: one right sampler in 14 would need another seed.
     planet = one_air(depth=vertical, profile=PROFILES[profile])
     medium = Medium.from_planet(planet, [550.0])
-    air = history_optics(LightPaths.of(medium), 0, polarised=False)
+    air = history_optics(RefractedGeometry.of(medium), 0, polarised=False)
     for at, (altitude, angle) in enumerate(RAYS):
         r, mu, length, path, count, depth = traced(medium, air, altitude, angle)
         if depth <= 0.0:
@@ -119,7 +119,7 @@ def test_optical_depths_meet_the_quadrature_of_the_profiles(
     # A second method, good to 1e-6; the bound is three times what the choice of the rule promises
     # for its own rays, since these are others; on average the error must vanish to 1e-4.
     planet = load_planet(name)
-    paths = LightPaths.of(Medium.from_planet(planet, [680.0, 440.0]))
+    paths = RefractedGeometry.of(Medium.from_planet(planet, [680.0, 440.0]))
     medium = paths.medium  # over optical radius, where light is bent
     generator = np.random.default_rng(4)
     errors = []
@@ -156,11 +156,11 @@ def test_places_in_light_have_the_density_that_is_said(
     # Importance sampling: the mean of f/p over points drawn from p is ∫ f, here of e^{-τ} dτ over
     # the part of a ray that the star lights; four standard errors of 20 000 points.
     medium = Medium.from_planet(reference_earth(albedo=0.0), [440.0])
-    air = history_optics(LightPaths.of(medium), 0, polarised=False)
+    air = history_optics(RefractedGeometry.of(medium), 0, polarised=False)
     r, mu, _, path, count, _ = traced(medium, air, 0.0, 60.0)
     mu_s, nu = np.cos(np.radians(95.0)), 0.3
     lit = new_lit(air.extinction)
-    total = weigh(r, mu, mu_s, nu, count, air.extinction, air.light, path, lit)
+    total = sun_sampling_integral(r, mu, mu_s, nu, count, air.extinction, air.light, path, lit)
     assert total > 0.0
     distances, densities, depths = np.empty((3, 20_000))
     draw_in_light(count, total, air, path, lit, r, mu, stream(9), distances, densities, depths)

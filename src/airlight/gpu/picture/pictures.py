@@ -456,7 +456,7 @@ class Pictures:
         numbers = scene_numbers(light.scene, solution) | self._textures.numbers
         if solution is not self._solution:
             numbers |= lamp_numbers(solution) | {"star_radius": solution.light.star_radius}
-        peaks = 0.0 if exact else float(numbers["first_peak"] >= 0)
+        peaks = 0.0 if exact else float(numbers["separated_1"] >= 0)
         numbers |= {
             "width": size[0],
             "height": size[1],
@@ -464,13 +464,13 @@ class Pictures:
             "draws_disc": float(disc and orders == "all" and numbers["disc"] > 0.0),
             "sky_columns": self._sky_shape[0],
             "sky_rows": self._sky_shape[1],
-            "keeps_peaks": peaks,
+            "separated_phases": peaks,
             "draws_air": float(light.air),
         }
         if exact and self.device.software:  # it ends all loops of a pixel after 65 535 turns
             numbers["edges"] = 0.0
         if exact:
-            numbers |= {"first_peak": -1.0, "second_peak": -1.0}
+            numbers |= {"separated_1": -1.0, "separated_2": -1.0}
         weights = np.zeros((WAVELENGTHS, 3))
         weights[: solution.wavelengths.size] = solution.lights[0].colors(self._given)
         for channel, column in zip(("red", "green", "blue"), weights.T, strict=True):
@@ -498,7 +498,12 @@ class Pictures:
         """Fill the table of the sky of a light, unless it is current for observer and light."""
         sky = self._sky(number, light.solution)
         polarised = numbers["filter"] > 0
-        seen = observer_from(numbers), numbers["keeps_peaks"], numbers["star_radius"], polarised
+        seen = (
+            observer_from(numbers),
+            numbers["separated_phases"],
+            numbers["star_radius"],
+            polarised,
+        )
         if exact or not light.air or seen == sky.seen:
             return
         if self._by_processor:
@@ -506,7 +511,7 @@ class Pictures:
             sky.seen = seen
             return
         passes = [(sky_air_shader(), LAYERS[:2])]
-        if numbers["keeps_peaks"]:
+        if numbers["separated_phases"]:
             passes.append((sky_peaks_shader(), LAYERS[2:4]))
         if polarised:
             passes.append((sky_polarised_shader(), LAYERS[4:]))
@@ -528,7 +533,7 @@ class Pictures:
             tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape),
             polarised=numbers["filter"] > 0,
         )  # fmt: skip
-        unread = () if numbers["keeps_peaks"] else LAYERS[2:4]
+        unread = () if numbers["separated_phases"] else LAYERS[2:4]
         for name, layer in zip(LAYERS, layers, strict=True):
             if layer.size > 1 and name not in unread:
                 update_flat(self.device, sky.layers[name], 0, as_texels(layer, WAVELENGTHS))

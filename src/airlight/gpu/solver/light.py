@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from airlight.gpu.solver.ray_sums import fill_phases, fill_polarising, gathered, scattered_once
+from airlight.gpu.solver.ray_sums import fill_phase_f12, fill_phases, gathered, scattered_once
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
 from airlight.optics.altitude_nodes import node_value
@@ -17,7 +17,7 @@ from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
 from airlight.solvers.moments.ray_optics import leaving_at_end, sky_at, star_at_end, star_from_ray
-from airlight.solvers.moments.sent_light import contracted, coupled_moments, odd_moment
+from airlight.solvers.moments.source_function import contracted, coupled_moments, odd_moment
 from airlight.solvers.stokes_frame import star_plane
 
 
@@ -58,10 +58,10 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
     phases = lane_array(MOST_CONSTITUENTS)
-    across = lane_array(MOST_CONSTITUENTS)
+    phase_f12 = lane_array(MOST_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
-    fill_polarising(tables.polarising, nu, sizes.constituents, across)
-    radiance, plane = scattered_once(
+    fill_phase_f12(tables.polarised_phase, nu, sizes.constituents, phase_f12)
+    radiance, scattering_q = scattered_once(
         tables.turn,
         tables.radius,
         first,
@@ -69,7 +69,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
         first,
         strengths,
         phases,
-        across,
+        phase_f12,
         sizes.constituents,
         1 + first - first_point,
         depths,
@@ -98,7 +98,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
             sizes.directions,
             tables.lift,
         )
-    return radiance, share * plane
+    return radiance, share * scattering_q
 
 
 @inlined
@@ -184,7 +184,7 @@ def polarised_again(index, sizes, tables, first_point, shares, rows):
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
-    _, along, across = gathered(
+    _, stokes_q, stokes_u = gathered(
         tables.turn,
         tables.mu_along,
         first,
@@ -200,7 +200,7 @@ def polarised_again(index, sizes, tables, first_point, shares, rows):
         True,
     )
     share = load(shares, LANES * ray)
-    return share * along, share * across
+    return share * stokes_q, share * stokes_u
 
 
 @inlined
@@ -234,7 +234,7 @@ def azimuthal_weight(tables, part, b, degree):
 
 
 @inlined
-def azimuthal(index, sizes, tables, radiances, alongs, acrosses):
+def azimuthal(index, sizes, tables, radiances, stokes_qs, stokes_us):
     """Fourier integrals over azimuth of the light of a ray. [sr⁻¹]
 
     Texels (radius, direction, sun, integral): ∫ I cos mφ dφ, then ∫ Q cos mφ dφ of m = 0 to 2, and
@@ -248,9 +248,9 @@ def azimuthal(index, sizes, tables, radiances, alongs, acrosses):
         at = LANES * (start + b)
         value = load(radiances, at)
         if part > sizes.degree + EVEN:
-            value = load(acrosses, at)
+            value = load(stokes_us, at)
         elif part > sizes.degree:
-            value = load(alongs, at)
+            value = load(stokes_qs, at)
         total = total + np.float32(azimuthal_weight(tables, part, b, sizes.degree)) * value
     return total
 
@@ -289,8 +289,8 @@ def gathered_moment(index, sizes, projections, azimuthals):
         start = ray * weights
         total = total + np.float32(projections[start + first]) * load(azimuthals, LANES * at)
         if term > harmonics:
-            slant = load(azimuthals, LANES * (at + EVEN - 1))
-            total = total + np.float32(projections[start + second]) * slant
+            odd = load(azimuthals, LANES * (at + EVEN - 1))
+            total = total + np.float32(projections[start + second]) * odd
     return total
 
 

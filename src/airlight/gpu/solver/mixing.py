@@ -1,4 +1,4 @@
-"""Texels of the solver's passes that combine the last images of the light to the next guess.
+"""Texels of the solver's passes for Anderson acceleration: the next guess from the last iterates.
 
 See ``rays`` for how a texel is related to its index.
 """
@@ -9,14 +9,14 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.moments.convergence import is_near
-from airlight.solvers.moments.stopping import PASS_IMAGES
+from airlight.solvers.moments.stopping import PASS_ITERATES
 
 
 @inlined
-def mean(index, sizes, image, guess):
-    """Mean radiances and irradiances of an image and its guess, monitored by the host. [1]
+def mean(index, sizes, iterate, guess):
+    """Mean radiances and irradiances of an iterate and its guess, monitored by the host. [1]
 
-    Texels (image or guess, mean radiance or irradiance, radius, sun).
+    Texels (iterate or guess, mean radiance or irradiance, radius, sun).
     """
     nodes = sizes.radii * sizes.suns
     node = index % nodes
@@ -24,46 +24,46 @@ def mean(index, sizes, image, guess):
     if index // nodes % 2 == 1:
         at = nodes * sizes.terms + node
     if index < 2 * nodes:
-        return load(image, LANES * at)
+        return load(iterate, LANES * at)
     return load(guess, LANES * at)
 
 
 @inlined
-def mixed(index, weights, images):
-    """Number of the combination of images.
+def mixed(index, weights, iterates):
+    """One number of the linear combination of iterates.
 
-    ``weights`` and each of ``images`` are read as single numbers.
+    ``weights`` and each of ``iterates`` are read as single numbers.
     """
     lane = index % WAVELENGTHS
     return (
-        weights[lane] * images.image_0[index]
-        + weights[WAVELENGTHS + lane] * images.image_1[index]
-        + weights[2 * WAVELENGTHS + lane] * images.image_2[index]
-        + weights[3 * WAVELENGTHS + lane] * images.image_3[index]
-        + weights[4 * WAVELENGTHS + lane] * images.image_4[index]
+        weights[lane] * iterates.iterate_0[index]
+        + weights[WAVELENGTHS + lane] * iterates.iterate_1[index]
+        + weights[2 * WAVELENGTHS + lane] * iterates.iterate_2[index]
+        + weights[3 * WAVELENGTHS + lane] * iterates.iterate_3[index]
+        + weights[4 * WAVELENGTHS + lane] * iterates.iterate_4[index]
     )
 
 
 @inlined
-def sound(index, sizes, weights, images):
-    """Return 1 where the combination of images is trusted at one wavelength, otherwise 0.
+def sound(index, sizes, weights, iterates):
+    """Return 1 where ``is_near`` accepts the combination of iterates, otherwise 0.
 
-    Numbers (mean radiance or irradiance, radius, sun, lane); ``image_0`` is the latest.
+    Numbers (mean radiance or irradiance, radius, sun, lane); ``iterate_0`` is the latest.
     """
     numbers = sizes.radii * sizes.suns * WAVELENGTHS
     lane = index % WAVELENGTHS
-    brightest = weights[WAVELENGTHS * PASS_IMAGES + lane]
+    brightest = weights[WAVELENGTHS * PASS_ITERATES + lane]
     at = index // WAVELENGTHS * sizes.terms * WAVELENGTHS + lane
     if index >= numbers:
-        brightest = weights[WAVELENGTHS * (PASS_IMAGES + 1) + lane]
+        brightest = weights[WAVELENGTHS * (PASS_ITERATES + 1) + lane]
         at = numbers * sizes.terms + index - numbers
-    near = is_near(mixed(at, weights, images), images.image_0[at], brightest)
+    near = is_near(mixed(at, weights, iterates), iterates.iterate_0[at], brightest)
     return 1.0 if near else 0.0
 
 
 @inlined
-def next_guess(index, sizes, weights, images, sounds):
-    """Combination of images where it is trusted, elsewhere the last image.
+def next_guess(index, sizes, weights, iterates, sounds):
+    """Combination of iterates where ``sound`` accepts it, elsewhere the last iterate.
 
     Texels as in ``gathered_moment``.
     """
@@ -71,10 +71,10 @@ def next_guess(index, sizes, weights, images, sounds):
     node = index // sizes.terms
     if index >= nodes * sizes.terms:
         node = nodes + index - nodes * sizes.terms
-    total = load(weights, 0) * load(images.image_0, LANES * index)
-    total = total + load(weights, LANES) * load(images.image_1, LANES * index)
-    total = total + load(weights, 2 * LANES) * load(images.image_2, LANES * index)
-    total = total + load(weights, 3 * LANES) * load(images.image_3, LANES * index)
-    total = total + load(weights, 4 * LANES) * load(images.image_4, LANES * index)
-    last = load(images.image_0, LANES * index)
+    total = load(weights, 0) * load(iterates.iterate_0, LANES * index)
+    total = total + load(weights, LANES) * load(iterates.iterate_1, LANES * index)
+    total = total + load(weights, 2 * LANES) * load(iterates.iterate_2, LANES * index)
+    total = total + load(weights, 3 * LANES) * load(iterates.iterate_3, LANES * index)
+    total = total + load(weights, 4 * LANES) * load(iterates.iterate_4, LANES * index)
+    last = load(iterates.iterate_0, LANES * index)
     return last + load(sounds, LANES * node) * (total - last)

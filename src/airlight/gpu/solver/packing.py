@@ -127,7 +127,7 @@ def four_levels(values, start, step, i, part, dark, radii):
 
 @inlined
 def refined(index, sizes, tables, light, floors):
-    """Light field at all levels from the radii that gather it; see ``levels.finer``. [1]
+    """Light field at all levels from the radii that gather it; see ``levels.refine``. [1]
 
     Numbers (level, sun, moment, lane), and after them irradiances (level, sun, lane).
     """

@@ -27,13 +27,13 @@ from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver import light, mixing, packing, rays
 from airlight.gpu.solver.tables import SOLVE, Sizes, Tables
-from airlight.solvers.moments.stopping import PASS_IMAGES
+from airlight.solvers.moments.stopping import PASS_ITERATES
 
 #: Ways to read a texture: four wavelengths a texel, or single numbers.
 View = Literal["lanes", "numbers"]
 
-#: Images of the light, the latest first.
-IMAGES: Final = tuple(f"image_{i}" for i in range(PASS_IMAGES))
+#: Iterates of the light, the latest first.
+ITERATES: Final = tuple(f"iterate_{i}" for i in range(PASS_ITERATES))
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class SolverPass:
         Textures of equal size that it fills, one with each result of the function; at most two,
         since not every browser writes more than 32 bytes a texel.
     host_inputs : tuple of str
-        Names from ``sizes``, ``tables``, ``first_point``, ``weights``, ``images``.
+        Names from ``sizes``, ``tables``, ``first_point``, ``weights``, ``iterates``.
     readings : tuple of Reading
         Readings in the order of the function's arguments.
     spanned : bool
@@ -91,18 +91,18 @@ ONCE: Final = (
     SolverPass("strength", rays.strength, ("strengths",)),
     SolverPass("factor", rays.factor, ("factors",)),
     SolverPass("share", rays.share, ("shares",)),
-    SolverPass("through", rays.through, ("throughs",)),
+    SolverPass("transmittance", rays.transmittance, ("throughs",)),
     SolverPass("bounce", rays.bounce, ("bounces",), readings=(Reading("throughs"),)),
     SolverPass("projection", rays.projection, ("projections",)),
     SolverPass("depth", rays.depth, ("depths",), _ALONG, spanned=True),
     SolverPass(
-        "radiance_once", light.radiance_once, ("radiances", "alongs"), _ALONG,
+        "radiance_once", light.radiance_once, ("radiances", "stokes_qs"), _ALONG,
         (Reading("shares"), Reading("strengths"), Reading("throughs"), Reading("depths")),
         spanned=True,
     ),
     SolverPass(
         "azimuthal_once", light.azimuthal_once, ("azimuthals",),
-        readings=(Reading("radiances"), Reading("alongs")),
+        readings=(Reading("radiances"), Reading("stokes_qs")),
     ),
     SolverPass(
         "gathered_moment", light.gathered_moment, ("first",), ("sizes",),
@@ -133,7 +133,7 @@ PACK: Final = (
         "packed", packing.packed, ("packed",), ("sizes",), (Reading("fine"), Reading("scales"))
     ),
 )  # fmt: skip
-#: Passes of one more order: from the packed light to its image.
+#: Passes of one more order: from the packed light to its iterate.
 SWEEP: Final = (
     SolverPass(
         "row", light.row, ("rows",), _ALONG, (Reading("factors"), Reading("packed")), spanned=True
@@ -147,24 +147,24 @@ SWEEP: Final = (
         spanned=True,
     ),
     SolverPass(
-        "polarised_again", light.polarised_again, ("alongs", "acrosses"), _ALONG,
+        "polarised_again", light.polarised_again, ("stokes_qs", "stokes_us"), _ALONG,
         (Reading("shares"), Reading("rows")), spanned=True,
     ),
     SolverPass(
         "azimuthal", light.azimuthal, ("azimuthals",),
-        readings=(Reading("radiances"), Reading("alongs"), Reading("acrosses")),
+        readings=(Reading("radiances"), Reading("stokes_qs"), Reading("stokes_us")),
     ),
     SolverPass(
-        "gathered_onto", light.gathered_onto, ("image",), ("sizes",),
+        "gathered_onto", light.gathered_onto, ("iterate",), ("sizes",),
         (Reading("projections", "numbers"), Reading("azimuthals"), Reading("first")),
     ),
-    SolverPass("mean", mixing.mean, ("means",), ("sizes",), (Reading("image"), Reading("light"))),
+    SolverPass("mean", mixing.mean, ("means",), ("sizes",), (Reading("iterate"), Reading("light"))),
 )  # fmt: skip
-#: Passes that make the next guess, from the last images and the host's weights.
+#: Passes that make the next guess, from the last iterates and the host's weights.
 MIX: Final = (
-    SolverPass("sound", mixing.sound, ("sounds",), ("sizes", "weights", "images:numbers")),
+    SolverPass("sound", mixing.sound, ("sounds",), ("sizes", "weights", "iterates:numbers")),
     SolverPass(
-        "next_guess", mixing.next_guess, ("light",), ("sizes", "weights", "images:lanes"),
+        "next_guess", mixing.next_guess, ("light",), ("sizes", "weights", "iterates:lanes"),
         (Reading("sounds"),),
     ),
 )  # fmt: skip
@@ -215,9 +215,9 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
             readers.append(_weights_reader(dialect, spectral))
         else:
             as_read: View = "lanes" if view == "lanes" else "numbers"
-            images = [_reading(image, Reading(image, as_read)) for image in IMAGES]
-            arguments.append(Bundle({image.name: image.table for image in images}))
-            tables += images
+            iterates = [_reading(iterate, Reading(iterate, as_read)) for iterate in ITERATES]
+            arguments.append(Bundle({iterate.name: iterate.table for iterate in iterates}))
+            tables += iterates
     parameters = one.function.py_func.__code__.co_varnames[len(arguments) :]
     for parameter, reading in zip(parameters, one.readings, strict=False):
         tables.append(_reading(f"{parameter}_table", reading))
@@ -232,7 +232,7 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
         dialect.uniforms("span", ["texels"], 0, 1),
     ]
     if readers:
-        lines.append(dialect.uniforms("mix", [("weights", PASS_IMAGES + 2)], 0, 2))
+        lines.append(dialect.uniforms("mix", [("weights", PASS_ITERATES + 2)], 0, 2))
     slots = {texture: slot for slot, texture in enumerate(textures, start=3)}
     lines += [dialect.texture(texture, 0, slot) for texture, slot in slots.items()]
     for table in tables:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from airlight.gpu.emit.uniform_struct import Place
 from airlight.gpu.solver.passes import (
-    IMAGES,
+    ITERATES,
     MIX,
     ONCE,
     PACK,
@@ -112,7 +112,7 @@ class SolverPlan:
             "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
             "rows": most * n["suns"] * row_block(n),
-            **dict.fromkeys(("radiances", "alongs", "acrosses"), rays * n["suns"] * n["turns"]),
+            **dict.fromkeys(("radiances", "stokes_qs", "stokes_us"), rays * n["suns"] * n["turns"]),
             "azimuthals": rays * n["suns"] * (n["degree"] + 6),
             "first": field,
             "light": field,
@@ -124,7 +124,7 @@ class SolverPlan:
             "packed": levels * (n["terms"] + 3),
             "means": 4 * self.nodes,
             "sounds": 2 * self.nodes,
-            **dict.fromkeys(IMAGES, field),
+            **dict.fromkeys(ITERATES, field),
         }
 
     def texels(self, one: SolverPass, span: Span | None = None) -> tuple[int, int, int]:
@@ -138,10 +138,10 @@ class SolverPlan:
             Span of a spanned pass.
         """
         if span is None:
-            target = IMAGES[0] if one.targets[0] == "image" else one.targets[0]
+            target = ITERATES[0] if one.targets[0] == "iterate" else one.targets[0]
             return 0, self.textures[target], 0
         n = self.sizes
-        if one.targets[-1] in ("radiances", "alongs", "acrosses"):
+        if one.targets[-1] in ("radiances", "stokes_qs", "stokes_us"):
             each = n["suns"] * n["turns"]
             begin = span.first_ray * each
             return begin, begin + span.rays * each, span.first_point
@@ -187,15 +187,17 @@ class SolverPlan:
         ``fill``, which fills its ``targets`` and skips texels beyond its span. A host
 
         1. runs ``once`` and copies ``first`` to ``light``;
-        2. for each order: rotates the ring of ``images`` by one, so that the oldest is ``image_0``
-           and ``image``; runs ``pack`` and ``sweep``; reads ``means`` (mean radiance and
-           irradiance of the image, then of the previous light); writes the uniform ``mix``, a
-           vec4f for the weight of each image, the latest first, one for the largest mean radiance
-           and one for the largest irradiance; and runs ``mix``, which makes the next ``light``;
+        2. for each order: rotates the ring of ``iterates`` by one, so that the oldest is
+           ``iterate_0`` and ``iterate``; runs ``pack`` and ``sweep``; reads ``means`` (mean
+           radiance and irradiance of the iterate, then of the previous light); writes the uniform
+           ``mix``, a vec4f for the Anderson weight of each iterate, the latest first, one for the
+           largest mean radiance and one for the largest irradiance; and runs ``mix``, which
+           computes the next ``light``;
         3. runs ``pack`` at the end: ``packed`` is the input of a march.
 
         A change of coefficients alone changes only ``extinction``, ``moments``,
-        ``polarising``, ``albedo`` and ``level`` in their textures, at the positions in ``tables``.
+        ``polarised_phase``, ``albedo`` and ``level`` in their textures, at the positions in
+        ``tables``.
         """
 
         def written(passes: tuple[SolverPass, ...]) -> list[dict[str, Any]]:
@@ -213,7 +215,7 @@ class SolverPlan:
             "uniform": list(SOLVE.vectors()),
             "tables": tables,
             "textures": self.textures,
-            "images": list(IMAGES),
+            "iterates": list(ITERATES),
             "passes": {
                 "once": written(ONCE),
                 "pack": written(PACK),

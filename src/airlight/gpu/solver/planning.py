@@ -17,9 +17,9 @@ from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
 from airlight.pixels.capacity import check_capacity
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 Float32Array = NDArray[np.float32]
 
@@ -27,16 +27,18 @@ Float32Array = NDArray[np.float32]
 _SPAN: Final = 4 << 20
 
 
-def plan_for(paths: LightPaths, settings: Settings, *, room: float = 1.0) -> SolverPlan:
+def plan_for(
+    paths: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
+) -> SolverPlan:
     """Make the plan of a medium's solve.
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
         Paths in a medium of at most four wavelengths.
     settings : Settings
         Grid sizes.
-    room : float
+    extinction_headroom : float
         Factor of the air for which nodes and rays are laid out, see ``Setup``. [1]
 
     Raises
@@ -47,7 +49,7 @@ def plan_for(paths: LightPaths, settings: Settings, *, room: float = 1.0) -> Sol
     medium = paths.medium
     constituents = len(medium.names)
     check_capacity(medium.wavelengths.size, constituents)
-    setup = Setup(paths=paths, settings=settings, room=room)
+    setup = Setup(paths=paths, settings=settings, extinction_headroom=extinction_headroom)
     block = setup.block(slice(None))
     grid, rays, air = setup.grid, block.rays, block.air
     azimuths, expansion, table = setup.azimuths, setup.expansion, setup.table
@@ -65,7 +67,7 @@ def plan_for(paths: LightPaths, settings: Settings, *, room: float = 1.0) -> Sol
         "column_rows": setup.column_rows, "ratios": setup.ratios, "lift": paths.lift,
         "level": block.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
-        "polarising": _lanes(air.polarising),
+        "polarised_phase": _lanes(air.polarised_phase),
         "albedo": _lanes(air.ground.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {

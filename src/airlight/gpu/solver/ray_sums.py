@@ -14,10 +14,10 @@ from airlight.geometry.bending import star_points
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
-from airlight.solvers.moments.first_order import ISOTROPIC, SECOND, through_row
+from airlight.solvers.moments.first_order import ISOTROPIC, SECOND, transmittance_row
 from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED
 from airlight.solvers.moments.ray_optics import sun_index
-from airlight.solvers.moments.sent_light import sent_by_point
+from airlight.solvers.moments.source_function import source_at_point
 
 
 @inlined
@@ -93,16 +93,16 @@ def fill_phases(moments, nu, degree, constituents, phases):
 
 
 @inlined
-def fill_polarising(polarising, nu, constituents, phases):
+def fill_phase_f12(polarised_phase, nu, constituents, phases):
     """Compute F₁₂ of degree 2 times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
     part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
     for c in range(constituents):
-        store(phases, LANES * c, load(polarising, LANES * ELEMENTS * c) * part)
+        store(phases, LANES * c, load(polarised_phase, LANES * ELEMENTS * c) * part)
 
 
 @inlined
 def scattered_once(
-    turn, radii, first, points, strong, strengths, phases, across, constituents, deep, depths,
+    turn, radii, first, points, strong, strengths, phases, phase_f12, constituents, deep, depths,
     directions, mu_s, nu, bottom, top, star_radius, lift,
 ):  # fmt: skip
     """Light sent along a ray by its points, from the star's own. [sr⁻¹]
@@ -119,9 +119,9 @@ def scattered_once(
         Index of the first of them in ``strengths`` and ``depths``.
     strengths : array, shape (points·(nc + 1)·8,)
         Amount of each constituent at a point times the transmittance on the way from it [m], and
-        ``onward_light`` on that way [1].
-    phases, across : array, shape (nc·8,)
-        Arrays from ``fill_phases`` and ``fill_polarising``. [m⁻¹ sr⁻¹]
+        ``polarised_transmittance_ratio`` on that way [1].
+    phases, phase_f12 : array, shape (nc·8,)
+        Arrays from ``fill_phases`` and ``fill_phase_f12``. [m⁻¹ sr⁻¹]
     constituents : int
     depths : array, shape (points·directions·8,)
         Depths from ``depth_in_row``. [1]
@@ -139,17 +139,17 @@ def scattered_once(
         if seen <= 0.0:
             continue
         x = direction_coordinate(q, low, bottom, top) * (directions - 1)
-        light = through_row(depths, deep + k, x, directions)
+        light = transmittance_row(depths, deep + k, x, directions)
         if high > low:
             x = direction_coordinate(q, high, bottom, top) * (directions - 1)
-            light = light + through_row(depths, deep + k, x, directions)
+            light = light + transmittance_row(depths, deep + k, x, directions)
             light = light * np.float32(0.5)
         source, turned = splat(0.0), splat(0.0)
         at = LANES * (strong + k) * (constituents + 1)
         for c in range(constituents):
             amount = load(strengths, at + LANES * c)
             source = source + load(phases, LANES * c) * amount
-            turned = turned + load(across, LANES * c) * amount
+            turned = turned + load(phase_f12, LANES * c) * amount
         light = np.float32(seen) * light
         radiance = radiance + light * source
         polarised = polarised + light * turned * load(strengths, at + LANES * constituents)
@@ -171,7 +171,7 @@ def gathered(
     local : int
         Index of the first of them in ``rows``.
     rows : array, shape (points·s·(7 + N)·8,)
-        For each point and sun the node of ``sent_by_point``.
+        For each point and sun the node of ``source_at_point``.
     mu_s, nu : float
         Cosines of the star at the start of the ray. [1]
     places : array
@@ -182,7 +182,7 @@ def gathered(
         Whether I, and whether Q and U are found; constants. The others are 0.
     """
     block = (degree + 2 + POLARISED) * LANES
-    radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
+    radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
     for k in range(points):
         mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
         x = sun_index(mu_sk, places)
@@ -190,9 +190,9 @@ def gathered(
         step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
         sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
         low = ((local + k) * suns + column) * block
-        light, plane, slant = sent_by_point(
+        light, point_q, point_u = source_at_point(
             rows, low, low + block, np.float32(x - column), step, sine, degree + 1, degree, bright,
             polarised, False,
         )  # fmt: skip
-        radiance, along, across = radiance + light, along + plane, across + slant
-    return radiance, along, across
+        radiance, stokes_q, stokes_u = radiance + light, stokes_q + point_q, stokes_u + point_u
+    return radiance, stokes_q, stokes_u

@@ -29,26 +29,26 @@ from airlight.solvers.moments.harmonics import (
     legendre_function,
     polarised_functions,
 )
+from airlight.solvers.moments.opaque_culling import ray_share
 from airlight.solvers.moments.ray_optics import (
     leaving_at_end,
-    onward_light,
     optical_depth,
+    polarised_transmittance_ratio,
     strength_of,
-    through_ray,
+    transmittance_ray,
 )
-from airlight.solvers.moments.visible_rays import ray_share
 
 
 @inlined
 def strength(index, sizes, tables):
     """Amount of a constituent at a point of a ray times the transmittance from there. [m]
 
-    Texels (point, constituent), the last of a point its ``onward_light``. [1]
+    Texels (point, constituent), the last of a point its ``polarised_transmittance_ratio``. [1]
     """
     point, c = index // (sizes.constituents + 1), index % (sizes.constituents + 1)
     if c == sizes.constituents:
-        return onward_light(
-            tables.column, point * sizes.constituents, tables.polarising, sizes.constituents
+        return polarised_transmittance_ratio(
+            tables.column, point * sizes.constituents, tables.polarised_phase, sizes.constituents
         )
     depth = optical_depth(
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
@@ -60,9 +60,8 @@ def strength(index, sizes, tables):
 def factor(index, sizes, tables):
     """Contribution of a point to its ray from one moment. [1]
 
-    Texels (point, moment), even polarised ones by the coupling with the radiance's of degree 2;
-    after them the coupling, and the keeping of even and of odd polarised moments, themselves, for Q
-    and U.
+    Texels (point, moment), even polarised ones by β₁, which couples them with the radiance's of
+    degree 2; after them β₁, α₂ and α₃ themselves, for Q and U.
     """
     point, part = index // (sizes.terms + 1), index % (sizes.terms + 1)
     harmonics = sizes.terms - POLARISED
@@ -70,30 +69,30 @@ def factor(index, sizes, tables):
     depth = optical_depth(
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
     )
-    through = exponential(0.0 - depth)
-    if part >= coupled:  # coupling and keeping
-        through = through * onward_light(
-            tables.column, point * sizes.constituents, tables.polarising, sizes.constituents
+    transmittance = exponential(0.0 - depth)
+    if part >= coupled:  # β₁, α₂ and α₃
+        transmittance = transmittance * polarised_transmittance_ratio(
+            tables.column, point * sizes.constituents, tables.polarised_phase, sizes.constituents
         )
-        return through * strength_of(
-            tables.polarising, tables.amount, point, part - coupled, ELEMENTS - 1,
+        return transmittance * strength_of(
+            tables.polarised_phase, tables.amount, point, part - coupled, ELEMENTS - 1,
             sizes.constituents,
         )  # fmt: skip
     l, m = 2, part - harmonics
     if part < harmonics:
         l = degree_of(part)
         m = part - l * (l + 1) // 2
-        through = through * strength_of(
+        transmittance = transmittance * strength_of(
             tables.moments, tables.amount, point, l, sizes.degree, sizes.constituents
         )
     else:
-        through = through * strength_of(
-            tables.polarising, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
+        transmittance = transmittance * strength_of(
+            tables.polarised_phase, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
         )
     function = legendre_function(
         tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
     )
-    return through * np.float32(function)
+    return transmittance * np.float32(function)
 
 
 @inlined
@@ -119,14 +118,14 @@ def share(index, sizes, tables):
 
 
 @inlined
-def through(index, sizes, tables):
+def transmittance(index, sizes, tables):
     """Transmittance of a ray that ends on the ground. [1]
 
     Texels (radius, direction); zero for rays that miss the ground.
     """
     if index % sizes.angles >= sizes.angles // 2:
         return splat(0.0)
-    return through_ray(
+    return transmittance_ray(
         tables.extinction,
         tables.total,
         index * sizes.constituents,

@@ -2,10 +2,10 @@
 
 The passes (``passes``) compute what the CPU's sweeps compute, by the same functions; the host runs
 them, reads the mean radiance at the nodes after each order (about 20 kB), and combines the last
-few images, and stops, by the rules of the CPU (``stopping``). The CPU's method for thick air, the
-inverse of a sweep along the vertical, is omitted: in clear and in dusty air each order changes the
-light by much less than the previous one, and five to fifteen sweeps suffice. Air that needs more
-orders is left to the CPU.
+few iterates, and stops, by the rules of the CPU (``stopping``). Synthetic acceleration, with which
+the CPU solves thick air, is omitted: in clear and in dusty air each order changes the light by much
+less than the previous one, and five to fifteen sweeps suffice. Air that needs more orders is left
+to the CPU.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from numpy.typing import NDArray
 
 from airlight.errors import AirlightError, Cancelled
 from airlight.gpu.device.device import Device
-from airlight.gpu.solver.passes import IMAGES
+from airlight.gpu.solver.passes import ITERATES
 from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.sweeper import GpuSweeper, borrowed_sweeper
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.energy_balance import energy_error, makes_light
 from airlight.solvers.moments.iterate import Moments
-from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.stopping import Iteration, Stopping
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -87,7 +87,7 @@ def solve_on(
         If ``cancel`` requested it.
     """
     started = perf_counter()
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     if Optics.chosen(paths.medium, settings).transport_depth.max() > THICKEST:
         raise ThickAir
     plan = plan_for(paths, settings)
@@ -141,24 +141,24 @@ def _iterate(
     plan = sweeper.plan
     iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
     sweeper.begin()
-    while iteration.goes_on():
+    while iteration.unfinished():
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
         mean, sky, before = sweeper.sweep()
         if not (mean > 0.0).any():
             return 0, np.zeros(WAVELENGTHS)
-        iteration.judge(before, mean)
+        iteration.update(before, mean)
         sweeper.combine(_weights(iteration.weights(), mean, sky))
         if progress is not None:
-            still = float(iteration.to_come.max())
-            message = f"orders of scattering: still to come {still:.1e}"
+            still = float(iteration.remaining_error.max())
+            message = f"orders of scattering: remaining error {still:.1e}"
             progress(round(100 * iteration.share), 100, message)
-    return iteration.sweeps, iteration.to_come
+    return iteration.sweeps, iteration.remaining_error
 
 
 def _weights(weights: FloatArray, mean: Float32Array, sky: Float32Array) -> Float32Array:
-    """Arrange weights for ``combine``: the latest image's first, then two largest values."""
-    taken = np.zeros((len(IMAGES) + 2, WAVELENGTHS), np.float32)
+    """Arrange weights for ``combine``: the latest iterate's first, then two largest values."""
+    taken = np.zeros((len(ITERATES) + 2, WAVELENGTHS), np.float32)
     taken[: weights.shape[0]] = weights[::-1]
     taken[-2] = mean.max(axis=(0, 1))
     taken[-1] = sky.max(axis=(0, 1))

@@ -22,7 +22,7 @@ from airlight.gpu.device.flat import (
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.device.pass_times import PassTimes
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
-from airlight.gpu.solver.passes import IMAGES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
+from airlight.gpu.solver.passes import ITERATES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.pixels.shown import WAVELENGTHS
 
@@ -56,7 +56,7 @@ def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
     except Cancelled:
         sound = True
         raise
-    finally:  # a failed solve may have left images that are not finite
+    finally:  # a failed solve may have left iterates that are not finite
         with _lock:
             if sound and not idle:
                 idle.append(sweeper)
@@ -82,8 +82,8 @@ class GpuSweeper:
         self.device = device
         self._textures: dict[str, Any] = {}
         self._views: dict[str, Any] = {}
-        self._images: deque[str] = deque(IMAGES)
-        self._mix = self._uniform(np.zeros((len(IMAGES) + 2, 4), np.float32))
+        self._iterates: deque[str] = deque(ITERATES)
+        self._mix = self._uniform(np.zeros((len(ITERATES) + 2, 4), np.float32))
         self._solve: Any = None
         self._spans: dict[tuple[int, int, int], Any] = {}
         self._groups: dict[tuple[str, tuple[int, int, int], str], list[Any]] = {}
@@ -141,7 +141,7 @@ class GpuSweeper:
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):
             ready = self._pass(one)
-            targets = [self._images[0] if name == "image" else name for name in one.targets]
+            targets = [self._iterates[0] if name == "iterate" else name for name in one.targets]
             top, bottom = texels[0] // FLAT_WIDTH, flat_rows(texels[1])
             ready.run(
                 encoder,
@@ -166,15 +166,17 @@ class GpuSweeper:
     def _bound(
         self, ready: FragmentPass, one: SolverPass, texels: tuple[int, int, int]
     ) -> list[Any]:
-        key = (one.name, texels, self._images[0])
+        key = (one.name, texels, self._iterates[0])
         if key not in self._groups:
             if texels not in self._spans:
                 self._spans[texels] = self._uniform(np.array([*texels, 0], np.float32))
-            images = {name: self._views[at] for name, at in zip(IMAGES, self._images, strict=True)}
+            iterates = {
+                name: self._views[at] for name, at in zip(ITERATES, self._iterates, strict=True)
+            }
             resources = {
                 **self._views,
-                **images,
-                "image": self._views[self._images[0]],
+                **iterates,
+                "iterate": self._views[self._iterates[0]],
                 "solve": self._solve,
                 "span": self._spans[texels],
                 "mix": self._mix,
@@ -197,14 +199,14 @@ class GpuSweeper:
         self.device.device.queue.submit([encoder.finish()])
 
     def sweep(self) -> tuple[Float32Array, Float32Array, Float32Array]:
-        """Compute one more order, into a new image.
+        """Compute one more order, into a new iterate.
 
         Returns
         -------
         mean, sky, before : array, shape (r, s, 4)
-            Mean radiance and irradiance of the image, and mean radiance of the guess.
+            Mean radiance and irradiance of the iterate, and mean radiance of the guess.
         """
-        self._images.rotate(1)
+        self._iterates.rotate(1)
         self.run((*PACK, *SWEEP))
         n = self.plan.sizes
         means = read_flat(self.device, self._textures["means"], 4 * self.plan.nodes)
@@ -212,29 +214,30 @@ class GpuSweeper:
         return means[0], means[1], means[2]
 
     def combine(self, weights: Float32Array) -> None:
-        """Make the next guess from the last images.
+        """Compute the next guess from the last iterates.
 
         Parameters
         ----------
         weights : array, shape (7, 4)
-            Weights of the images, the latest first; then the largest mean radiance and irradiance.
+            Anderson weights of the iterates, the latest first; then the largest mean radiance and
+            irradiance.
         """
         self.device.device.queue.write_buffer(self._mix, 0, np.ascontiguousarray(weights))
         self.run(MIX)
 
     def texture(self, name: str) -> Any:
-        """Texture by its name in the plan; ``image`` is that of the last sweep.
+        """Texture by its name in the plan; ``iterate`` is that of the last sweep.
 
         Parameters
         ----------
         name : str
-            Name from ``plan.textures``, or ``image``.
+            Name from ``plan.textures``, or ``iterate``.
 
         Returns
         -------
         wgpu.GPUTexture
         """
-        return self._textures[self._images[0] if name == "image" else name]
+        return self._textures[self._iterates[0] if name == "iterate" else name]
 
     def light(self) -> tuple[Float32Array, Float32Array]:
         """Moments (r, s, k, 4) and irradiances (r, s, 4) of the guess, which is also packed."""

@@ -49,7 +49,7 @@ class Sizes(NamedTuple):
 
 
 class Tables(NamedTuple):
-    """Tables of the passes; shapes and units as in ``Grid``, ``Rays``, ``Air`` ….
+    """Tables of the passes; shapes and units as in ``Grid``, ``Rays``, ``ScaledOptics`` ….
 
     Attributes
     ----------
@@ -66,13 +66,13 @@ class Tables(NamedTuple):
     ratios :
         Table from ``mean_density_ratios``.
     lift :
-        Table from ``star_lift``.
+        Table from ``refraction_table``.
     level : array, shape (s·4,)
         Weights from ``level_weights``, of four wavelengths.
-    extinction, moments, polarising :
-        Fields of ``Air``; four wavelengths a texel.
+    extinction, moments, polarised_phase :
+        Fields of ``ScaledOptics``; four wavelengths a texel.
     ground : Reflection
-        Field of ``Air``.
+        Field of ``ScaledOptics``.
     """
 
     mu: Annotated[Any, scalars(2)]
@@ -102,7 +102,7 @@ class Tables(NamedTuple):
     level: Annotated[Any, scalars()]
     extinction: Annotated[Any, SPECTRA]
     moments: Annotated[Any, SPECTRA]
-    polarising: Annotated[Any, SPECTRA]
+    polarised_phase: Annotated[Any, SPECTRA]
     ground: Reflection
 
 

@@ -23,9 +23,9 @@ from airlight.tables.columns import (
     TABLE_SHAPE,
     ColumnTable,
     accumulate,
-    cut_at_corners,
     density_table,
     new_path,
+    split_at_profile_edges,
     trace_resolved,
 )
 
@@ -174,7 +174,7 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
     thickness = air.top - air.bottom
     if air.graded:
         count = place_edges(r, mu, length, 1, first_cut, second_cut, edges)
-        count = cut_at_corners(r, mu, air.bottom, air.corners, edges, count)
+        count = split_at_profile_edges(r, mu, air.bottom, air.corners, edges, count)
         return trace_resolved(
             r, mu, edges, count, air.rule, air.bottom, thickness, air.nodes, air.strongest, path
         )

@@ -33,7 +33,7 @@ from airlight.solvers.direct.orders import Orders, solve_orders
 from airlight.solvers.direct.passes import add_ground, direct_light, reflected
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
-from airlight.solvers.light_paths import straightened
+from airlight.solvers.refracted_geometry import without_refraction
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 
@@ -229,7 +229,7 @@ def solve(
     ConvergenceError
         If the orders do not fall.
     """
-    medium, note = straightened(medium)
+    medium, note = without_refraction(medium)
     if medium.polarising(np.zeros(())).any():  # at right angles to the star
         note = f"{note}; {SCALAR}" if note else SCALAR
     started = perf_counter()

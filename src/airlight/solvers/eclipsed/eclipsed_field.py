@@ -26,7 +26,12 @@ from airlight.kernel.borrowing import borrowed
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solvers.eclipsed.eclipsed_march import DEVIATION, LOCAL, line_eclipsed, seen_star_part
+from airlight.solvers.eclipsed.eclipsed_march import (
+    LOCAL_SHADOW,
+    SCATTERING_CORRECTION,
+    line_eclipsed,
+    seen_star_part,
+)
 from airlight.solvers.eclipsed.shadow_tables import (
     ShadowTables,
     direction_functions,
@@ -234,14 +239,14 @@ def _iterate(
         sky *= fade[:, None, None]
         return field, sky
 
-    source, sky_source = sweep(empty, LOCAL, 1)
+    source, sky_source = sweep(empty, LOCAL_SHADOW, 1)
     used = solution.wavelengths.size
     field, sky, last, last_sky = source, sky_source, source, sky_source
     part = _local_part(empty, light)
     mean = 1.0 / sqrt(4.0 * pi)
     for order in range(2, _MOST_SWEEPS + 2):
         shadow = empty._replace(field=last.reshape(-1), sky=last_sky.reshape(-1))
-        more, more_sky = sweep(shadow, DEVIATION, order)
+        more, more_sky = sweep(shadow, SCATTERING_CORRECTION, order)
         field, sky = field + more, sky + more_sky
         whole = np.maximum(part + field[..., 0, :] * mean, 1e-9)
         change = np.abs(more[..., 0, :]) * mean / whole
@@ -303,7 +308,7 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
     row, column, count : int
         Indices of altitude and distance, and number of position angles.
     kind : int
-        ``LOCAL`` or ``DEVIATION``.
+        ``LOCAL_SHADOW`` or ``SCATTERING_CORRECTION``.
     light, shadow, work, spare :
         Arguments of ``march_eclipsed``.
     directions : tuple of arrays

@@ -25,28 +25,28 @@ from airlight.solvers.eclipsed.shadow_tables import (
     place_in_shadow,
     sky_deviation,
 )
+from airlight.solvers.moments.forward_peak import add_peaks, peak_gain, reset_peaks
 from airlight.solvers.moments.irradiance import ground_light
-from airlight.solvers.moments.march import field_place, gathered_at, star_columns
+from airlight.solvers.moments.march import field_place, multiple_scattering_at, star_columns
 from airlight.solvers.moments.march_panels import panel_columns, place_panel, place_panels
 from airlight.solvers.moments.source import (
     between,
-    scattered_star,
-    star_at,
-    through_columns,
+    direct_beam,
+    single_scattering_source,
+    transmittance_columns,
 )
-from airlight.solvers.moments.widened_peaks import add_peaks, clear_peaks, more_light
 
-#: Parts of a solution's light that a march finds: that of local shadowing, the deviation from it,
-#: and both.
-LOCAL: Final = 0
-DEVIATION: Final = 1
-WHOLE: Final = 2
+#: Light that a march computes: single scattering in the local shadow, the correction of multiple
+#: scattering, or both.
+LOCAL_SHADOW: Final = 0
+SCATTERING_CORRECTION: Final = 1
+TOTAL: Final = 2
 #: Distances from the axis, in widths of the grid's middle, at which panels end.
 _CUTS: Final = (1.0, 2.0, 5.0)
 
 
 @inlined
-def cut_at_umbra(x, y, u, v, length, shadow, edges, count):
+def split_at_umbra(x, y, u, v, length, shadow, edges, count):
     """Add panel edges where a line crosses cylinders around the shadow's axis.
 
     Parameters
@@ -143,7 +143,8 @@ def march_eclipsed(
     length : float
         Length, to the ground or to the top. [m]
     kind : int
-        ``LOCAL``, ``DEVIATION`` or ``WHOLE``. Local light takes ``spare.offset`` from the star's.
+        ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. Of the first, ``spare.offset`` is
+        subtracted from the star's light.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
     light, work : MarchTables, MarchWorkspace
@@ -160,15 +161,15 @@ def march_eclipsed(
     mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / r, -1.0), 1.0)
     nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
     count, rule, _ = place_panels(r, mu, mu_s, nu, length, light, work)
-    count = cut_at_umbra(x, y, u, v, length, shadow, work.edges, count)
+    count = split_at_umbra(x, y, u, v, length, shadow, work.edges, count)
     n = int(light.rules[rule])
-    if kind != LOCAL:
+    if kind != LOCAL_SHADOW:
         direction_functions(u, v, w, shadow, spare)
     for c in range(light.constituents):
-        work.before[c] = 0.0
+        work.columns_so_far[c] = 0.0
     for at in range(0, light.lanes, LANES):
         store(result, at, splat(0.0))
-    clear_peaks(light, work)
+    reset_peaks(light, work)
     for panel in range(count - 1):
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)
@@ -178,14 +179,14 @@ def march_eclipsed(
                 result,
             )  # fmt: skip
     for c in range(light.constituents):
-        work.totals[c] = work.before[c]
+        work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.totals, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.columns_total, light.scaled_extinction, light.constituents, light.lanes, at
         )
-        store(result, light.lanes + at, through)
-        if light.widened and kind != DEVIATION:
-            more = more_light(half_sine, light, work, at)
+        store(result, light.lanes + at, transmittance)
+        if light.widened and kind != SCATTERING_CORRECTION:
+            more = peak_gain(half_sine, light, work, at)
             store(result, at, load(result, at) + more * load(work.peaks, at))
 
 
@@ -199,7 +200,7 @@ def _add_point(
     star = shadow.star
     mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
     for c in range(light.constituents):
-        work.rho[c] = work.density[c * n + k]
+        work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
     angle = 0.0
     if light.bend > 0.0:
@@ -213,36 +214,36 @@ def _add_point(
         straight = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
         across = (nu - mu_q * straight) / sine
         nu_q = mu_q * mu_sq + sine * (cos(angle) * across - sin(angle) * straight)
-    inside = kind != LOCAL and place_in_shadow(
+    inside = kind != LOCAL_SHADOW and place_in_shadow(
         px, py, pz, q, light.bottom, light.top, shadow, spare
     )
     seen, spread = 0.0, False
-    if kind != DEVIATION:
+    if kind != SCATTERING_CORRECTION:
         seen_star_part(px, py, pz, shadow, spare)
         seen, spread = star_columns(q, mu_sq, light, work)
-    if kind == DEVIATION and not inside:
+    if kind == SCATTERING_CORRECTION and not inside:
         return
     near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, light, work)
     f, e = np.float32(f), np.float32(e)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     far = near + light.suns * block
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.depths, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.depths, light.scaled_extinction, light.constituents, light.lanes, at
         ) * np.float32(work.weight[k])
-        gathered = splat(0.0)
+        source = splat(0.0)
         total = load(result, at)
-        if kind != DEVIATION:
+        if kind != SCATTERING_CORRECTION:
             part = load(spare.seen, at)
-            gathered = gathered_at(near, block, f, e, light, work, at) * part
+            source = multiple_scattering_at(near, block, f, e, light, work, at) * part
             if seen > 0.0:
-                arriving = star_at(
-                    seen, work.here, work.there, spread, light.extinction, light.constituents,
-                    light.lanes, at,
+                arriving = direct_beam(
+                    seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
+                    light.scaled_extinction, light.constituents, light.lanes, at,
                 )  # fmt: skip
-                arriving = through * arriving
-                total = total + part * arriving * scattered_star(
-                    work.rho, light.scattering, phase, light.constituents, light.lanes, at
+                arriving = transmittance * arriving
+                total = total + part * arriving * single_scattering_source(
+                    work.point_density, light.scattering, phase, light.constituents, light.lanes, at
                 )
                 if light.widened:
                     add_peaks(arriving, part, spread, phase, light, work, at)
@@ -251,13 +252,13 @@ def _add_point(
             scale = between(light.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
             mean = between(light.field, near + here, far + here, block, g * h, g * e, f * h, f * e)
             mean = maximum(mean / scale * work.functions[0], splat(0.0))
-            gathered = gathered + mean * deviation(
-                work.rho, light.moments, light.constituents, light.degree + 1, shadow, spare,
-                light.lanes, at,
+            source = source + mean * deviation(
+                work.point_density, light.moments, light.constituents, light.degree + 1, shadow,
+                spare, light.lanes, at,
             )  # fmt: skip
-            if kind == WHOLE:
-                gathered = maximum(gathered, splat(0.0))
-        store(result, at, total + through * gathered)
+            if kind == TOTAL:
+                source = maximum(source, splat(0.0))
+        store(result, at, total + transmittance * source)
 
 
 @compiled_loop
@@ -277,17 +278,17 @@ def eclipsed_ground_light(x, y, z, kind, light, shadow, work, spare):
     mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / q, -1.0), 1.0)
     ground_light(mu_s, 2, light, work)
     seen_star_part(x, y, z, shadow, spare)
-    inside = kind != LOCAL and place_in_shadow(
+    inside = kind != LOCAL_SHADOW and place_in_shadow(
         x, y, z, light.bottom, light.bottom, light.top, shadow, spare
     )
     for at in range(0, light.lanes, LANES):
         part = splat(0.0)
-        if kind != DEVIATION:
+        if kind != SCATTERING_CORRECTION:
             part = load(spare.seen, at)
         store(work.received, at, load(work.received, at) * part)
         if inside:
             part = part + sky_deviation(shadow, spare, light.lanes, at)
-            if kind == WHOLE:
+            if kind == TOTAL:
                 part = maximum(part, splat(0.0))
         sky = load(work.received, light.lanes + at) * part
         store(work.received, light.lanes + at, sky)
@@ -300,7 +301,7 @@ def end_on_ground(x, y, z, u, v, w, length, light, work):
     Parameters
     ----------
     x, y, z, u, v, w, length, light, work :
-        Arguments of ``march_eclipsed``, after it: ``work.totals`` has the columns of the line.
+        Arguments of ``march_eclipsed``, after it: ``work.columns_total`` has those of the line.
 
     Returns
     -------
@@ -314,7 +315,7 @@ def end_on_ground(x, y, z, u, v, w, length, light, work):
     slant = min(max((r * mu + length) / light.bottom, -1.0), 1.0)
     angle = 0.0
     if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.totals[light.constituents - 1])
+        angle = bend_angle(r, mu, light.bend, work.columns_total[light.constituents - 1])
     px, py, pz = turned_point(
         x + length * u, y + length * v, z + length * w, u, v, w, light.bottom, slant, angle
     )

@@ -12,7 +12,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.eclipsed.eclipsed_field import eclipsed_field
-from airlight.solvers.eclipsed.eclipsed_march import WHOLE, eclipsed_ground_light, line_eclipsed
+from airlight.solvers.eclipsed.eclipsed_march import TOTAL, eclipsed_ground_light, line_eclipsed
 from airlight.solvers.eclipsed.shadow_tables import (
     ShadowTables,
     new_shadow_workspace,
@@ -99,7 +99,7 @@ class EclipsedSolution:
             solution.medium.bottom_radius, solution.medium.top_radius,
         )  # fmt: skip
         drawn = paths.sight(sight)
-        seen = paths.seen_nu(drawn)
+        seen = paths.apparent_nu(drawn)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))
         phase = pack(paths.medium.phase_function(seen)).reshape(r.size, -1)
         way = np.where(r > solution.medium.top_radius, _way(r, mu, sine, solution), 0.0)
@@ -160,7 +160,7 @@ def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, wor
             continue
         line_eclipsed(
             start[k, 0], start[k, 1], start[k, 2], along[k, 0], along[k, 1], along[k, 2],
-            half_sine[k], length[k], to_ground[k], WHOLE, phase[k], light, shadow, work, spare,
+            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], light, shadow, work, spare,
             result,
         )  # fmt: skip
         out[k] = result[: light.lanes]
@@ -170,7 +170,7 @@ def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, wor
 def _ground(at, light, shadow, work, spare, out):
     light, shadow, work, spare = borrowed((light, shadow, work, spare))
     for k in range(at.shape[0]):
-        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], WHOLE, light, shadow, work, spare)
+        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, light, shadow, work, spare)
         for at_lane in range(light.lanes):
             out[k, 0, at_lane] = work.received[at_lane]
             out[k, 1, at_lane] = work.received[light.lanes + at_lane]

@@ -1,4 +1,4 @@
-"""Trust in a guess of the light, its remaining change, and the next guess.
+"""Convergence of the iteration: weights of acceleration, remaining error, next guess.
 
 These functions take the light at all radii and suns, some wavelengths at a time. Formulas of one
 node or one wavelength are kernels, so that a page runs the same; when to stop is in ``stopping``.
@@ -24,37 +24,39 @@ DARK: Final = 1e-6
 #: In thick air the tolerance is relative for mean radiances above this part of the largest one,
 #: and absolute below.
 DIM: Final = 5e-2
-#: Light completed by the inverse counts only above this part of the swept light.
+#: Accelerated light counts only above this fraction of the swept light.
 LEAST: Final = 0.1
-#: Lower limit of the estimated ratio of successive changes.
+#: Limits of the estimated ratio of successive changes. [1]
 SHRINKAGE: Final = 0.3
 STALLED: Final = 0.75
 #: Number of sweeps over which that ratio is measured.
 BACK: Final = 2
 
 
-def trust(mean: Float32Array, sidelit: FloatArray) -> Float32Array:
-    """Weight of the solution along the vertical as an estimate of further sweeps, shape (r, s, 8).
+def acceleration_weights(mean: Float32Array, lateral_threshold: FloatArray) -> Float32Array:
+    """Weights of synthetic acceleration, shape (r, s, 8). [1]
 
-    It is small in the night of thick air: there light comes from the side.
+    They are small in the night of thick air, where lateral transport dominates.
     """
     most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
     here, column = mean / most, mean.max(axis=0) / most
-    return np.asarray(trusted_part(np.maximum(here * column, 0.0), sidelit), np.float32)
+    return np.asarray(
+        acceleration_weight(np.maximum(here * column, 0.0), lateral_threshold), np.float32
+    )
 
 
-def trusted_part(bright, sidelit):
-    """Weight of the solution along the vertical at a node. [1]
+def acceleration_weight(bright, lateral_threshold):
+    """Weight of synthetic acceleration at a node. [1]
 
     Parameters
     ----------
     bright : float or array
         Mean radiance at the node times the largest at any radius under the same sun, both over the
         largest at any node. [1]
-    sidelit : float or array
-        Part of the largest mean radiance below which light comes from the side. [1]
+    lateral_threshold : float or array
+        Fraction of the largest mean radiance below which lateral transport dominates. [1]
     """
-    return bright / (bright + sidelit * sidelit + 1e-30)
+    return bright / (bright + lateral_threshold * lateral_threshold + 1e-30)
 
 
 @kernel
@@ -72,25 +74,25 @@ def count_at(mean, brightest, thick):
 
 
 @compiled_loop
-def counted_changes(before, after, thick, night, brightest, steering, deciding):
+def counted_changes(before, after, thick, night, brightest, changes, largest):
     """Changes of mean radiances (r, n, w), counted as ``count_at`` says.
 
     Parameters
     ----------
     before, after : array, shape (r, n, w)
-        Mean radiances of a guess and of its image.
+        Mean radiances of a guess and of its iterate.
     thick : array, shape (w,)
         Exponent of ``count_at``. [1]
     night : float
-        Factor of that exponent for the changes that decide. [1]
+        Factor of that exponent for the largest change. [1]
     brightest : array, shape (w,)
-        Largest mean radiances of the image.
-    steering : array, shape (r·n, w)
+        Largest mean radiances of the iterate.
+    changes : array, shape (r·n, w)
         Receives the changes. [1]
-    deciding : array, shape (w,)
-        Receives the largest of those that decide; that of no number is none. [1]
+    largest : array, shape (w,)
+        Receives the largest; NaN stays NaN. [1]
     """
-    deciding[:] = 0.0
+    largest[:] = 0.0
     for i in range(after.shape[0]):
         for j in range(after.shape[1]):
             n = i * after.shape[1] + j
@@ -101,23 +103,23 @@ def counted_changes(before, after, thick, night, brightest, steering, deciding):
                 if thick[lane] > 0.0:
                     counted = change * count_at(mean, brightest[lane], night * thick[lane])
                     change = change * count_at(mean, brightest[lane], thick[lane])
-                steering[n, lane] = change
-                known = deciding[lane]
-                if known == known and not abs(counted) <= known:  # no number stays none
-                    deciding[lane] = abs(counted)
+                changes[n, lane] = change
+                known = largest[lane]
+                if known == known and not abs(counted) <= known:  # NaN stays NaN
+                    largest[lane] = abs(counted)
 
 
-def completed_or_swept(
+def positivity_fixup(
     field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
 ) -> Light:
-    """Completed guess, or the swept light where the guess is far below it: in the dark."""
+    """Accelerated light, or the swept light where the former is far below it or negative."""
     field, sky = field.copy(), sky.copy()
     _replace(field, swept_field, field[:, :, 0] > LEAST * swept_field[:, :, 0])
     _replace(sky[:, :, None], swept_sky[:, :, None], sky > LEAST * swept_sky)
     return field, sky
 
 
-def at_least(light: Float32Array, least: Float32Array) -> None:
+def clip_to_first_order(light: Float32Array, least: Float32Array) -> None:
     """Replace moments (r, s, k, 8) by ``least``, or 0, where their mean is below.
 
     No light is negative, but a sum of few harmonics may be where there is almost none.
@@ -145,9 +147,9 @@ def change_at(before, after, brightest):
     Parameters
     ----------
     before, after : float
-        Mean radiance of a guess and of its image.
+        Mean radiance of a guess and of its iterate.
     brightest : float
-        Largest mean radiance of the image at any node.
+        Largest mean radiance of the iterate at any node.
     """
     if after > DARK * brightest:
         return (after - before) / after
@@ -155,8 +157,8 @@ def change_at(before, after, brightest):
 
 
 @kernel
-def rest_after(last, before, steps):
-    """Sum of all later changes over the last change, ρ/(1 - ρ). [1]
+def geometric_tail(last, before, steps):
+    """Tail of the geometric series of changes over the last change, ρ/(1 - ρ). [1]
 
     ρ is the ratio by which the changes shrank in each of the last steps.
 
@@ -176,35 +178,37 @@ def rest_after(last, before, steps):
     return ratio / (1.0 - ratio)
 
 
-def remaining_change(residuals: deque[FloatArray]) -> FloatArray:
-    """``rest_after`` the last of residuals (n, w), from up to two steps before it."""
+def estimated_tail(residuals: deque[FloatArray]) -> FloatArray:
+    """``geometric_tail`` of the residuals (n, w), by norm, over up to two steps, shape (w,). [1]"""
     sizes = [np.sqrt(np.square(one).sum(axis=0)) for one in residuals]
     steps = min(len(sizes), BACK + 1) - 1
-    return np.asarray(vectorized(rest_after)(sizes[-1], sizes[-1 - steps], steps))
+    return np.asarray(vectorized(geometric_tail)(sizes[-1], sizes[-1 - steps], steps))
 
 
-def mix(images: deque[Light], weights: Float32Array, trust: Float32Array, mixed: Light) -> None:
-    """Next guess: for each wavelength its own combination of the last images.
+def anderson_step(
+    iterates: deque[Light], weights: Float32Array, damping: Float32Array, mixed: Light
+) -> None:
+    """Next guess by Anderson acceleration: each wavelength has its own combination of iterates.
 
     Parameters
     ----------
-    images : deque of Light
-        Last images of the light, the latest last.
-    weights : array, shape (images, 8)
-        Weights of the images. [1]
-    trust : array, shape (r, s, 8)
-        Weights from ``trust``. [1]
+    iterates : deque of Light
+        Last iterates of the light, the latest last.
+    weights : array, shape (iterates, 8)
+        Weights of the iterates. [1]
+    damping : array, shape (r, s, 8)
+        Weights from ``acceleration_weights``. [1]
     mixed : Light
-        Receives the guess; none of the images.
+        Receives the guess; none of the iterates.
     """
-    for part, last in enumerate(images[-1]):
+    for part, last in enumerate(iterates[-1]):
         shape = (*last.shape[:2], -1, last.shape[-1])
         total, latest = mixed[part].reshape(shape), last.reshape(shape)
         total[:] = 0.0
-        for image, weight in zip(images, weights, strict=True):
-            _add(total, image[part].reshape(shape), weight)
-        _approach(total, latest, trust)
-        # In the dark, and where the combination leaps, it means nothing: keep the computed light.
+        for iterate, weight in zip(iterates, weights, strict=True):
+            _add(total, iterate[part].reshape(shape), weight)
+        _approach(total, latest, damping)
+        # In the dark, and where the combination is far off, keep the latest iterate.
         _replace(total, latest, _is_near(total[:, :, 0], latest[:, :, 0]))
 
 
@@ -219,14 +223,14 @@ def _add(total, light, weight):
 
 
 @compiled_loop
-def _approach(mixed, last, trust):
-    """Take of mixed moments (r, s, k, 8) no more than ``trust`` (r, s, 8), and else the last."""
+def _approach(mixed, last, damping):
+    """Interpolate from the last moments (r, s, k, 8) to the mixed ones by ``damping`` (r, s, 8)."""
     for i in range(mixed.shape[0]):
         for j in range(mixed.shape[1]):
             for k in range(mixed.shape[2]):
                 for lane in range(mixed.shape[3]):
                     known = last[i, j, k, lane]
-                    mixed[i, j, k, lane] = known + trust[i, j, lane] * (
+                    mixed[i, j, k, lane] = known + damping[i, j, lane] * (
                         mixed[i, j, k, lane] - known
                     )
 

@@ -149,6 +149,6 @@ def _direct_beam(setup: Setup) -> tuple[FloatArray, FloatArray]:
     share = (x - at)[..., None]
     index = np.arange(r.size)[:, None]
     columns = values[index, at] * (1.0 - share) + values[index, at + 1] * share
-    through = np.exp(-columns @ optics.extinction)
-    through[mu < horizon] = 0.0
-    return radii, through
+    transmittance = np.exp(-columns @ optics.extinction)
+    transmittance[mu < horizon] = 0.0
+    return radii, transmittance

@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import level_light
+from airlight.geometry.bending import direct_horizontal_weights
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import (
@@ -29,13 +29,13 @@ from airlight.optics.reflection import star_factor
 from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED, legendre_functions
 from airlight.solvers.moments.ray_optics import (
     leaving_at_end,
-    onward_light,
     optical_depth,
+    polarised_transmittance_ratio,
     project,
     project_polarised,
     star_at_end,
     star_from_ray,
-    through_ray,
+    transmittance_ray,
 )
 from airlight.solvers.moments.star_places import DISC_NODES, fill_disc, fill_lift, place_lights
 from airlight.solvers.stokes_frame import star_plane
@@ -47,7 +47,7 @@ SECOND: Final = 5.0 * ISOTROPIC * sqrt(6.0) / 4.0
 
 
 @inlined
-def through_row(depths, local, x, directions):
+def transmittance_row(depths, local, x, directions):
     """Transmittance of eight wavelengths between the directions of one row. [1]"""
     place = min(int(x), directions - 2)
     f = np.float32(x - place)
@@ -63,11 +63,13 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift
 
     Row ``local`` of ``depths`` is the ground's.
     """
-    from_low, from_high, low, high = level_light(bottom, mu_s, bottom, top, star_radius, lift)
+    from_low, from_high, low, high = direct_horizontal_weights(
+        bottom, mu_s, bottom, top, star_radius, lift
+    )
     x = direction_coordinate(bottom, low, bottom, top) * (directions - 1)
-    light = through_row(depths, local, x, directions) * np.float32(from_low)
+    light = transmittance_row(depths, local, x, directions) * np.float32(from_low)
     x = direction_coordinate(bottom, high, bottom, top) * (directions - 1)
-    return light + through_row(depths, local, x, directions) * np.float32(from_high)
+    return light + transmittance_row(depths, local, x, directions) * np.float32(from_high)
 
 
 @inlined
@@ -129,7 +131,7 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, pa
 
 
 @inlined
-def through_tabled(depths, row, places, at, directions, paired):
+def transmittance_tabled(depths, row, places, at, directions, paired):
     """Transmittance towards the star at one azimuth, or at two if ``paired``. [1]
 
     Parameters
@@ -201,7 +203,7 @@ def _first_order(
         depths,
     ) = rays
     cosines, multiples, sines = azimuths
-    extinction, moments, surface, star_radius, polarising = air
+    extinction, moments, surface, star_radius, polarised_phase = air
     suns = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
@@ -227,7 +229,7 @@ def _first_order(
     ground_depths = np.empty(directions * LANES, np.float32)
     fill_depths(ratios, 0.0, bottom, bottom, top, extinction, workspace, 0, ground_depths, False)
     strength = np.empty(most * max(count, 1) * LANES, np.float32)
-    across = np.empty(most * LANES, np.float32)
+    phase_f12 = np.empty(most * LANES, np.float32)
     phase = np.empty(max(count, 1) * LANES, np.float32)
     functions = np.empty(harmonics)
     azimuthal = np.empty((degree + 1) * LANES, np.float32)
@@ -262,16 +264,18 @@ def _first_order(
                 ratios, x, q, bottom, top, extinction, workspace, k * directions * width,
                 sun_depths, paired,
             )  # fmt: skip
-            through = exponential(
+            transmittance = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
             )
-            turning = splat(0.0)
+            beta_1 = splat(0.0)
             for c in range(count):
-                amount = through * np.float32(amounts[first + k, scatterers[c]])
+                amount = transmittance * np.float32(amounts[first + k, scatterers[c]])
                 store(strength, LANES * (k * count + c), amount)
-                turning = turning + load(polarising, LANES * ELEMENTS * scatterers[c]) * amount
-            onward = onward_light(depths[first + k], 0, polarising, constituents)
-            store(across, LANES * k, onward * turning)
+                beta_1 = beta_1 + load(polarised_phase, LANES * ELEMENTS * scatterers[c]) * amount
+            polarised_ratio = polarised_transmittance_ratio(
+                depths[first + k], 0, polarised_phase, constituents
+            )
+            store(phase_f12, LANES * k, polarised_ratio * beta_1)
             turned[2 * k] = np.float32(turns_along[first + k, 0] + turns_along[first + k, 1] * mu)
             turned[2 * k + 1] = np.float32(turns_along[first + k, 1] * sine)
             longest = sqrt(max((q - bottom) * (q + bottom), 0.0)) + sqrt(
@@ -288,7 +292,7 @@ def _first_order(
         whole = splat(0.0)
         leaving = 0.0
         if below:
-            whole = through_ray(extinction, totals[i, a], 0, constituents) * INVERSE_PI
+            whole = transmittance_ray(extinction, totals[i, a], 0, constituents) * INVERSE_PI
             leaving = leaving_at_end(ends, i, a, mu)
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
@@ -311,7 +315,7 @@ def _first_order(
                 second = min(b + step - 1, turns - 1)
                 nu = star_from_ray(mu, mu_s, cosines[b])
                 nu_2 = star_from_ray(mu, mu_s, cosines[second])
-                radiance, plane = splat(0.0), splat(0.0)
+                radiance, scattering_q = splat(0.0), splat(0.0)
                 if lit:
                     fill_phase_pairs(
                         moments, scatterers, count, pair(np.float32(nu), np.float32(nu_2)), degree,
@@ -321,9 +325,9 @@ def _first_order(
                         if kinds[k] == 0:
                             continue
                         at = LANES * k + lane
-                        light = through_tabled(sun_depths, k, low_at, at, directions, paired)
+                        light = transmittance_tabled(sun_depths, k, low_at, at, directions, paired)
                         if kinds[k] == 2:
-                            light = light + through_tabled(
+                            light = light + transmittance_tabled(
                                 sun_depths, k, high_at, at, directions, paired
                             )
                             light = light * np.float32(0.5)
@@ -336,11 +340,11 @@ def _first_order(
                             amount = load(strength, LANES * (k * count + c))
                             source = source + load(phase, LANES * c) * amount
                         radiance = radiance + light * source
-                        plane = plane + light * load(across, LANES * k)
+                        scattering_q = scattering_q + light * load(phase_f12, LANES * k)
                     radiance = exact * radiance
                     part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
                     part_2 = np.float32(SECOND * (1.0 - nu_2) * (1.0 + nu_2))
-                    plane = exact * plane * pair(part, part_2)
+                    scattering_q = exact * scattering_q * pair(part, part_2)
                 if below:
                     reflected = reflected_star(
                         surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius,
@@ -357,13 +361,16 @@ def _first_order(
                     continue
                 if b + step > turns:  # the last azimuth is alone
                     radiance = pair(radiance, splat(0.0))
-                    plane = pair(plane, splat(0.0))
+                    scattering_q = pair(scattering_q, splat(0.0))
                 cosine, sine_b = star_plane(mu, mu_s, nu)
-                along, aside = plane * np.float32(cosine), plane * np.float32(sine_b)
+                stokes_q, stokes_u = (
+                    scattering_q * np.float32(cosine),
+                    scattering_q * np.float32(sine_b),
+                )
                 if paired:
                     cosine, sine_b = star_plane(mu, mu_s, nu_2)
-                    along = pair(along, plane * np.float32(cosine))
-                    aside = pair(aside, plane * np.float32(sine_b))
+                    stokes_q = pair(stokes_q, scattering_q * np.float32(cosine))
+                    stokes_u = pair(stokes_u, scattering_q * np.float32(sine_b))
                 for m in range(degree + 1):
                     at = LANES * m
                     weight = pair(multiples[m, b], multiples[m, second])
@@ -371,11 +378,11 @@ def _first_order(
                 for m in range(3):
                     at = LANES * m
                     weight = pair(multiples[m, b], multiples[m, second])
-                    store(polarised, at, load(polarised, at) + weight * along)
+                    store(polarised, at, load(polarised, at) + weight * stokes_q)
                 for m in range(1, 3):
                     at = LANES * (2 + m)
                     weight = pair(sines[m, b], sines[m, second])
-                    store(polarised, at, load(polarised, at) + weight * aside)
+                    store(polarised, at, load(polarised, at) + weight * stokes_u)
             if paired:
                 for m in range(degree + 1):
                     store(azimuthal, LANES * m, folded(load(azimuthal, LANES * m)))
@@ -419,7 +426,7 @@ def first_order_radius(
     ratios : array, shape (radii, nc, 2, directions)
         ``Setup.star_ratios``.
     lift : array, shape (rows, columns, 2)
-        Table from ``star_lift``. [1]
+        Table from ``refraction_table``. [1]
     """
     _first_order(
         i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, False

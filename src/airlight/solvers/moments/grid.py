@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel import vectorized
 from airlight.mappings.transmittance import altitude_coordinate
-from airlight.solvers.moments.levels import Depths, place_levels
+from airlight.solvers.moments.levels import Depths, radial_grid
 
 FloatArray = NDArray[np.float64]
 
@@ -112,7 +112,7 @@ def make_grid(
     even = vectorized(altitude_coordinate)(
         bottom_radius + depths.altitude, bottom_radius, top_radius
     )
-    levels = place_levels(even, depths, radii)
+    levels = radial_grid(even, depths, radii)
     r = bottom_radius + levels.altitudes
     r[0], r[-1] = bottom_radius, top_radius
     grid = Grid(

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from airlight.geometry.bending import level_light, star_points
+from airlight.geometry.bending import direct_horizontal_weights, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor, star_factor
 from airlight.solvers.moments.ray_optics import sun_index
-from airlight.solvers.moments.source import level_sky, level_star, star_at
+from airlight.solvers.moments.source import diffuse_horizontal, direct_beam, direct_horizontal
 from airlight.tables.column_ratios import columns_to_top
 
 
@@ -26,13 +26,20 @@ def ground_light(mu_s, orders, light, work):
         Arguments of ``march``; the workspace receives the irradiances by the star and by the sky.
     """
     bottom, top = light.bottom, light.top
-    from_low, from_high, low, high = level_light(
+    from_low, from_high, low, high = direct_horizontal_weights(
         bottom, mu_s, bottom, top, light.star_radius, light.lift
     )
     direct = orders != 0 and from_low + from_high > 0.0
     if direct:
         columns_to_top(
-            bottom, low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+            bottom,
+            low,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.columns_to_sun_low,
         )
         columns_to_top(
             bottom,
@@ -42,19 +49,19 @@ def ground_light(mu_s, orders, light, work):
             light.first_nodes,
             light.column_rows,
             light.columns,
-            work.there,
+            work.columns_to_sun_high,
         )
     x = sun_index(mu_s, light.place)
     place = min(int(x), light.suns - 2)
     for at in range(0, light.lanes, LANES):
         star, sky = splat(0.0), splat(0.0)
         if direct:
-            star = level_star(
-                work.here, work.there, from_low, from_high, light.extinction, light.constituents,
-                light.lanes, at,
+            star = direct_horizontal(
+                work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
+                light.scaled_extinction, light.constituents, light.lanes, at,
             )  # fmt: skip
         if orders != 1:
-            sky = level_sky(light.sky, place, x - place, light.lanes, at)
+            sky = diffuse_horizontal(light.sky, place, x - place, light.lanes, at)
         store(work.received, at, star)
         store(work.received, light.lanes + at, sky)
 
@@ -84,39 +91,67 @@ def direct_irradiance(r, mu_s, light, work, out):
     """Compute irradiance of a level surface by the star, for arrays of radii and cosines. [1]"""
     bottom, top, lanes = light.bottom, light.top, light.lanes
     for k in range(r.size):
-        from_low, from_high, low, high = level_light(
+        from_low, from_high, low, high = direct_horizontal_weights(
             r[k], mu_s[k], bottom, top, light.star_radius, light.lift
         )
         columns_to_top(
-            r[k], low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+            r[k],
+            low,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.columns_to_sun_low,
         )
         columns_to_top(
-            r[k], high, bottom, top, light.first_nodes, light.column_rows, light.columns, work.there
+            r[k],
+            high,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.columns_to_sun_high,
         )
         for at in range(0, lanes, LANES):
-            star = level_star(
-                work.here, work.there, from_low, from_high, light.extinction, light.constituents,
-                lanes, at,
+            star = direct_horizontal(
+                work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
+                light.scaled_extinction, light.constituents, lanes, at,
             )  # fmt: skip
             store(out[k], at, star)
 
 
 @compiled_loop
-def facing_irradiance(r, mu_s, light, work, out):
+def direct_normal_irradiance(r, mu_s, light, work, out):
     """Compute irradiance by the star of surfaces that face it, arguments as above. [1]"""
     bottom, top, lanes = light.bottom, light.top, light.lanes
     for k in range(r.size):
         seen, low, high = star_points(r[k], mu_s[k], bottom, top, light.star_radius, light.lift)
         columns_to_top(
-            r[k], low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+            r[k],
+            low,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.columns_to_sun_low,
         )
         columns_to_top(
-            r[k], high, bottom, top, light.first_nodes, light.column_rows, light.columns, work.there
+            r[k],
+            high,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.columns_to_sun_high,
         )
         for at in range(0, lanes, LANES):
-            star = star_at(
-                seen, work.here, work.there, high > low, light.extinction, light.constituents,
-                lanes, at,
+            star = direct_beam(
+                seen, work.columns_to_sun_low, work.columns_to_sun_high, high > low,
+                light.scaled_extinction, light.constituents, lanes, at,
             )  # fmt: skip
             store(out[k], at, star)
 

@@ -1,4 +1,8 @@
-"""Successive orders to convergence, eight wavelengths at a time."""
+"""Fixed-point iteration of the source function, eight wavelengths at a time.
+
+Each sweep is one order of scattering; synthetic acceleration adds the orders that follow along the
+vertical, and Anderson acceleration combines the last iterates.
+"""
 
 from __future__ import annotations
 
@@ -12,59 +16,68 @@ from numpy.typing import NDArray
 
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solvers.light_paths import LightPaths
-from airlight.solvers.moments.between_wavelengths import Corrections, panels
-from airlight.solvers.moments.completing import image, steering, sum_orders
-from airlight.solvers.moments.convergence import Light, at_least, completed_or_swept, mix, trust
+from airlight.solvers.moments.active_degrees import active_degrees
+from airlight.solvers.moments.convergence import (
+    Light,
+    acceleration_weights,
+    anderson_step,
+    clip_to_first_order,
+    positivity_fixup,
+)
 from airlight.solvers.moments.energy_balance import energy_error
 from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import EVEN, POLARISED
-from airlight.solvers.moments.light_degrees import light_degrees
+from airlight.solvers.moments.iterate_update import (
+    add_first_order,
+    convergence_quantities,
+    next_iterate,
+)
 from airlight.solvers.moments.limits import check_limits
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.moments.spectral_initial_guess import SpectralGuess, wavelength_batches
 from airlight.solvers.moments.stopping import Iteration, Stopping
 from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_of_few
-from airlight.solvers.moments.vertical_coupling import Wandering
+from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Sum of an order's polarised moments and of all that follow, over that order: the inverse along
-#: the vertical does not complete these. In molecular air each order has 0.3 of the even ones of the
-#: order before, and no odd ones; found by the changes that 1.2 to 1.6, and 1 to 1.4, leave. [1]
-FURTHER: Final = np.array([1.37] * EVEN + [1.1] * (POLARISED - EVEN), np.float32)
+#: Over-relaxation factors of the polarised moments, which synthetic acceleration leaves out. In
+#: molecular air each order has 0.3 of the even ones of the order before, and no odd ones; the
+#: factors leave the smallest residual among 1.2 to 1.6, and 1 to 1.4. [1]
+POLARISED_OVER_RELAXATION: Final = np.array([1.37] * EVEN + [1.1] * (POLARISED - EVEN), np.float32)
 
 
-class Way(NamedTuple):
-    """How a sweep is completed by the inverse along the vertical.
+class IterationScheme(NamedTuple):
+    """Parameters of the iteration.
 
     Attributes
     ----------
     note : str
-        Line in a report; empty for the usual way.
-    wider : float
-        Factor of the light's spread sideways. [1]
-    part : float
-        Part of the completion that is taken; 0 for plain orders. [1]
-    step : float
-        Part of the change that is taken. Backward peaks send light to and fro, so that orders
-        change it by turns; halves of them do not. [1]
+        Line in a report; empty for the default scheme.
+    lateral_scale : float
+        Factor of the lateral diffusion length. [1]
+    acceleration : float
+        Weight of synthetic acceleration; 0 for plain successive orders. [1]
+    relaxation : float
+        Relaxation factor. Backward peaks make successive orders alternate; 0.5 damps that. [1]
     """
 
     note: str
-    wider: float
-    part: float
-    step: float
+    lateral_scale: float
+    acceleration: float
+    relaxation: float
 
 
-#: Usual way, and those that follow, one after the other, where the light ceases to converge.
-WAYS: Final = (
-    Way("", 1.0, 1.0, 1.0),
-    Way("orders of scattering strayed and were damped", 2.0, 0.7, 1.0),
-    Way("orders of scattering strayed and were summed one by one", 1.0, 0.0, 0.5),
+#: Default scheme, and those that follow, one after the other, where the iteration diverges.
+FALLBACK_SCHEMES: Final = (
+    IterationScheme("", 1.0, 1.0, 1.0),
+    IterationScheme("iteration diverged; restarted with damping 0.7", 2.0, 0.7, 1.0),
+    IterationScheme("iteration diverged; fell back to plain successive orders", 1.0, 0.0, 0.5),
 )
 
 
@@ -92,8 +105,8 @@ class Moments:
         Largest relative change of the mean radiance that all further sweeps would make. [1]
     energy : array, shape (nl,)
         Light that the solution makes or loses, from ``energy_error``. [1]
-    way : int
-        Index among ``WAYS`` of the way in which the sweeps were completed at the end.
+    scheme : int
+        Index among ``FALLBACK_SCHEMES`` of the last scheme.
     """
 
     degree: int
@@ -105,11 +118,11 @@ class Moments:
     sweeps: int
     residual: FloatArray
     energy: FloatArray
-    way: int = 0
+    scheme: int = 0
 
 
 def solve_moments(
-    paths: LightPaths,
+    paths: RefractedGeometry,
     settings: Settings,
     *,
     progress: Progress | None = None,
@@ -119,7 +132,7 @@ def solve_moments(
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
         Light paths of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
@@ -144,19 +157,19 @@ def solve_moments(
     residual = np.empty(count)
     most = hardest = 0
     done = 0
-    for panel in panels(setup.medium.wavelengths, clear=setup.parts == 1):
-        corrections = Corrections()
-        for number, which in enumerate(panel):
+    for batch in wavelength_batches(setup.medium.wavelengths, clear=setup.parts == 1):
+        guesses = SpectralGuess()
+        for number, which in enumerate(batch):
             block = setup.block(which)
-            helped = corrections if len(panel) > 1 else None
-            last = number == len(panel) - 1
+            helped = guesses if len(batch) > 1 else None
+            last = number == len(batch) - 1
             result = _iterate(block, _Watch(progress, block, done), cancel, helped, last)
-            field[..., which], sky[..., which], residual[which], sweeps, way = result
-            most, hardest, done = max(most, sweeps), max(hardest, way), done + block.used
+            field[..., which], sky[..., which], residual[which], sweeps, scheme = result
+            most, hardest, done = max(most, sweeps), max(hardest, scheme), done + block.used
     return Moments(
         degree=setup.degree, grid=setup.grid, parts=setup.parts, field=field, sky=sky,
         columns=setup.table.values, sweeps=most, residual=residual,
-        energy=energy_error(setup, field), way=hardest,
+        energy=energy_error(setup, field), scheme=hardest,
     )  # fmt: skip
 
 
@@ -225,11 +238,11 @@ class _Watch:
         which, wavelengths = self.block.which, self.block.setup.medium.wavelengths
         nm = wavelengths[which]
         share = 0.0 if iteration is None else iteration.share
-        still = 1.0 if iteration is None else float(iteration.to_come.max())
+        still = 1.0 if iteration is None else float(iteration.remaining_error.max())
         self.progress(
             round(100 * (self.done + share * nm.size)),
             100 * wavelengths.size,
-            f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: still to come {still:.1e}",
+            f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: remaining error {still:.1e}",
         )
 
 
@@ -237,12 +250,12 @@ def _iterate(
     block: Block,
     watch: _Watch,
     cancel: Cancel | None,
-    corrections: Corrections | None = None,
+    spectral_guess: SpectralGuess | None = None,
     last: bool = False,
 ) -> tuple[Float32Array, Float32Array, FloatArray, int, int]:
-    """Solve one block of wavelengths: sum of all orders, its residual, number of sweeps and way.
+    """Solve one block of wavelengths: sum of all orders, its residual, number of sweeps and scheme.
 
-    ``corrections`` are of wavelengths near it, and receive its own unless it is the ``last``.
+    ``spectral_guess`` has corrections of near wavelengths, and receives its own unless ``last``.
     """
     setup, used = block.setup, block.used
     once, sweep = first_order_radius, sweep_radius
@@ -254,50 +267,62 @@ def _iterate(
     )
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
-    wandering = Wandering(block, cancel)
-    guess = completed_or_swept(*wandering.finish(first_field, first_sky), first_field, first_sky)
+    synthetic = SyntheticAcceleration(block, cancel)
+    guess = positivity_fixup(*synthetic.apply(first_field, first_sky), first_field, first_sky)
     light, least = guess, 2
     nm = setup.medium.wavelengths[block.which]
-    between = None if corrections is None else corrections.corrected(nm, guess)
+    between = None if spectral_guess is None else spectral_guess.corrected(nm, guess)
     if between is not None:
-        light, least = completed_or_swept(*between, first_field, first_sky), 1
+        light, least = positivity_fixup(*between, first_field, first_sky), 1
     iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used, least=least)
-    if corrections is not None and between is not None:
-        iteration.foresee(corrections.expected(nm, guess))
-    degrees = light_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
-    images: deque[Light] = deque(maxlen=iteration.stopping.images)
-    best, at, way = light, 0, WAYS[0]
+    if spectral_guess is not None and between is not None:
+        iteration.set_prediction(spectral_guess.expected(nm, guess))
+    degrees = active_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
+    iterates: deque[Light] = deque(maxlen=iteration.stopping.iterates)
+    best, at, scheme = light, 0, FALLBACK_SCHEMES[0]
     # Each sweep uses the arrays of the one before: the system clears new memory page by page.
-    swept, more, mixed = _arrays(block), _arrays(block), _arrays(block)
+    swept, residual, mixed = _arrays(block), _arrays(block), _arrays(block)
     packed: tuple[Float32Array | None, Float32Array | None] = None, None
-    while iteration.goes_on():
-        if iteration.strays and at + 1 < len(WAYS):
+    while iteration.unfinished():
+        if iteration.diverging and at + 1 < len(FALLBACK_SCHEMES):
             light, at = best, at + 1
-            way = WAYS[at]
-            wandering.widen(way.wider)
-            images.clear()
-            iteration.restart(accelerated=way.part > 0.0)
+            scheme = FALLBACK_SCHEMES[at]
+            synthetic.set_lateral_scale(scheme.lateral_scale)
+            iterates.clear()
+            iteration.restart(accelerated=scheme.acceleration > 0.0)
         packed = pack_light(
             light[0], light[1][:1], block.level, setup.parts, few=block.few, out=packed[0]
         )
         gather(block, sweep, *packed, degrees, cancel=cancel, out=swept)
-        sum_orders(swept, (first_field, first_sky), light, more)
+        add_first_order(swept, (first_field, first_sky), light, residual)
         mean = swept[0][:, :, 0]
-        trusted = way.part * trust(mean, block.sidelit)
-        all_more = wandering.finish(*more, (mean, swept[1])) if way.part > 0.0 else None
-        images.append(image(light, more, all_more, swept, trusted, FURTHER, way.step))
-        iteration.judge(*steering(light[0], images[-1][0]))
+        weight = scheme.acceleration * acceleration_weights(mean, block.lateral_threshold)
+        accelerated_residual = (
+            synthetic.apply(*residual, (mean, swept[1])) if scheme.acceleration > 0.0 else None
+        )
+        iterates.append(
+            next_iterate(
+                light,
+                residual,
+                accelerated_residual,
+                swept,
+                weight,
+                POLARISED_OVER_RELAXATION,
+                scheme.relaxation,
+            )
+        )
+        iteration.update(*convergence_quantities(light[0], iterates[-1][0]))
         watch.report(iteration)
-        if corrections is not None and iteration.sweeps == 1:
-            corrections.check(nm, iteration.to_come)
-        if iteration.best:
-            best = images[-1]
-        mix(images, iteration.weights().astype(np.float32), trusted, mixed)
+        if spectral_guess is not None and iteration.sweeps == 1:
+            spectral_guess.check(nm, iteration.remaining_error)
+        if iteration.improved:
+            best = iterates[-1]
+        anderson_step(iterates, iteration.weights().astype(np.float32), weight, mixed)
         light = mixed
     if iteration.sweeps == 0:
         watch.report(iteration)
-    elif corrections is not None and not last:
-        corrections.add(nm, guess, light)
+    elif spectral_guess is not None and not last:
+        spectral_guess.add(nm, guess, light)
     field, sky = light
-    at_least(field, first_field)
-    return field[..., :used], sky[..., :used], iteration.to_come, iteration.sweeps, at
+    clip_to_first_order(field, first_field)
+    return field[..., :used], sky[..., :used], iteration.remaining_error, iteration.sweeps, at

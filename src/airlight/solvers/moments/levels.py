@@ -80,14 +80,14 @@ class Depths(NamedTuple):
     layers: tuple[ThinLayer, ...] = ()
 
     @property
-    def reach(self) -> float:
-        """Sideways spread of light scattered many times in the air: half of its thickness. [m]"""
+    def diffusion_length(self) -> float:
+        """Lateral diffusion length: half of the altitude range with 90 % of the depth. [m]"""
         total = self.scattering[-1]
         low, high = np.interp([0.05 * total, 0.95 * total], self.scattering, self.altitude)
         return 0.5 * float(high - low)
 
 
-class Levels(NamedTuple):
+class RadialGrid(NamedTuple):
     """Levels at which light is gathered, and levels at which it is tabled.
 
     Attributes
@@ -105,7 +105,7 @@ class Levels(NamedTuple):
     parts: int
 
 
-def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
+def radial_grid(even: FloatArray, depths: Depths, count: int) -> RadialGrid:
     """Place the levels of a shell.
 
     Parameters
@@ -133,7 +133,7 @@ def place_levels(even: FloatArray, depths: Depths, count: int) -> Levels:
     steps = round(row[-1])
     altitudes = np.interp(np.arange(steps + 1, dtype=float), row, depths.altitude)
     altitudes[0], altitudes[-1] = depths.altitude[0], depths.altitude[-1]
-    return Levels(altitudes, row, parts)
+    return RadialGrid(altitudes, row, parts)
 
 
 def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
@@ -176,7 +176,7 @@ def panel_cuts(altitudes: FloatArray, parts: int) -> FloatArray:
     return np.asarray(altitudes[chosen][1:-1])
 
 
-def finer(
+def refine(
     values: Float32Array, scale: Float32Array, level: Float32Array, parts: int
 ) -> Float32Array:
     """Interpolate values at all levels from those at which light is gathered.
@@ -190,7 +190,7 @@ def finer(
     level : array, shape (s, w)
         1 for a cubic from radius to radius, 0 for ratios.
     parts : int
-        Number from ``Levels``.
+        Number from ``RadialGrid``.
 
     Returns
     -------
@@ -212,7 +212,7 @@ def finer(
 
 @compiled_loop
 def fill_levels(values, scale, level, parts, out):
-    """``finer`` under one sun.
+    """``refine`` under one sun.
 
     Parameters
     ----------
@@ -223,7 +223,7 @@ def fill_levels(values, scale, level, parts, out):
     level : array, shape (w,)
         1 for a cubic from radius to radius, 0 for ratios.
     parts : int
-        Number from ``Levels``, more than 1.
+        Number from ``RadialGrid``, more than 1.
     out : array, shape ((r - 1)·parts + 1, k, w)
         Receives the moments at all levels.
     """
@@ -275,7 +275,7 @@ def cubic_bend(x, below, near, far, above, parts):
     below, near, far, above : float
         Moment at the four levels.
     parts : float
-        Number from ``Levels``, more than 1. [1]
+        Number from ``RadialGrid``, more than 1. [1]
     """
     y = 1.0 - x
     first = 2.0 * near - below - far
@@ -319,7 +319,7 @@ def between_levels(x, near, far, bend, near_scale, far_scale, level):
 
 
 def finer_weights(count: int, parts: int) -> FloatArray:
-    """Matrix of the cubics of ``finer``, shape ((count - 1)·parts + 1, count). [1]"""
+    """Matrix of the cubics of ``refine``, shape ((count - 1)·parts + 1, count). [1]"""
     unit = np.eye(count)
     out = np.empty(((count - 1) * parts + 1, count))
     out[::parts] = unit

@@ -1,4 +1,4 @@
-"""Limits of the air that the moments solver takes on: beyond them no iteration would end."""
+"""Largest optical depths that the moments solver accepts: deeper air would not converge."""
 
 from __future__ import annotations
 
@@ -9,29 +9,29 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.reduced_optics import Optics
+from airlight.solvers.moments.delta_m import Optics
 from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
 
-#: Largest vertical optical depth through which light wanders, scatterings weighted by 1 - g. [1]
+#: Largest vertical transport depth, where absorption is weak: scattering weighted by 1 - g. [1]
 DEEPEST: Final = 500.0
-#: Largest such depth times the height that holds nine tenths of the scattering, over the radius:
-#: where light goes as far around the planet as up and down, the inverse along the vertical fails.
+#: Largest transport depth times the height that holds nine tenths of the scattering, over the
+#: radius: where lateral transport is as far as vertical, synthetic acceleration fails. [1]
 WIDEST: Final = 2.0
-#: Part of light of degree 4 that a scattering may send backwards, and the scattering optical depth
-#: up to which it may send more: g of -0.97.
+#: Largest fourth Legendre moment of a backward-scattering phase function, of g = -0.97, and the
+#: scattering optical depth up to which it may be larger. [1]
 BACKWARD: Final = 0.97**4 + 1e-9
 THIN: Final = 1.0
-#: Number of diffusion lengths that hold all the light that comes back.
-_HOLDING: Final = 10.0
+#: Number of diffusion lengths beyond which deeper air has no influence.
+_DIFFUSION_LENGTHS: Final = 10.0
 
 
 def check_limits(optics: Optics) -> None:
-    """Refuse air in which light is scattered to and fro too many times.
+    """Raise if the air is too deep for the iteration.
 
-    Light wanders through all of the air where that absorbs nothing, and otherwise as far as light
-    diffuses in it (``diffusion_lengths``).
+    The transport depth counts through all of the air where nothing absorbs, and otherwise only as
+    far as light diffuses (``diffusion_lengths``).
 
     Parameters
     ----------
@@ -45,19 +45,19 @@ def check_limits(optics: Optics) -> None:
     """
     medium = optics.medium
     scattered = medium.columns[:, None] * medium.scattering
-    turned = (scattered * (1.0 - optics.phases[..., 1])).sum(axis=0)
+    transport = (scattered * (1.0 - optics.phases[..., 1])).sum(axis=0)
     lengths = diffusion_lengths(medium, optics.phases[..., 1])
-    wandered = turned * np.minimum(1.0, _HOLDING / np.maximum(lengths, 1e-300))
+    transport = transport * np.minimum(1.0, _DIFFUSION_LENGTHS / np.maximum(lengths, 1e-300))
     fourth = medium.phase_moments(4)[..., 4]
     backward = (optics.phases[..., 1] < 0.0) & (fourth > BACKWARD)
     peaked = np.where(backward, scattered, 0.0)
-    height = 2.0 * optics.depths.reach / medium.bottom_radius
+    height = 2.0 * optics.depths.diffusion_length / medium.bottom_radius
     deepest = min(DEEPEST, WIDEST / height) if height > 0.0 else DEEPEST
     for at, nm in enumerate(medium.wavelengths):
-        if wandered[at] > deepest:
+        if transport[at] > deepest:
             raise ParameterError(
                 f"vertical optical depth of scattering, times 1 - g, at {nm:g} nm",
-                float(f"{wandered[at]:.4g}"),
+                float(f"{transport[at]:.4g}"),
                 f"0 to {deepest:.4g}, or air that absorbs more",
             )
         which = int(peaked[:, at].argmax())
@@ -70,10 +70,10 @@ def check_limits(optics: Optics) -> None:
 
 
 def diffusion_lengths(medium: Medium, asymmetry: FloatArray) -> FloatArray:
-    """Number of diffusion lengths that the air is deep: ∫ sqrt(3(1 - ϖ)(1 - ϖg)) dτ. [1]
+    """Depth of the air in diffusion lengths: ∫ sqrt(3(1 - ϖ)(1 - ϖg)) dτ. [1]
 
-    The root is the exponent by which diffuse light falls off in Eddington's approximation. Air that
-    absorbs in one layer alone counts only there: elsewhere light wanders all the same.
+    The root is the diffusion exponent of Eddington's approximation. Where the air absorbs in one
+    layer alone, only that layer counts: light diffuses through the rest.
 
     Parameters
     ----------

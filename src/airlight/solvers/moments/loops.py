@@ -10,29 +10,29 @@ from airlight.optics.density_profile import _relative_densities, segment_density
 from airlight.optics.phase_functions import cornette_shanks, rayleigh
 from airlight.optics.phase_table import _interpolate
 from airlight.solvers.moments.acceleration import combine
-from airlight.solvers.moments.completing import _complete, _steer, _sum
 from airlight.solvers.moments.convergence import (
     _add,
     _approach,
     _replace,
     counted_changes,
+    geometric_tail,
     is_near,
-    rest_after,
 )
+from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.first_order import first_order_radius_of_few
+from airlight.solvers.moments.iterate_update import _accelerate, _add_orders, _fill_quantities
+from airlight.solvers.moments.opaque_culling import share_into
 from airlight.solvers.moments.packing import _pack_sun
 from airlight.solvers.moments.rays import trace_into
-from airlight.solvers.moments.reduced_optics import reduce_optics
 from airlight.solvers.moments.sweep import sweep_radius_of_few
-from airlight.solvers.moments.vertical_coupling import (
+from airlight.solvers.moments.synthetic_acceleration import (
     _legendre_rows,
     multiply,
     spread_onto,
     take_terms,
 )
-from airlight.solvers.moments.vertical_matrix import couple_radius, gather_levels, project_radii
-from airlight.solvers.moments.visible_rays import share_into
+from airlight.solvers.moments.synthetic_operator import gather_levels, project_radii, synthetic_rows
 from airlight.tables.columns import _columns, table_rays
 
 #: Loops in the order in which a solve of at most four wavelengths runs them.
@@ -44,13 +44,13 @@ LOOPS: Final = (
     rayleigh,
     cornette_shanks,
     _interpolate,
-    reduce_optics,
+    delta_m_scaling,
     trace_into,
     share_into,
     table_rays,
     _columns,
     first_order_radius_of_few,
-    couple_radius,
+    synthetic_rows,
     gather_levels,
     _legendre_rows,
     project_radii,
@@ -62,11 +62,11 @@ LOOPS: Final = (
     _replace,
     _pack_sun,
     sweep_radius_of_few,
-    _sum,
-    _complete,
-    _steer,
+    _add_orders,
+    _accelerate,
+    _fill_quantities,
     counted_changes,
-    rest_after,
+    geometric_tail,
     combine,
     _add,
     _approach,

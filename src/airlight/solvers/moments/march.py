@@ -19,22 +19,27 @@ from airlight.geometry.bending import bend_angle, star_points, turned
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
+from airlight.solvers.moments.forward_peak import (
+    add_peaks,
+    peak_fraction,
+    peak_gain,
+    reset_peaks,
+)
 from airlight.solvers.moments.harmonics import POLARISED, directed_functions
-from airlight.solvers.moments.march_panels import in_sight, panel_columns, place_panel, place_panels
+from airlight.solvers.moments.march_panels import (
+    is_transparent,
+    panel_columns,
+    place_panel,
+    place_panels,
+)
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import (
-    gathered_light,
-    gathered_polarised,
-    onward_columns,
-    scattered_star,
-    star_at,
-    through_columns,
-)
-from airlight.solvers.moments.widened_peaks import (
-    add_peaks,
-    clear_peaks,
-    more_light,
-    peaked_share,
+    direct_beam,
+    multiple_scattering_source,
+    polarised_ratio_columns,
+    polarised_scattering_source,
+    single_scattering_source,
+    transmittance_columns,
 )
 from airlight.solvers.stokes_frame import VERTICAL, star_plane
 from airlight.tables.column_ratios import columns_to_top
@@ -47,8 +52,8 @@ FAINT = 5e-3
 
 @inlined
 def march(
-    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, across, light, work,
-    result,
+    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, phase_f12, light,
+    work, result,
 ):  # fmt: skip
     """Light of a stretch of air towards its start, per irradiance of the star.
 
@@ -67,7 +72,7 @@ def march(
     air, peaks, polarised : bool
         Whether the air's radiance is found, single scattering by the peaked constituents, and Q and
         U of the air's light. Constants in a shader.
-    phase, across : array, shape (nc·w,)
+    phase, phase_f12 : array, shape (nc·w,)
         Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
         [sr⁻¹]
     light, work : MarchTables, MarchWorkspace
@@ -84,8 +89,8 @@ def march(
     n = int(light.rules[rule])
     scatters = 0.0
     for c in range(light.constituents):
-        scatters += light.brightest[c] * work.totals[c]
-        work.before[c] = 0.0
+        scatters += light.brightest[c] * work.columns_total[c]
+        work.columns_so_far[c] = 0.0
     faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
     for at in range(0, light.lanes, LANES):
         store(result, at, splat(0.0))
@@ -94,25 +99,25 @@ def march(
         if polarised:
             store(result, 4 * light.lanes + at, splat(0.0))
             store(result, 5 * light.lanes + at, splat(0.0))
-    clear_peaks(light, work)
+    reset_peaks(light, work)
     for panel in range(count - 1):
         points = n
-        if light.hides > 0 and not in_sight(light, work):
+        if light.hides > 0 and not is_transparent(light, work):
             points = 0
         place_panel(r, mu, panel, count, rule, light, work)
         panel_columns(rule, light, work)
         for k in range(points):
             add_point(
                 r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine,
-                turn_sine, phase, across, light, work, result,
+                turn_sine, phase, phase_f12, light, work, result,
             )  # fmt: skip
     for c in range(light.constituents):
-        work.totals[c] = work.before[c]
+        work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.totals, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.columns_total, light.scaled_extinction, light.constituents, light.lanes, at
         )
-        store(result, light.lanes + at, through)
+        store(result, light.lanes + at, transmittance)
     if light.widened and orders != 0:
         widen(half_sine, air, peaks, light, work, result)
 
@@ -121,27 +126,27 @@ def march(
 def widen(half_sine, air, peaks, light, work, result):
     """Widen the forward peaks of a line's light scattered once; arguments as in ``march``."""
     for at in range(0, light.lanes, LANES):
-        more = more_light(half_sine, light, work, at)
+        more = peak_gain(half_sine, light, work, at)
         if air:
             store(result, at, load(result, at) + more * load(work.peaks, at))
-        if peaks and light.first_peak >= 0:
-            factor = np.float32(1.0) + more * peaked_share(light.first_peak, light, at)
+        if peaks and light.separated_1 >= 0:
+            factor = np.float32(1.0) + more * peak_fraction(light.separated_1, light, at)
             store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) * factor)
-        if peaks and light.second_peak >= 0:
-            factor = np.float32(1.0) + more * peaked_share(light.second_peak, light, at)
+        if peaks and light.separated_2 >= 0:
+            factor = np.float32(1.0) + more * peak_fraction(light.separated_2, light, at)
             store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) * factor)
 
 
 @inlined
 def add_point(
     r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
-    across, light, work, result,
+    phase_f12, light, work, result,
 ):  # fmt: skip
     """Add the light of one point of a panel to the result of a march.
 
     Parameters
     ----------
-    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, across, light, work, result :
+    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, phase_f12, light, work, result :
         Arguments of ``march``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
@@ -157,7 +162,7 @@ def add_point(
     nu_q = nu
     scatters = 0.0
     for c in range(light.constituents):
-        work.rho[c] = work.density[c * n + k]
+        work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
         scatters += light.brightest[c] * work.density[c * n + k]
     if light.bend > 0.0:
@@ -172,35 +177,42 @@ def add_point(
     if air and gathers:
         near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, light, work)
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.depths, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.depths, light.scaled_extinction, light.constituents, light.lanes, at
         ) * np.float32(work.weight[k])
-        onward = splat(1.0)
+        polarised_ratio = splat(1.0)
         if polarised and orders != 1:
-            onward = onward_columns(
-                work.depths, light.polarising, light.constituents, light.lanes, at
+            polarised_ratio = polarised_ratio_columns(
+                work.depths, light.polarised_phase, light.constituents, light.lanes, at
             )
         if seen > 0.0:
-            star = through * star_at(
-                seen, work.here, work.there, spread, light.extinction, light.constituents,
-                light.lanes, at,
+            star = transmittance * direct_beam(
+                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
+                light.scaled_extinction, light.constituents, light.lanes, at,
             )  # fmt: skip
             add_star(star, air, peaks, phase, light, work, at, result)
             if light.widened:
                 add_peaks(star, np.float32(1.0), spread, phase, light, work, at)
             if polarised:
                 add_polarised_star(
-                    onward * star, turn_cosine, turn_sine, across, light, work, at, result
+                    polarised_ratio * star,
+                    turn_cosine,
+                    turn_sine,
+                    phase_f12,
+                    light,
+                    work,
+                    at,
+                    result,
                 )
         if air and gathers:
-            gathered = through * gathered_at(
+            source = transmittance * multiple_scattering_at(
                 near, block, np.float32(f), np.float32(e), light, work, at
             )
-            store(result, at, load(result, at) + gathered)
+            store(result, at, load(result, at) + source)
             if polarised:
                 add_polarised_light(
-                    onward * through, mu_q, near, block, np.float32(f), np.float32(e), light, work,
-                    at, result,
+                    polarised_ratio * transmittance, mu_q, near, block, np.float32(f),
+                    np.float32(e), light, work, at, result,
                 )  # fmt: skip
 
 
@@ -226,7 +238,14 @@ def star_columns(q, mu_s, light, work):
     seen, low, high = star_points(q, mu_s, bottom, top, light.star_radius, light.lift)
     if seen > 0.0:
         columns_to_top(
-            q, low, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+            q,
+            low,
+            bottom,
+            top,
+            light.first_nodes,
+            light.column_rows,
+            light.columns,
+            work.columns_to_sun_low,
         )
         if high > low:
             columns_to_top(
@@ -237,7 +256,7 @@ def star_columns(q, mu_s, light, work):
                 light.first_nodes,
                 light.column_rows,
                 light.columns,
-                work.there,
+                work.columns_to_sun_high,
             )
     return seen, high > low
 
@@ -257,54 +276,58 @@ def add_star(star, air, peaks, phase, light, work, at, result):
         Index of the first lane.
     """
     if air:
-        once = star * scattered_star(
-            work.rho, light.scattering, phase, light.constituents, light.lanes, at
+        once = star * single_scattering_source(
+            work.point_density, light.scattering, phase, light.constituents, light.lanes, at
         )
         store(result, at, load(result, at) + once)
-    if peaks and light.first_peak >= 0:
-        c = light.first_peak
-        once = star * load(light.scattering, light.lanes * c + at) * work.rho[c]
+    if peaks and light.separated_1 >= 0:
+        c = light.separated_1
+        once = star * load(light.scattering, light.lanes * c + at) * work.point_density[c]
         store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) + once)
-    if peaks and light.second_peak >= 0:
-        c = light.second_peak
-        once = star * load(light.scattering, light.lanes * c + at) * work.rho[c]
+    if peaks and light.separated_2 >= 0:
+        c = light.separated_2
+        once = star * load(light.scattering, light.lanes * c + at) * work.point_density[c]
         store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) + once)
 
 
 @inlined
-def add_polarised_star(star, turn_cosine, turn_sine, across, light, work, at, result):
+def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, light, work, at, result):
     """Add Q and U of the star's light scattered once at a point; arguments as in ``add_point``."""
-    once = star * scattered_star(
-        work.rho, light.scattering, across, light.constituents, light.lanes, at
+    once = star * single_scattering_source(
+        work.point_density, light.scattering, phase_f12, light.constituents, light.lanes, at
     )
-    along, aslant = 4 * light.lanes + at, 5 * light.lanes + at
-    store(result, along, load(result, along) + once * np.float32(turn_cosine))
-    store(result, aslant, load(result, aslant) + once * np.float32(turn_sine))
+    stokes_q, stokes_u = 4 * light.lanes + at, 5 * light.lanes + at
+    store(result, stokes_q, load(result, stokes_q) + once * np.float32(turn_cosine))
+    store(result, stokes_u, load(result, stokes_u) + once * np.float32(turn_sine))
 
 
 @inlined
-def add_polarised_light(through, mu, near, block, f, e, light, work, at, result):
+def add_polarised_light(transmittance, mu, near, block, f, e, light, work, at, result):
     """Add Q and U of the light scattered before, scattered once more into the line at a point.
 
     Parameters
     ----------
-    through : lanes
+    transmittance : lanes
         Transmittance from the point times its weight. [m]
     mu : float
         Cosine of the line's zenith angle at the point. [1]
     near, block, f, e, light, work, at :
-        Arguments of ``gathered_at``.
+        Arguments of ``multiple_scattering_at``.
     result : array, shape (6·w,)
         Result of a march.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    along, aslant = gathered_polarised(
-        work.rho, light.polarising, light.field, mu, work.azimuth[0], near,
+    stokes_q, stokes_u = polarised_scattering_source(
+        work.point_density, light.polarised_phase, light.field, mu, work.azimuth[0], near,
         near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip
-    store(result, 4 * light.lanes + at, load(result, 4 * light.lanes + at) + through * along)
-    store(result, 5 * light.lanes + at, load(result, 5 * light.lanes + at) + through * aslant)
+    store(
+        result, 4 * light.lanes + at, load(result, 4 * light.lanes + at) + transmittance * stokes_q
+    )
+    store(
+        result, 5 * light.lanes + at, load(result, 5 * light.lanes + at) + transmittance * stokes_u
+    )
 
 
 @kernel
@@ -365,7 +388,7 @@ def field_place(q, mu, mu_s, nu, light, work):
 
 
 @inlined
-def gathered_at(near, block, f, e, light, work, at):
+def multiple_scattering_at(near, block, f, e, light, work, at):
     """Light scattered before, scattered once more into the line, from lane ``at`` on. [m⁻¹ sr⁻¹]
 
     Parameters
@@ -378,8 +401,8 @@ def gathered_at(near, block, f, e, light, work, at):
         Index of the first lane.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    return gathered_light(
-        work.rho, light.moments, light.polarising, light.field, work.functions, near,
+    return multiple_scattering_source(
+        work.point_density, light.moments, light.polarised_phase, light.field, work.functions, near,
         near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip

@@ -19,9 +19,9 @@ from airlight.geometry.shell import meets_ground, radius_along
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, largest
 from airlight.optics.altitude_nodes import altitude_node
-from airlight.solvers.moments.source import through_columns
+from airlight.solvers.moments.source import transmittance_columns
 from airlight.tables.column_ratios import columns_to_top
-from airlight.tables.columns import THICK, cut_at_corners
+from airlight.tables.columns import THICK, split_at_profile_edges
 
 #: A stretch is steep if its length over the shell's thickness is less; and in full daylight if
 #: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
@@ -29,8 +29,8 @@ STEEP = 4.0
 #: Length over the shell's thickness above which a stretch grazes the densest air.
 GRAZING = 9.0
 FULL_DAY = 0.1
-#: Transmittance below which a panel is out of sight. [1]
-HIDDEN = 1e-7
+#: Transmittance below which a panel is not computed. [1]
+MIN_TRANSMITTANCE = 1e-7
 #: Numbers of edges, a panel on each leg, beyond which a line needs fewer points a panel.
 SOME_EDGES = 6
 MANY_EDGES = 10
@@ -70,7 +70,7 @@ def place_panel(r, mu, panel, count, rule, light, work):
 
 @inlined
 def panel_columns(rule, light, work):
-    """Columns up to each point of a panel, added to ``work.before``, and over the whole panel. [m]
+    """Columns up to each point of a panel, from ``work.columns_so_far`` on, and over the panel. [m]
 
     Parameters
     ----------
@@ -88,21 +88,21 @@ def panel_columns(rule, light, work):
                 share = light.rules[rule + 1 + 2 * n + k * n + j]
                 running += share * work.amounts[c * n + j]
             # A running integral of a steep profile may dip below its start by rounding.
-            work.columns[c * n + k] = work.before[c] + max(running, 0.0)
+            work.columns[c * n + k] = work.columns_so_far[c] + max(running, 0.0)
         for k in range(n):
-            work.before[c] += work.amounts[c * n + k]
+            work.columns_so_far[c] += work.amounts[c * n + k]
 
 
 @inlined
-def in_sight(light, work):
-    """Whether any wavelength is seen through the columns ``work.before``."""
+def is_transparent(light, work):
+    """Whether any wavelength has more than ``MIN_TRANSMITTANCE`` up to the next panel."""
     most = np.float32(0.0)
     for at in range(0, light.lanes, LANES):
-        through = through_columns(
-            work.before, light.extinction, light.constituents, light.lanes, at
+        transmittance = transmittance_columns(
+            work.columns_so_far, light.scaled_extinction, light.constituents, light.lanes, at
         )
-        most = max(most, largest(through))
-    return most > HIDDEN
+        most = max(most, largest(transmittance))
+    return most > MIN_TRANSMITTANCE
 
 
 @inlined
@@ -122,7 +122,7 @@ def columns_along(r, mu, count, rule, light, work):
     """
     n = int(light.rules[rule])
     for c in range(light.constituents):
-        work.totals[c] = 0.0
+        work.columns_total[c] = 0.0
     for which in range(3):
         work.cuts[which] = 0.0
     reached, at = 0.0, 0.0
@@ -132,7 +132,7 @@ def columns_along(r, mu, count, rule, light, work):
             depth = reached
             for c in range(light.constituents):
                 amount = work.density[c * n + k] * work.weight[k]
-                work.totals[c] += amount
+                work.columns_total[c] += amount
                 depth += light.strongest[c] * amount
             if depth > reached:
                 for which in range(3):
@@ -170,15 +170,29 @@ def columns_between(r, mu, length, light, work):
     if meets_ground(r, mu, bottom):
         low, low_mu, high, high_mu = end, -mu_end, r, -mu
     columns_to_top(
-        low, low_mu, bottom, top, light.first_nodes, light.column_rows, light.columns, work.totals
+        low,
+        low_mu,
+        bottom,
+        top,
+        light.first_nodes,
+        light.column_rows,
+        light.columns,
+        work.columns_total,
     )
     columns_to_top(
-        high, high_mu, bottom, top, light.first_nodes, light.column_rows, light.columns, work.here
+        high,
+        high_mu,
+        bottom,
+        top,
+        light.first_nodes,
+        light.column_rows,
+        light.columns,
+        work.columns_to_sun_low,
     )
     depth = 0.0
     for c in range(light.constituents):
-        work.totals[c] = max(work.totals[c] - work.here[c], 0.0)
-        depth += light.strongest[c] * work.totals[c]
+        work.columns_total[c] = max(work.columns_total[c] - work.columns_to_sun_low[c], 0.0)
+        depth += light.strongest[c] * work.columns_total[c]
     return depth
 
 
@@ -204,7 +218,7 @@ def place_panels(r, mu, mu_s, nu, length, light, work):
     """
     first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, light.bottom)
     count = place_edges(r, mu, length, light.panels, first_cut, second_cut, work.edges)
-    count = cut_at_corners(r, mu, light.bottom, light.ends, work.edges, count)
+    count = split_at_profile_edges(r, mu, light.bottom, light.ends, work.edges, count)
     end = min(mu_s, (r * mu_s + length * nu) / radius_along(r, mu, length))
     slant = length / (light.top - light.bottom)
     day = end > FULL_DAY

@@ -45,10 +45,10 @@ class MarchTables(NamedTuple):
         side.
     constituents, degree, radii, suns, phase_nodes : int
         Sizes of the tables.
-    first_peak, second_peak : int
+    separated_1, separated_2 : int
         Constituents whose single scattering is also found without its phase function; -1 for none.
     widened : bool
-        Whether forward peaks count as unscattered and are widened, see ``widened_peaks``.
+        Whether single scattering has the gain by forward peaks, see ``forward_peak``.
     first_nodes : array, shape (CELLS + 1,)
         Index of the first altitude node of each cell, see ``altitude_nodes``. [1]
     column_rows : array, shape (n,)
@@ -60,7 +60,7 @@ class MarchTables(NamedTuple):
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
     lift : array, shape (rows, columns, 2)
-        Table from ``star_lift``; without rows where light is not bent. [1]
+        Table from ``refraction_table``; without rows where light is not bent. [1]
     ends : array, shape (n,)
         Altitudes at which panels end, from ``panel_ends``. [m]
     row, place : array
@@ -69,24 +69,24 @@ class MarchTables(NamedTuple):
         Fields of ``Harmonics``.
     rules : array, flat
         Quadratures of a panel, from ``quadratures``.
+    scaled_extinction : array, shape (nc·w,)
+        Delta-M scaled extinction. [m⁻¹]
     extinction : array, shape (nc·w,)
-        Extinction after the removal of forward peaks. [m⁻¹]
-    true_extinction : array, shape (nc·w,)
-        Extinction, by which the star's disc is dimmed. [m⁻¹]
+        Extinction without scaling, which attenuates the star's disc. [m⁻¹]
     scattering : array, shape (nc·w,)
         True scattering coefficients. [m⁻¹]
     moments : array, shape (nc·(N + 1)·w,)
-        Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
-    polarising : array, shape (nc·4·w,)
-        Elements that polarise, times scattering, from ``Air``. [m⁻¹]
+        Scattering coefficient times Legendre moment, both scaled. [m⁻¹]
+    polarised_phase : array, shape (nc·4·w,)
+        Scattering coefficient times elements of the phase matrix, from ``ScaledOptics``. [m⁻¹]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
-    across : array, shape (phase_nodes·nc·w,)
+    phase_f12 : array, shape (phase_nodes·nc·w,)
         Elements F₁₂ of the phase matrices on these steps; 0 in scalar transfer. [sr⁻¹]
-    sharpness : array, shape (nc·w,)
-        Reciprocal part of a scattering that is peak, from ``widened_peaks``. [1]
+    inverse_peak_fraction : array, shape (nc·w,)
+        Reciprocal of the truncated fraction f, from ``forward_peak``. [1]
     widening : array, shape (depths·angles·w,)
-        Additional light of widened peaks, from ``peak_widening``; one element if not widened. [1]
+        Gain by forward peaks, from ``peak_broadening``; one element if not ``widened``. [1]
     darkening : array, shape (6·w,)
         Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
     basis : array, shape (3·w,)
@@ -112,8 +112,8 @@ class MarchTables(NamedTuple):
     radii: int
     suns: int
     phase_nodes: int
-    first_peak: Annotated[int, CHOICE]
-    second_peak: Annotated[int, CHOICE]
+    separated_1: Annotated[int, CHOICE]
+    separated_2: Annotated[int, CHOICE]
     widened: bool
     first_nodes: Annotated[FloatArray, scalars()]
     column_rows: Annotated[FloatArray, scalars()]
@@ -129,14 +129,14 @@ class MarchTables(NamedTuple):
     ahead: Annotated[FloatArray, scalars()]
     back: Annotated[FloatArray, scalars()]
     rules: Annotated[FloatArray, scalars()]
+    scaled_extinction: Annotated[Float32Array, SPECTRA]
     extinction: Annotated[Float32Array, SPECTRA]
-    true_extinction: Annotated[Float32Array, SPECTRA]
     scattering: Annotated[Float32Array, SPECTRA]
     moments: Annotated[Float32Array, SPECTRA]
-    polarising: Annotated[Float32Array, SPECTRA]
+    polarised_phase: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
-    across: Annotated[Float32Array, SPECTRA]
-    sharpness: Annotated[Float32Array, SPECTRA]
+    phase_f12: Annotated[Float32Array, SPECTRA]
+    inverse_peak_fraction: Annotated[Float32Array, SPECTRA]
     widening: Annotated[Float32Array, SPECTRA]
     darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]
@@ -159,11 +159,11 @@ class MarchWorkspace(NamedTuple):
     density, amounts, columns : array, shape (nc·p,)
         Densities at the points [1], the same times weight, and columns up to the points [m]; one
         constituent after another.
-    before, totals : array, shape (nc,)
+    columns_so_far, columns_total : array, shape (nc,)
         Columns up to the end of a panel, and of the whole line. [m]
-    rho, depths : array, shape (nc,)
-        Densities at a point [1], and columns up to it [m].
-    here, there : array, shape (nc,)
+    point_density, depths : array, shape (nc,)
+        Relative densities at a point [1], and columns up to it [m].
+    columns_to_sun_low, columns_to_sun_high : array, shape (nc,)
         Columns from a point towards the two points that represent the star. [m]
     functions : array, shape (k,)
         Harmonics of the line at a point. [1]
@@ -171,10 +171,10 @@ class MarchWorkspace(NamedTuple):
         Irradiance of the ground by the star and by the sky. [1]
     azimuth : array, shape (1,)
         Cosine of the line's azimuth at a point. [1]
-    phase, across : array, shape (nc·w,)
+    phase, phase_f12 : array, shape (nc·w,)
         Phase functions and elements F₁₂ of a line. [sr⁻¹]
     peaks : array, shape (3·w,)
-        Sums over a line from ``widened_peaks.add_peaks``.
+        Sums over a line from ``forward_peak.add_peaks``.
     found : array, shape (7·w,)
         Result of a march, and the sky that water mirrors, at ``MIRRORED``.
     """
@@ -187,17 +187,17 @@ class MarchWorkspace(NamedTuple):
     density: FloatArray
     amounts: FloatArray
     columns: FloatArray
-    before: FloatArray
-    totals: FloatArray
-    rho: Float32Array
+    columns_so_far: FloatArray
+    columns_total: FloatArray
+    point_density: Float32Array
     depths: Float32Array
-    here: FloatArray
-    there: FloatArray
+    columns_to_sun_low: FloatArray
+    columns_to_sun_high: FloatArray
     functions: Float32Array
     received: Float32Array
     azimuth: FloatArray
     phase: Float32Array
-    across: Float32Array
+    phase_f12: Float32Array
     peaks: Float32Array
     found: Float32Array
 
@@ -215,7 +215,17 @@ def workspace_sizes(constituents: int, points: int, terms: int) -> dict[str, int
         "cuts": 3,
         **dict.fromkeys(("distance", "radius", "weight"), points),
         **dict.fromkeys(("density", "amounts", "columns"), constituents * points),
-        **dict.fromkeys(("before", "totals", "rho", "depths", "here", "there"), constituents),
+        **dict.fromkeys(
+            (
+                "columns_so_far",
+                "columns_total",
+                "point_density",
+                "depths",
+                "columns_to_sun_low",
+                "columns_to_sun_high",
+            ),
+            constituents,
+        ),
         "functions": terms,
         "azimuth": 1,
     }
@@ -229,7 +239,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
     constituents : int
         Number of constituents, or more.
     """
-    each = dict.fromkeys(("phase", "across"), constituents)
+    each = dict.fromkeys(("phase", "phase_f12"), constituents)
     return {"received": 2, **each, "peaks": 3, "found": MIRRORED + 1}
 
 
@@ -243,7 +253,7 @@ def new_workspace(tables: MarchTables) -> MarchWorkspace:
     """
     count = tables.constituents
     points = max(int(tables.rules[int(tables.rules[k])]) for k in range(3))
-    single = ("rho", "depths", "functions")
+    single = ("point_density", "depths", "functions")
     arrays: dict[str, Any] = {
         name: np.empty(size, np.float32 if name in single else np.float64)
         for name, size in workspace_sizes(count, points, tables.ahead.size).items()

@@ -13,7 +13,7 @@ from airlight.kernel import compiled_loop, kernel, vectorized
 from airlight.kernel.lanes import FEW, LANES
 from airlight.kernel.threads import run_blocks
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, moment_count
-from airlight.solvers.moments.levels import THICK, fill_levels, finer
+from airlight.solvers.moments.levels import THICK, fill_levels, refine
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -99,7 +99,7 @@ def pack_light(
         From ``level_weights``: where 1, s is the same at all radii, so that the moments are linear
         between two of them; where 0 they are interpolated as ratios.
     parts : int
-        See ``levels.finer``. Irradiances of only one radius stay as they are.
+        See ``levels.refine``. Irradiances of only one radius stay as they are.
     few : bool
         Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_of_few``.
     out : array, optional
@@ -108,7 +108,7 @@ def pack_light(
     mean = positive(field[:, :, 0])
     received = positive(sky)
     if received.shape[0] > 1:
-        received = finer(received[:, :, None], received, level, parts)[:, :, 0]
+        received = refine(received[:, :, None], received, level, parts)[:, :, 0]
     radii, suns, terms, lanes = field.shape
     # One moment of eight wavelengths is a register, or two of four: see ``first_register``.
     order = np.arange(1 + terms)
@@ -210,12 +210,12 @@ def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Flo
     array, shape (s, w)
         Weights from 0 to 1. [1]
     """
-    day = daylight(sun_cosines, dip)
+    day = day_weight(sun_cosines, dip)
     return np.asarray(vectorized(level_weight)(day[:, None], depth), np.float32)
 
 
-def daylight(sun_cosines: FloatArray, dip: float) -> FloatArray:
-    """Part of the light by day: 0 at night, 1 by day, smooth through dusk. [1]
+def day_weight(sun_cosines: FloatArray, dip: float) -> FloatArray:
+    """Weight of day: 0 at night, 1 by day, smooth through dusk. [1]
 
     Parameters
     ----------
@@ -235,19 +235,19 @@ def level_weight(day, depth):
     Parameters
     ----------
     day : float
-        From ``daylight``. [1]
+        From ``day_weight``. [1]
     depth : float
         Vertical scattering optical depth. [1]
     """
-    return day * thick_share(depth)
+    return day * optically_thick_weight(depth)
 
 
 @kernel
-def thick_share(depth):
-    """Weight by vertical scattering optical depth: 0 for clear air, 1 for thick. [1]"""
+def optically_thick_weight(depth):
+    """Weight of optically thick air by its vertical scattering depth: 0 clear, 1 thick. [1]"""
     return -expm1(-((depth / THICK) ** 4))
 
 
-def thickness(depth: FloatArray) -> FloatArray:
-    """``thick_share`` of several depths. [1]"""
-    return np.asarray(vectorized(thick_share)(depth))
+def optically_thick_weights(depth: FloatArray) -> FloatArray:
+    """``optically_thick_weight`` of several depths. [1]"""
+    return np.asarray(vectorized(optically_thick_weight)(depth))

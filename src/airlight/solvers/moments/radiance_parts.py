@@ -59,14 +59,14 @@ def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
     light = solution.light
     dark_air = light._replace(field=_without_source(light.field, solution))
     single = [
-        solution.marched(sight, 1, scatterers=[c], ground=False)
+        solution.radiance_per_irradiance(sight, 1, scatterers=[c], ground=False)
         for c in range(len(solution.medium.names))
     ]
     return Parts(
         scattered_once=np.stack(single, axis=1),
-        scattered_more=solution.marched(sight, 0, ground=False),
-        ground_star=solution.marched(sight, 1, scatterers=()),
-        ground_sky=solution.marched(sight, 0, light=dark_air),
+        scattered_more=solution.radiance_per_irradiance(sight, 0, ground=False),
+        ground_star=solution.radiance_per_irradiance(sight, 1, scatterers=()),
+        ground_sky=solution.radiance_per_irradiance(sight, 0, light=dark_air),
     )
 
 

@@ -1,4 +1,4 @@
-"""Optics of eight wavelengths along a ray, and the moments of the light that it brings."""
+"""Optics of eight wavelengths along a ray, and the projection of its radiance onto moments."""
 
 from __future__ import annotations
 
@@ -16,30 +16,29 @@ from airlight.solvers.moments.harmonics import ELEMENTS, polarised_functions
 Float32Array = NDArray[np.float32]
 
 
-class Air(NamedTuple):
-    """Optics of eight wavelengths, flat, wavelengths in the lanes.
+class ScaledOptics(NamedTuple):
+    """Delta-M scaled optics of eight wavelengths, flat, wavelengths in the lanes.
 
     Attributes
     ----------
     extinction : array, shape (nc·8,)
-        Extinction after the removal of forward peaks. [m⁻¹]
+        Scaled extinction. [m⁻¹]
     moments : array, shape (nc·(N + 1)·8,)
-        Scattering coefficient times Legendre moment, both after that removal. [m⁻¹]
+        Scattering coefficient times Legendre moment, both scaled. [m⁻¹]
     ground : Reflection
         Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
-    polarising : array, shape (nc·4·8,)
-        Scattering coefficient times the elements of degree 2 that couple moments and even polarised
-        moments, and that keep even and odd ones; by how much less Q and U are dimmed than I; see
-        ``reduced_optics``. [m⁻¹]
+    polarised_phase : array, shape (nc·4·8,)
+        Scattering coefficient times the elements β₁, α₂ and α₃ of degree 2; extinction of I less
+        that of Q and U; see ``delta_m.delta_m_scaling``. [m⁻¹]
     """
 
     extinction: Float32Array
     moments: Float32Array
     ground: Reflection
     star_radius: float
-    polarising: Float32Array
+    polarised_phase: Float32Array
 
 
 class Azimuths(NamedTuple):
@@ -78,14 +77,16 @@ def optical_depth(columns, first, extinction, constituents):
 
 
 @inlined
-def onward_light(columns, first, polarising, constituents):
+def polarised_transmittance_ratio(columns, first, polarised_phase, constituents):
     """Transmittance of Q and U over that of I, of eight wavelengths. [1]
 
-    ``columns[first:]`` holds one row of columns; ``polarising`` of ``Air``.
+    ``columns[first:]`` holds one row of columns; ``polarised_phase`` of ``ScaledOptics``.
     """
     more = splat(0.0)
     for c in range(constituents):
-        more = more + load(polarising, LANES * (ELEMENTS * c + 3)) * np.float32(columns[first + c])
+        more = more + load(polarised_phase, LANES * (ELEMENTS * c + 3)) * np.float32(
+            columns[first + c]
+        )
     return exponential(more)
 
 
@@ -101,7 +102,7 @@ def strength_of(moments, amounts, point, l, degree, constituents):
 
 
 @inlined
-def through_ray(extinction, totals, first, constituents):
+def transmittance_ray(extinction, totals, first, constituents):
     """Transmittance of a whole ray with the columns ``totals[first:]``. [1]"""
     return exponential(0.0 - optical_depth(totals, first, extinction, constituents))
 
@@ -188,10 +189,10 @@ def project_polarised(azimuthal, mu, weight, base, out):
 
 
 @inlined
-def add_polarised(azimuthal, multiples, sines, b, along, across):
+def add_polarised(azimuthal, multiples, sines, b, stokes_q, stokes_u):
     """Add Q and U of a ray at azimuth ``b`` to its azimuth moments; see ``project_polarised``."""
     for m in range(3):
-        store(azimuthal, LANES * m, load(azimuthal, LANES * m) + multiples[m, b] * along)
+        store(azimuthal, LANES * m, load(azimuthal, LANES * m) + multiples[m, b] * stokes_q)
     for m in range(1, 3):
         at = LANES * (2 + m)
-        store(azimuthal, at, load(azimuthal, at) + sines[m, b] * across)
+        store(azimuthal, at, load(azimuthal, at) + sines[m, b] * stokes_u)

@@ -15,7 +15,7 @@ from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
 from airlight.solvers.moments.directions import directions
 from airlight.solvers.moments.grid import Grid
-from airlight.tables.columns import cut_at_corners, density_table, new_path, trace_resolved
+from airlight.tables.columns import density_table, new_path, split_at_profile_edges, trace_resolved
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -94,7 +94,9 @@ def trace_into(grid, mu, panels, rule, nodes, strongest, bend, ends, edges, path
                 length = max(-r * mu[i, a], 0.0)
             rays.length[i, a] = length
             edge_count = place_edges(r, mu[i, a], length, panels, 0.0, 0.0, edges)
-            edge_count = cut_at_corners(r, mu[i, a], grid.bottom_radius, ends, edges, edge_count)
+            edge_count = split_at_profile_edges(
+                r, mu[i, a], grid.bottom_radius, ends, edges, edge_count
+            )
             points = trace_resolved(
                 r,
                 mu[i, a],

@@ -21,34 +21,40 @@ from airlight.kernel.lanes import FEW
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.adaptive_quadrature import adaptive_quadrature
+from airlight.solvers.moments.delta_m import Optics, panel_ends
 from airlight.solvers.moments.grid import Grid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, harmonics, moment_count
 from airlight.solvers.moments.levels import FEW_NODES
-from airlight.solvers.moments.packing import daylight, filled, level_weights, thickness
-from airlight.solvers.moments.ray_optics import Air, Azimuths
+from airlight.solvers.moments.opaque_culling import cull_opaque
+from airlight.solvers.moments.packing import (
+    day_weight,
+    filled,
+    level_weights,
+    optically_thick_weights,
+)
+from airlight.solvers.moments.ray_optics import Azimuths, ScaledOptics
 from airlight.solvers.moments.rays import Rays, trace_rays
-from airlight.solvers.moments.reduced_optics import Optics, panel_ends
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.thinned_rays import thinned
-from airlight.solvers.moments.visible_rays import rays_in_sight
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.column_ratios import column_rows, mean_density_ratios
 from airlight.tables.columns import ColumnTable
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Part of its largest value below which mean radiance comes from the side rather than from above
-#: and below: where the transport depth is small, where it is large, and the depth between.
-SIDELIT: Final = (1e-4, 2e-2)
-WANDERS: Final = 5.0
-#: Transport depth above which light is so deep that interpolation between suns, not its own way,
-#: spreads it sideways: Titan's blue light has 13, the light of Venus 12 to 100. [1]
-DEEP: Final = 20.0
-#: Length that interpolation between suns adds, over the light's reach and the transport depth. [1]
-LEAK: Final = 6.0 / pi**2
-#: Part of the light of high order that a scattering may keep where azimuths confuse it with a lower
-#: one: the eigenvalue of such a pair is twice that part.
+#: Fraction of the largest mean radiance below which lateral transport dominates: at small and at
+#: large transport depth; and the transport depth above which it increases. [1]
+LATERAL_THRESHOLD: Final = (1e-4, 2e-2)
+TRANSPORT_DEPTH_SCALE: Final = 5.0
+#: Transport depth above which air is optically deep: numerical diffusion between sun elevations
+#: exceeds the physical one. Titan has 13 in the blue, Venus 12 to 100. [1]
+OPTICALLY_DEEP: Final = 20.0
+#: Length of the numerical diffusion by interpolation between sun elevations, over the lateral
+#: diffusion length and the transport depth. [1]
+NUMERICAL_DIFFUSION: Final = 6.0 / pi**2
+#: Largest fraction that a scattering may keep of moments of an order m aliased by the azimuths: the
+#: eigenvalue of an aliased pair is twice that fraction. [1]
 _ALIASED: Final = 0.4
 #: Distance of a thin layer from the top, over the thickness of the shell, below which the table of
 #: columns has more directions, and their factor.
@@ -67,18 +73,18 @@ class Setup:
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
         Light paths of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
-    room : float
-        Factor of the air for which nodes and rays are laid out: above 1 for edits that add some
-        and keep them. [1]
+    extinction_headroom : float
+        Factor of the extinction for which nodes and rays are placed: above 1 where later edits
+        that increase it reuse them. [1]
     """
 
-    paths: LightPaths
+    paths: RefractedGeometry
     settings: Settings
-    room: float = 1.0
+    extinction_headroom: float = 1.0
 
     @property
     def medium(self) -> Medium:
@@ -108,7 +114,7 @@ class Setup:
             medium.top_radius,
             settings.radii,
             settings.suns,
-            depths._replace(scattering=self.room * depths.scattering),
+            depths._replace(scattering=self.extinction_headroom * depths.scattering),
             medium.density.first_nodes,
         )
 
@@ -167,7 +173,7 @@ class Setup:
         return trace_rays(
             self.gathering,
             self.medium.density,
-            self.room * self.medium.extinction.max(axis=1),
+            self.extinction_headroom * self.medium.extinction.max(axis=1),
             self.zenith_angles,
             self.ray_nodes,
             bend=self.paths.bend,
@@ -178,10 +184,10 @@ class Setup:
     def azimuths(self) -> Azimuths:
         """Azimuths of a sweep: no fewer than the harmonics need.
 
-        Of B midpoints cos mφ cannot be told from -cos (2B - m)φ, and light of order m that comes
-        back as both is counted twice. Where scattering keeps little of the orders above B, as
-        without its forward peak, three quarters of the degree suffice; where it keeps more, as
-        backward peaks do, the iteration would diverge.
+        On B midpoints cos mφ is aliased with -cos (2B - m)φ, so that light of order m is counted
+        twice. Where scattering keeps little of the orders above B, as without its forward peak,
+        three quarters of the degree suffice; where it keeps more, as backward peaks do, the
+        iteration would diverge.
         """
         count = max(self.settings.azimuths, 3 * self.degree // 4)
         if self.optics.kept_beyond(count) > _ALIASED:
@@ -243,9 +249,9 @@ class Setup:
         return np.ascontiguousarray(self.ratios.transpose(0, 2, 3, 1), np.float32)
 
     @property
-    def daylight(self) -> FloatArray:
+    def day_weight(self) -> FloatArray:
         """Level weights of infinitely thick air, shape (s,): 0 at night, 1 by day. [1]"""
-        return daylight(self.grid.sun_cosines, self.dip)
+        return day_weight(self.grid.sun_cosines, self.dip)
 
     def level(self, which: slice) -> Float32Array:
         """Level weights of some wavelengths in whole groups of eight, shape (s, 8). [1]"""
@@ -261,12 +267,13 @@ class Setup:
             Indices of at most eight wavelengths.
         """
         air = self.optics.air(which)
-        rays = thinned(self.rays, air, self.ray_nodes) if self.parts > 1 else self.rays
-        rays, share = rays_in_sight(rays, air)
+        rays = adaptive_quadrature(self.rays, air, self.ray_nodes) if self.parts > 1 else self.rays
+        rays, share = cull_opaque(rays, air)
         transport = self.optics.transport_depth[which]
-        thick = filled(thickness(self.optics.scattering_depth[which]))
-        wanders = np.maximum(filled(transport) / WANDERS, 1.0)
-        wide = self.optics.depths.reach
+        thick = filled(optically_thick_weights(self.optics.scattering_depth[which]))
+        depth_ratio = np.maximum(filled(transport) / TRANSPORT_DEPTH_SCALE, 1.0)
+        length = self.optics.depths.diffusion_length
+        radius = self.medium.bottom_radius
         return Block(
             setup=self,
             which=which,
@@ -275,10 +282,12 @@ class Setup:
             share=share,
             level=self.level(which),
             thick=thick,
-            sidelit=thick * np.minimum(SIDELIT[0] * wanders**3, SIDELIT[1]),
-            # A layer of transport depth τ loses π²/(3τ²) of its light by a scattering: diffusion.
-            reach=(wide, LEAK * wide * float(transport.max())),
-            deep=bool(transport.max() > DEEP),
+            lateral_threshold=thick
+            * np.minimum(LATERAL_THRESHOLD[0] * depth_ratio**3, LATERAL_THRESHOLD[1]),
+            # Diffusion: a layer of transport depth τ loses π²/(3τ²) of its light per scattering.
+            diffusion_length=length / radius,
+            grid_diffusion=NUMERICAL_DIFFUSION * length / radius * float(transport.max()),
+            deep=bool(transport.max() > OPTICALLY_DEEP),
         )
 
 
@@ -292,34 +301,35 @@ class Block:
         Set-up that all wavelengths share.
     which : slice
         Indices of these wavelengths among all.
-    air : Air
+    air : ScaledOptics
         Optics of these wavelengths.
     rays : Rays
         Rays with the points that any of these wavelengths sees.
     share : array, shape (r·a·8,)
-        Factors from ``rays_in_sight``. [1]
+        Factors from ``cull_opaque``. [1]
     level : array, shape (s, 8)
         Weights from ``level_weights``. [1]
     thick : array, shape (8,)
-        Thickness from ``thickness``, from 0 to 1: where the tolerance becomes absolute. [1]
-    sidelit : array, shape (8,)
-        Part of the largest mean radiance below which light comes from the side. [1]
-    reach : two floats
-        Sideways spread of the light, and the length that the interpolation between sun elevations
-        adds, see ``vertical_coupling.sideways``. [m]
+        Weight from ``optically_thick_weights``, 0 to 1: exponent of ``convergence.count_at``. [1]
+    lateral_threshold : array, shape (8,)
+        Fraction of the largest mean radiance below which lateral transport dominates. [1]
+    diffusion_length, grid_diffusion : float
+        Lateral diffusion length, and the length of the numerical diffusion by interpolation
+        between sun elevations, see ``lateral_diffusion_matrix``. [rad]
     deep : bool
-        Whether the transport depth of any of these wavelengths is above ``DEEP``.
+        Whether the transport depth of any of these wavelengths is above ``OPTICALLY_DEEP``.
     """
 
     setup: Setup
     which: slice
-    air: Air
+    air: ScaledOptics
     rays: Rays
     share: Float32Array
     level: Float32Array
     thick: FloatArray
-    sidelit: FloatArray
-    reach: tuple[float, float]
+    lateral_threshold: FloatArray
+    diffusion_length: float
+    grid_diffusion: float
     deep: bool
 
     @property

@@ -18,21 +18,21 @@ from airlight.kernel.threads import run_blocks
 from airlight.optics.reflection import leaving_cosine
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.energy_balance import imbalance
+from airlight.solvers.moments.forward_peak import inverse_peak_fraction, peak_broadening
 from airlight.solvers.moments.irradiance import (
     direct_irradiance,
-    facing_irradiance,
+    direct_normal_irradiance,
     ground_radiance,
     sky_irradiance,
 )
-from airlight.solvers.moments.iterate import WAYS, Moments
+from airlight.solvers.moments.iterate import FALLBACK_SCHEMES, Moments
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
-from airlight.solvers.moments.widened_peaks import peak_widening, sharpness
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import column_rows, mean_density_ratios
@@ -61,7 +61,7 @@ class MomentsSolution(Solution):
         Result of the iteration.
     seconds : float
         Time of the solve; 0 from the cache. [s]
-    paths : LightPaths, optional
+    paths : RefractedGeometry, optional
         Light paths of the medium, if already known.
     """
 
@@ -71,10 +71,10 @@ class MomentsSolution(Solution):
         settings: Settings,
         moments: Moments,
         seconds: float,
-        paths: LightPaths | None = None,
+        paths: RefractedGeometry | None = None,
     ) -> None:
         self.medium = medium
-        self.paths = LightPaths.of(medium) if paths is None else paths
+        self.paths = RefractedGeometry.of(medium) if paths is None else paths
         self.settings = settings
         self.moments = moments
         unbalanced = imbalance(moments.energy, medium.wavelengths, settings.energy_tolerance)
@@ -85,7 +85,9 @@ class MomentsSolution(Solution):
             residual=tuple(float(x) for x in moments.residual),
             seconds=seconds,
             energy=tuple(float(x) for x in moments.energy),
-            note="; ".join(one for one in (WAYS[moments.way].note, unbalanced) if one),
+            note="; ".join(
+                one for one in (FALLBACK_SCHEMES[moments.scheme].note, unbalanced) if one
+            ),
         )
 
     @cached_property
@@ -112,7 +114,7 @@ class MomentsSolution(Solution):
         shell = medium.bottom_radius, medium.top_radius
         table = ColumnTable(*shell, self.setup.column_radii, moments.columns)
         optics = self.setup.optics
-        air, widening = optics.air(slice(None)), peak_widening(optics)
+        air, widening = optics.air(slice(None)), peak_broadening(optics)
         ends = self.setup.march_ends
         low, high = (part * medium.thickness for part in _MIDDLE)
         cut = bool(((ends > low) & (ends < high)).any())
@@ -129,8 +131,8 @@ class MomentsSolution(Solution):
             radii=grid.radii.size,
             suns=grid.sun_cosines.size,
             phase_nodes=medium.phase_table.shape[2],
-            first_peak=-1,
-            second_peak=-1,
+            separated_1=-1,
+            separated_2=-1,
             widened=widening is not None,
             first_nodes=medium.density.first_nodes,
             column_rows=column_rows(table, medium.density),
@@ -146,14 +148,14 @@ class MomentsSolution(Solution):
             ahead=expansion.ahead,
             back=expansion.back,
             rules=quadratures(settings.cut_nodes if cut else (settings.march_nodes,) * 3),
-            extinction=air.extinction,
-            true_extinction=pack(medium.extinction),
+            scaled_extinction=air.extinction,
+            extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
             moments=air.moments,
-            polarising=air.polarising,
+            polarised_phase=air.polarised_phase,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
-            across=pack(self._across(medium)),
-            sharpness=pack(sharpness(optics)),
+            phase_f12=pack(self._phase_f12(medium)),
+            inverse_peak_fraction=pack(inverse_peak_fraction(optics)),
             widening=pack(np.zeros((1, self.wavelengths.size)) if widening is None else widening),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
@@ -162,7 +164,7 @@ class MomentsSolution(Solution):
             ground=air.ground,
         )
 
-    def _across(self, medium: Medium) -> FloatArray:
+    def _phase_f12(self, medium: Medium) -> FloatArray:
         """Elements F₁₂ of the phase matrices on the nodes of the phase table, (nodes, nc, nl)."""
         nodes, constituents, count = (
             medium.phase_table.shape[2],
@@ -185,9 +187,9 @@ class MomentsSolution(Solution):
 
     def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
-        return self.marched(sight, 2 if order is None else 1)
+        return self.radiance_per_irradiance(sight, 2 if order is None else 1)
 
-    def marched(
+    def radiance_per_irradiance(
         self,
         sight: Sight,
         orders: int,
@@ -228,7 +230,7 @@ class MomentsSolution(Solution):
         sight : Sight
             n lines of sight.
         orders : int
-            As for ``marched``.
+            As for ``radiance_per_irradiance``.
 
         Returns
         -------
@@ -248,7 +250,7 @@ class MomentsSolution(Solution):
         sight : Sight
             n lines of sight, from ``paths.sight``.
         length : array, shape (n,)
-            Lengths, not beyond those of the lines, as ``paths.drawn_length`` gives them. [m]
+            Lengths, not beyond those of the lines, as ``paths.optical_length`` gives them. [m]
         light : MarchTables, optional
             Replaces ``self.light``.
 
@@ -277,9 +279,9 @@ class MomentsSolution(Solution):
         Radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0 without
         ``stokes`` [sr⁻¹]; radiance of the air alone, (n, nl). [sr⁻¹]
         """
-        seen = self.paths.seen_nu(sight)
+        seen = self.paths.apparent_nu(sight)
         n, count = sight.r.size, self.wavelengths.size
-        out, through, air = (np.empty((n, count)) for _ in range(3))
+        out, transmittance, air = (np.empty((n, count)) for _ in range(3))
         polarised = np.zeros((n, 3, count))
         ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
         block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
@@ -292,9 +294,9 @@ class MomentsSolution(Solution):
                 phases[:, silent] = 0.0
             phase = pack(phases).reshape(phases.shape[0], -1)
             half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
-            across = phase[:, :0]
+            phase_f12 = phase[:, :0]
             if stokes:
-                across = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
+                phase_f12 = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
             result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
             _march_all(
                 sight.r[rows],
@@ -307,20 +309,20 @@ class MomentsSolution(Solution):
                 orders,
                 stokes,
                 phase,
-                across,
+                phase_f12,
                 chosen,
                 new_workspace(chosen),
                 result,
             )
             out[rows] = result[:, :count]
-            through[rows] = result[:, chosen.lanes : chosen.lanes + count]
+            transmittance[rows] = result[:, chosen.lanes : chosen.lanes + count]
             air[rows] = result[:, 2 * chosen.lanes : 2 * chosen.lanes + count]
             if stokes:
                 kept = result.reshape(-1, 6, chosen.lanes)[:, [0, 4, 5], :count]
                 polarised[rows] = kept
 
         run_blocks(run, -(-n // block))
-        return out, through, polarised, air
+        return out, transmittance, polarised, air
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
@@ -338,7 +340,9 @@ class MomentsSolution(Solution):
         """
         work = new_workspace(self.light)
         x = self.paths.optical_radius(r)
-        return self._received(x, lambda light, out: facing_irradiance(x, mu_s, light, work, out))
+        return self._received(
+            x, lambda light, out: direct_normal_irradiance(x, mu_s, light, work, out)
+        )
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
@@ -356,7 +360,8 @@ class MomentsSolution(Solution):
 
 @compiled_loop
 def _march_all(
-    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, across, light, work, out
+    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, light, work,
+    out,
 ):  # fmt: skip
     light, work = borrowed((light, work))
     lanes, bottom = light.lanes, light.bottom
@@ -364,7 +369,7 @@ def _march_all(
     for k in range(r.size):
         march(
             r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
-            phase[k], across[k], light, work, found,
+            phase[k], phase_f12[k], light, work, found,
         )  # fmt: skip
         for at in range(0, lanes, LANES):  # in the place of the peaks
             store(found, 2 * lanes + at, load(found, at))
@@ -372,7 +377,9 @@ def _march_all(
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
             if light.bend > 0.0:
                 mu_ground = (r[k] * mu[k] + length[k]) / bottom
-                angle = bend_angle(r[k], mu[k], light.bend, work.totals[light.constituents - 1])
+                angle = bend_angle(
+                    r[k], mu[k], light.bend, work.columns_total[light.constituents - 1]
+                )
                 mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
             leaving = leaving_cosine(r[k], mu[k], bottom)

@@ -19,13 +19,13 @@ from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments.energy_balance import imbalance, makes_light
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.iterate import Moments, solve_moments
 from airlight.solvers.moments.settings import Settings, settings_for
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.solution import MomentsSolution
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 def solve(
@@ -81,7 +81,7 @@ def solve(
 def _computed(
     medium: Medium, settings: Settings, *, progress: Progress | None, cancel: Cancel | None
 ) -> MomentsSolution:
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     started = perf_counter()
     count = medium.wavelengths.size
     with timed("solve", solve_work(settings, count), f"solving the light of {count} wavelengths"):
@@ -94,7 +94,7 @@ def _stored(key: str, medium: Medium, settings: Settings) -> MomentsSolution | N
     stored = disk.load(key)
     if stored is None:
         return None
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     moments = _from_arrays(Setup(paths=paths, settings=settings), stored)
     return None if moments is None else MomentsSolution(medium, settings, moments, 0.0, paths)
 
@@ -108,7 +108,7 @@ def _keep(key: str, moments: Moments) -> None:
             "columns": moments.columns,
             "residual": moments.residual,
             "energy": moments.energy,
-            "counts": np.array([moments.degree, moments.sweeps, moments.way]),
+            "counts": np.array([moments.degree, moments.sweeps, moments.scheme]),
         },
     )
 
@@ -158,7 +158,7 @@ def _resolved_key(key: str) -> str:
 def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
     """Moments in a cache file, or None if it holds something else."""
     try:
-        degree, sweeps, way = (int(x) for x in arrays["counts"])
+        degree, sweeps, scheme = (int(x) for x in arrays["counts"])
         medium, suns = setup.medium, setup.settings.suns
         count, radii = medium.wavelengths.size, setup.gathering.radii.size
         shape = (radii, suns, moment_count(degree), count)
@@ -182,7 +182,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
             sweeps=sweeps,
             residual=arrays["residual"],
             energy=arrays["energy"],
-            way=way,
+            scheme=scheme,
         )
     except (KeyError, ValueError, IndexError, TypeError):
         return None

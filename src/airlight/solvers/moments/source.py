@@ -1,4 +1,4 @@
-"""Light that a point of the air sends along a line of sight: scattered once, and the rest.
+"""Source function at a point of a line of sight: single and multiple scattering, separately.
 
 The march runs these for a group of lanes at a time: eight wavelengths on the CPU, four in a shader.
 """
@@ -15,7 +15,7 @@ from airlight.solvers.moments.harmonics import ELEMENTS, EVEN, polarised_functio
 
 
 @inlined
-def through_columns(columns, extinction, constituents, lanes, at):
+def transmittance_columns(columns, extinction, constituents, lanes, at):
     """Transmittance of the wavelengths from lane ``at`` on through columns (nc,). [1]"""
     tau = splat(0.0)
     for c in range(constituents):
@@ -24,17 +24,22 @@ def through_columns(columns, extinction, constituents, lanes, at):
 
 
 @inlined
-def onward_columns(columns, polarising, constituents, lanes, at):
-    """Transmittance of Q and U over that of I through columns (nc,), from ``polarising``. [1]"""
+def polarised_ratio_columns(columns, polarised_phase, constituents, lanes, at):
+    """Transmittance of Q and U over that of I through columns (nc,). [1]
+
+    ``polarised_phase`` as in ``ScaledOptics``; other arguments as in ``transmittance_columns``.
+    """
     more = splat(0.0)
     for c in range(constituents):
-        more = more + load(polarising, lanes * (ELEMENTS * c + 3) + at) * np.float32(columns[c])
+        more = more + load(polarised_phase, lanes * (ELEMENTS * c + 3) + at) * np.float32(
+            columns[c]
+        )
     return exponential(more)
 
 
 @inlined
-def star_at(seen, low_columns, high_columns, spread, extinction, constituents, lanes, at):
-    """Irradiance by the star at a point, of a surface that faces it, per that outside the air. [1]
+def direct_beam(seen, low_columns, high_columns, spread, extinction, constituents, lanes, at):
+    """Direct irradiance at a point, normal to the beam, per that outside the air. [1]
 
     Parameters
     ----------
@@ -45,18 +50,18 @@ def star_at(seen, low_columns, high_columns, spread, extinction, constituents, l
     spread : bool
         Whether these two differ.
     extinction, constituents, lanes, at :
-        As in ``through_columns``.
+        As in ``transmittance_columns``.
     """
-    light = through_columns(low_columns, extinction, constituents, lanes, at)
+    light = transmittance_columns(low_columns, extinction, constituents, lanes, at)
     if spread:
-        light = light + through_columns(high_columns, extinction, constituents, lanes, at)
+        light = light + transmittance_columns(high_columns, extinction, constituents, lanes, at)
         light = light * np.float32(0.5)
     return light * np.float32(seen)
 
 
 @inlined
-def scattered_star(density, scattering, phase, constituents, lanes, at):
-    """Scattering coefficient times phase function of all constituents. [m⁻¹ sr⁻¹]
+def single_scattering_source(density, scattering, phase, constituents, lanes, at):
+    """Source of single scattering: Σ scattering coefficient · phase function. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
@@ -67,7 +72,7 @@ def scattered_star(density, scattering, phase, constituents, lanes, at):
     phase : array, shape (nc·w,)
         Phase functions at the angle to the star. [sr⁻¹]
     constituents, lanes, at :
-        As in ``through_columns``.
+        As in ``transmittance_columns``.
     """
     source = splat(0.0)
     for c in range(constituents):
@@ -89,20 +94,20 @@ def between(field, near, far, block, w00, w01, w10, w11):
 
 
 @inlined
-def gathered_light(
-    density, moments, polarising, field, functions, near, far, block, w00, w01, w10, w11, degree,
-    constituents, lanes, at,
+def multiple_scattering_source(
+    density, moments, polarised_phase, field, functions, near, far, block, w00, w01, w10, w11,
+    degree, constituents, lanes, at,
 ):  # fmt: skip
-    """Light scattered before, scattered once more into the line of sight. [m⁻¹ sr⁻¹]
+    """Source of multiple scattering, from the moments of the radiance. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
     density : array, shape (nc,)
         Relative densities. [1]
     moments : array, shape (nc·(N + 1)·w,)
-        Moments of ``Air``. [m⁻¹]
-    polarising : array, shape (nc·4·w,)
-        Elements that polarise, of ``Air``. [m⁻¹]
+        Moments of ``ScaledOptics``. [m⁻¹]
+    polarised_phase : array, shape (nc·4·w,)
+        Elements of the phase matrix, of ``ScaledOptics``. [m⁻¹]
     field : array
         Field of ``Light``.
     functions : array, shape (k,)
@@ -112,9 +117,9 @@ def gathered_light(
     w00, w01, w10, w11 : float
         Weights of the four nodes. [1]
     degree, constituents, lanes, at :
-        As in ``through_columns``.
+        As in ``transmittance_columns``.
     """
-    gathered = splat(0.0)
+    source = splat(0.0)
     for l in range(degree + 1):
         strength = splat(0.0)
         for c in range(constituents):
@@ -125,28 +130,28 @@ def gathered_light(
             part = part + functions[index] * between(
                 field, near + here, far + here, block, w00, w01, w10, w11
             )
-        gathered = gathered + strength * part
-    coupling = splat(0.0)
+        source = source + strength * part
+    beta_1 = splat(0.0)
     for c in range(constituents):
-        coupling = coupling + load(polarising, lanes * ELEMENTS * c + at) * density[c]
+        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
     part = splat(0.0)
     for m in range(EVEN):
         here = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
         part = part + functions[3 + m] * between(
             field, near + here, far + here, block, w00, w01, w10, w11
         )
-    gathered = gathered + coupling * part
+    source = source + beta_1 * part
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
     # A sum of few harmonics may be negative where there is almost no light.
-    return maximum(gathered / scale, 0.0)
+    return maximum(source / scale, 0.0)
 
 
 @inlined
-def gathered_polarised(
-    density, polarising, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
+def polarised_scattering_source(
+    density, polarised_phase, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
     constituents, lanes, at,
 ):  # fmt: skip
-    """Q and U of the light scattered before, scattered once more into the line of sight.
+    """Q and U of the source of multiple scattering.
 
     Parameters
     ----------
@@ -154,41 +159,41 @@ def gathered_polarised(
         Cosines of the line's zenith angle and of its azimuth. [1]
     density, polarising, field, near, far, block, w00, w01, w10, w11, degree, constituents, lanes, \
     at :
-        As in ``gathered_light``.
+        As in ``multiple_scattering_source``.
 
     Returns
     -------
-    along, aslant : lanes
+    stokes_q, stokes_u : lanes
         Q and U in the frame of ``stokes_frame``. [m⁻¹ sr⁻¹]
     """
-    coupling, keeping, turning = splat(0.0), splat(0.0), splat(0.0)
+    beta_1, alpha_2, alpha_3 = splat(0.0), splat(0.0), splat(0.0)
     for c in range(constituents):
-        coupling = coupling + load(polarising, lanes * ELEMENTS * c + at) * density[c]
-        keeping = keeping + load(polarising, lanes * (ELEMENTS * c + 1) + at) * density[c]
-        turning = turning + load(polarising, lanes * (ELEMENTS * c + 2) + at) * density[c]
+        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
+        alpha_2 = alpha_2 + load(polarised_phase, lanes * (ELEMENTS * c + 1) + at) * density[c]
+        alpha_3 = alpha_3 + load(polarised_phase, lanes * (ELEMENTS * c + 2) + at) * density[c]
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     first = lanes * (1 + (degree + 1) * (degree + 2) // 2) + at  # E_20; M_20 has index 3
-    along, aslant = splat(0.0), splat(0.0)
-    multiple, across = 1.0, 0.0  # cos mφ and sin mφ
+    stokes_q, stokes_u = splat(0.0), splat(0.0)
+    cos_m, sin_m = 1.0, 0.0  # cos mφ and sin mφ
     for m in range(EVEN):
         bright = lanes * (4 + m) + at
         turned = first + lanes * m
-        part = coupling * between(
+        part = beta_1 * between(
             field, near + bright, far + bright, block, w00, w01, w10, w11
-        ) + keeping * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
+        ) + alpha_2 * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
         even, odd = polarised_function(mu, m)
-        along = along + part * np.float32(even * multiple)
-        aslant = aslant + part * np.float32(odd * across)
+        stokes_q = stokes_q + part * np.float32(even * cos_m)
+        stokes_u = stokes_u + part * np.float32(odd * sin_m)
         if m > 0:
             turned = first + lanes * (EVEN - 1 + m)
-            part = turning * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
-            along = along + part * np.float32(odd * multiple)
-            aslant = aslant + part * np.float32(even * across)
-        following = multiple * cosine - across * sine
-        across = across * cosine + multiple * sine
-        multiple = following
+            part = alpha_3 * between(field, near + turned, far + turned, block, w00, w01, w10, w11)
+            stokes_q = stokes_q + part * np.float32(odd * cos_m)
+            stokes_u = stokes_u + part * np.float32(even * sin_m)
+        following = cos_m * cosine - sin_m * sine
+        sin_m = sin_m * cosine + cos_m * sine
+        cos_m = following
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
-    return along / scale, aslant / scale
+    return stokes_q / scale, stokes_u / scale
 
 
 @inlined
@@ -216,26 +221,26 @@ def read_phase(half_sine, table, nodes, width, out):
 
 
 @inlined
-def level_star(below, above, from_low, from_high, extinction, constituents, lanes, at):
-    """Irradiance of a level surface by the star, per that outside the air. [1]
+def direct_horizontal(below, above, from_low, from_high, extinction, constituents, lanes, at):
+    """Direct horizontal irradiance, per that outside the air. [1]
 
     Parameters
     ----------
     below, above : array, shape (nc,)
         Columns towards the two points that represent the star. [m]
     from_low, from_high : float
-        Weights from ``level_light``. [1]
+        Weights from ``direct_horizontal_weights``. [1]
     extinction, constituents, lanes, at :
-        As in ``through_columns``.
+        As in ``transmittance_columns``.
     """
-    low = through_columns(below, extinction, constituents, lanes, at)
-    high = through_columns(above, extinction, constituents, lanes, at)
+    low = transmittance_columns(below, extinction, constituents, lanes, at)
+    high = transmittance_columns(above, extinction, constituents, lanes, at)
     return low * np.float32(from_low) + high * np.float32(from_high)
 
 
 @inlined
-def level_sky(sky, place, share, lanes, at):
-    """Irradiance of the ground by the sky, between two suns of the field. [1]
+def diffuse_horizontal(sky, place, share, lanes, at):
+    """Diffuse horizontal irradiance of the ground, between two sun elevations of the field. [1]
 
     Parameters
     ----------
@@ -244,7 +249,7 @@ def level_sky(sky, place, share, lanes, at):
     place, share : int, float
         Index of the sun before, and share of the way to the next.
     lanes, at :
-        As in ``through_columns``.
+        As in ``transmittance_columns``.
     """
     e = np.float32(share)
     g = np.float32(1.0) - e

@@ -183,11 +183,11 @@ def place_lights(
         raised = low + (looked_up(lifts, node + one) - low) * e
         node = node + np.float32(columns)
         low = looked_up(lifts, node)
-        squeeze = low + (looked_up(lifts, node + one) - low) * e
+        refraction_jacobian = low + (looked_up(lifts, node + one) - low) * e
         middle = minimum(here + raised, 1.0)
         least = 0.0 - largest(0.0 - above)
         kinds[k] = 1
-        part = squeeze
+        part = refraction_jacobian
         top_point = middle
         if least <= np.float32(HIGH) * star_radius * sine:
             kinds[k] = 2
@@ -196,10 +196,10 @@ def place_lights(
             node = minimum(floored(x), np.float32(nodes - 2))
             e = x - node
             low = looked_up(disc, node)
-            part = squeeze * (low + (looked_up(disc, node + one) - low) * e)
+            part = refraction_jacobian * (low + (looked_up(disc, node + one) - low) * e)
             # Where the star is high it is seen at its centre.
             near = minimum(maximum((HIGH * star_radius * sine - above) * np.float32(1e9), 0.0), 1.0)
-            size = squeeze * (sine * star_radius) * near
+            size = refraction_jacobian * (sine * star_radius) * near
             node = node + np.float32(nodes)
             low = looked_up(disc, node)
             centre = middle + size * (low + (looked_up(disc, node + one) - low) * e)

@@ -2,7 +2,7 @@
 
 After each order the mean radiances at the nodes are compared with the previous ones
 (``convergence.counted_changes``); the sum of all further orders is estimated from how
-the changes shrink (``remaining_change``); where that is below the tolerance the iteration ends.
+the changes shrink (``estimated_tail``); where that is below the tolerance the iteration ends.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from airlight.solvers.moments.acceleration import mixing_weights
 from airlight.solvers.moments.convergence import (
     BACK,
     counted_changes,
-    remaining_change,
+    estimated_tail,
 )
 from airlight.solvers.moments.settings import Settings
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Images of the light that the acceleration combines: of the CPU's sweeps, and of passes, where
-#: each is a texture that the shader reads.
-SWEEP_IMAGES: Final = 7
-PASS_IMAGES: Final = 5
-#: An iteration strays when so many orders in succession have not brought the largest change below
-#: this part of its smallest so far.
+#: Number of iterates that Anderson acceleration combines: of the CPU's sweeps, and of GPU passes,
+#: where each is a texture that the shader reads.
+SWEEP_ITERATES: Final = 7
+PASS_ITERATES: Final = 5
+#: An iteration diverges when so many orders in succession have not brought the largest change
+#: below this fraction of its smallest so far.
 PATIENCE: Final = 4
 BETTER: Final = 0.8
 #: Number of orders over which the ratio of successive ones is measured before it is given up.
@@ -50,34 +50,34 @@ class Stopping:
     Attributes
     ----------
     tolerance : float
-        Largest change that may still be to come, relative to the sum. [1]
+        Largest remaining change, relative to the light. [1]
     most_sweeps : int
-        Number of orders after which the iteration gives up.
-    images : int
-        Number of the last images that are combined into the next guess.
+        Number of sweeps after which the iteration gives up.
+    iterates : int
+        Number of iterates that are combined into the next guess.
     stricter : float
-        Fraction by which the tolerance is smaller in thick air. Sweeps are completed by the inverse
-        along the vertical, so that the last change is nearly all that was missing: 0. Passes have
-        no inverse; there many small orders follow, and the last says less about them. [1]
+        Fraction by which the tolerance is smaller in thick air. With synthetic acceleration the
+        last change is nearly the whole error: 0. GPU passes are not accelerated; there many small
+        orders follow. [1]
     night : float
         Fraction of the thickness by which a change in the night counts less when the rule decides
-        to stop. The error that the inverse leaves in the night of thick air cannot be seen: 1. In
-        passes only more orders bring light there: less. [1]
+        to stop. The error that acceleration leaves in the night of thick air is not visible: 1. In
+        GPU passes only more orders bring light there: less. [1]
     """
 
     tolerance: float
     most_sweeps: int
-    images: int
+    iterates: int
     stricter: float
     night: float
 
     @classmethod
     def of_sweeps(cls, settings: Settings) -> Stopping:
-        """Rule of the CPU, whose sweeps are completed along the vertical."""
+        """Rule of the CPU, whose sweeps have synthetic acceleration."""
         return cls(
             tolerance=settings.tolerance,
             most_sweeps=settings.max_sweeps,
-            images=SWEEP_IMAGES,
+            iterates=SWEEP_ITERATES,
             stricter=0.0,
             night=1.0,
         )
@@ -88,7 +88,7 @@ class Stopping:
         return cls(
             tolerance=settings.tolerance,
             most_sweeps=min(settings.max_sweeps, MOST_PASSES),
-            images=PASS_IMAGES,
+            iterates=PASS_ITERATES,
             stricter=0.9,
             night=0.25,
         )
@@ -99,14 +99,14 @@ class Stopping:
 
 
 class Iteration:
-    """State of the successive orders: what is still to come, and how to go on.
+    """State of the iteration: remaining error and weights of the next guess.
 
     Parameters
     ----------
     stopping : Stopping
         Stopping rule.
     thick : array, shape (w,)
-        Thickness from ``Block``: where the tolerance becomes absolute. [1]
+        Exponent of ``count_at``, from ``Block``: where the tolerance becomes absolute. [1]
     used : int
         Number of lanes that have their own wavelength; the others follow and do not count.
     least : int
@@ -115,11 +115,11 @@ class Iteration:
     Attributes
     ----------
     sweeps : int
-        Number of orders that were judged.
-    to_come : array, shape (used,)
-        Largest relative change by all further orders. [1]
+        Number of sweeps so far.
+    remaining_error : array, shape (used,)
+        Estimated largest relative change by all further sweeps. [1]
     accelerated : bool
-        Whether the last images are combined; otherwise the latest is the next guess.
+        Whether iterates are combined; otherwise the latest is the next guess.
     """
 
     def __init__(self, stopping: Stopping, thick: FloatArray, used: int, *, least: int = 2) -> None:
@@ -127,25 +127,25 @@ class Iteration:
         self.stopping, self.thick, self.used = stopping, thick, used
         self.tolerance = stopping.tolerance_in(thick)
         self.sweeps = 0
-        self.to_come = np.full(used, np.inf)
+        self.remaining_error = np.full(used, np.inf)
         self.accelerated = True
-        self._residuals: deque[FloatArray] = deque(maxlen=stopping.images)
+        self._residuals: deque[FloatArray] = deque(maxlen=stopping.iterates)
         self._changes: list[float] = []
         self._ahead: list[float] = []
         self._least, self._since = inf, 0
 
-    def foresee(self, change: FloatArray) -> None:
-        """Take up what sweeps would change before there was one: within the tolerance, none is.
+    def set_prediction(self, change: FloatArray) -> None:
+        """Set a predicted remaining error; if it is within the tolerance, no sweep is needed.
 
         Parameters
         ----------
         change : array, shape (used,)
-            Largest relative change by all of them. [1]
+            Predicted largest relative change by all sweeps. [1]
         """
         if change.max() <= self.tolerance:
-            self.to_come, self._fewest = change, 0
+            self.remaining_error, self._fewest = change, 0
 
-    def goes_on(self) -> bool:
+    def unfinished(self) -> bool:
         """Whether another order is needed.
 
         Raises
@@ -154,33 +154,31 @@ class Iteration:
             If another is needed after the rule's largest number, or if the orders shrink so slowly
             that more than that number would be.
         """
-        if self.sweeps >= self._fewest and self.to_come.max() <= self.tolerance:
+        if self.sweeps >= self._fewest and self.remaining_error.max() <= self.tolerance:
             return False
         self._look_ahead()
         if self.sweeps >= self.stopping.most_sweeps:
             raise ConvergenceError(
                 f"after {self.sweeps} sweeps the last still changed the light by "
-                f"{self.to_come.max():.1e}, more than the tolerance {self.tolerance:g}"
+                f"{self.remaining_error.max():.1e}, more than the tolerance {self.tolerance:g}"
             )
         return True
 
-    def judge(self, before: Float32Array, after: Float32Array) -> None:
-        """Take up one more order.
+    def update(self, before: Float32Array, after: Float32Array) -> None:
+        """Update the remaining error by one more sweep.
 
         Parameters
         ----------
         before, after : array, shape (r, n, w)
-            Values at each radius, of the guess and of its image, whose changes count relative to
-            the image: mean radiances, at least. [1]
+            Values at each radius, of the guess and of its iterate, whose changes count relative to
+            the iterate: mean radiances, at least. [1]
         """
         lanes = self.thick.size
-        steering, largest = np.empty((after.size // lanes, lanes)), np.empty(lanes)
+        changes, largest = np.empty((after.size // lanes, lanes)), np.empty(lanes)
         brightest = after.max(axis=(0, 1)).astype(float)
-        counted_changes(
-            before, after, self.thick, self.stopping.night, brightest, steering, largest
-        )
-        self._residuals.append(steering)
-        self.to_come = (largest * remaining_change(self._residuals))[: self.used]
+        counted_changes(before, after, self.thick, self.stopping.night, brightest, changes, largest)
+        self._residuals.append(changes)
+        self.remaining_error = (largest * estimated_tail(self._residuals))[: self.used]
         self.sweeps += 1
         size = float(largest[: self.used].max())
         if not isfinite(size) or not np.isfinite(after[..., : self.used]).all():
@@ -190,26 +188,26 @@ class Iteration:
             )
         self._changes.append(size)
         if not self.accelerated:
-            # Nothing hastens these orders: however slowly they shrink, all of them follow.
+            # Plain successive orders: the geometric tail has no upper limit.
             ratio = self._ratio_over(BACK) if len(self._changes) > BACK else SLOWEST
-            self.to_come = largest[: self.used] * max(ratio / (1.0 - ratio), 1.0)
-        self._ahead.append(float(self.to_come.max()))
+            self.remaining_error = largest[: self.used] * max(ratio / (1.0 - ratio), 1.0)
+        self._ahead.append(float(self.remaining_error.max()))
         self._since += 1
         if size < BETTER * self._least:
             self._least, self._since = size, 0
 
     @property
-    def best(self) -> bool:
-        """Whether the last order changed the light by less than all before."""
+    def improved(self) -> bool:
+        """Whether the last sweep changed the light by less than all before."""
         return self._since == 0
 
     @property
-    def strays(self) -> bool:
+    def diverging(self) -> bool:
         """Whether the changes have ceased to shrink."""
         return self._since >= PATIENCE
 
     def restart(self, *, accelerated: bool) -> None:
-        """Forget the images so far: the light goes on from another guess, or in another way."""
+        """Discard the iterates: the iteration restarts from another guess, or by another scheme."""
         self._residuals.clear()
         self._changes.clear()
         self._ahead.clear()
@@ -223,10 +221,10 @@ class Iteration:
         return min(ratio, SLOWEST)
 
     def _look_ahead(self) -> None:
-        """Give up orders that no further way makes shrink, or that shrink too slowly.
+        """Raise if plain successive orders stall or need more than the largest number of sweeps.
 
-        Orders that shrink while as much is still to come as before approach a ratio of 1: any
-        number that is counted from their ratio so far would be too small.
+        Where the changes shrink but the remaining error does not, their ratio approaches 1: the
+        number of sweeps predicted from the ratio so far would be too small.
         """
         if self.accelerated or len(self._changes) <= PROSPECT:
             return
@@ -237,12 +235,12 @@ class Iteration:
         if stalls or needed > self.stopping.most_sweeps - self.sweeps:
             raise ConvergenceError(
                 f"after {self.sweeps} sweeps each order of scattering still has {ratio:.3f} of the "
-                f"one before, and {last:.1e} of the light is still to come, more than the "
-                f"tolerance {self.tolerance:g}"
+                f"one before, and the remaining error {last:.1e} exceeds the tolerance "
+                f"{self.tolerance:g}"
             )
 
     def weights(self) -> FloatArray:
-        """Weights of the last images in the next guess, shape (images so far, w), latest last."""
+        """Anderson weights of the last iterates, the latest last, shape (iterates, w). [1]"""
         residuals = np.stack(self._residuals)
         weights = np.zeros((residuals.shape[0], self.thick.size))
         weights[-1] = 1.0
@@ -254,8 +252,8 @@ class Iteration:
 
     @property
     def share(self) -> float:
-        """Progress by logarithm: 0 at a change of 1, 1 at the tolerance."""
-        largest = float(self.to_come.max())
+        """Logarithmic progress: 0 at a remaining error of 1, 1 at the tolerance."""
+        largest = float(self.remaining_error.max())
         if largest <= self.tolerance:
             return 1.0
         return log(min(largest, 1.0)) / log(self.tolerance)

@@ -22,14 +22,6 @@ from airlight.kernel.lanes import INVERSE_PI, LANES, folded, load, splat, store
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.harmonics import POLARISED, legendre_functions
-from airlight.solvers.moments.point_light import (
-    by_level,
-    factor_count,
-    fill_factors,
-    fill_four,
-    order_registers,
-    registers_of,
-)
 from airlight.solvers.moments.ray_optics import (
     add_polarised,
     leaving_at_end,
@@ -38,9 +30,17 @@ from airlight.solvers.moments.ray_optics import (
     sky_at,
     star_at_end,
     star_from_ray,
-    through_ray,
+    transmittance_ray,
 )
-from airlight.solvers.moments.sent_light import sent_by_point
+from airlight.solvers.moments.ray_source import (
+    by_level,
+    factor_count,
+    fill_factors,
+    order_registers,
+    registers_of,
+    source_four_suns,
+)
+from airlight.solvers.moments.source_function import source_at_point
 from airlight.solvers.moments.star_places import place_stars
 
 #: Legendre functions below this along a whole ray count as 0: of high orders in steep rays. [1]
@@ -72,7 +72,7 @@ def _sweep(
         depths,
     ) = rays
     cosines, multiples, sines = azimuths
-    extinction, moments, surface, _, polarising = air
+    extinction, moments, surface, _, polarised_phase = air
     suns = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
@@ -119,7 +119,7 @@ def _sweep(
     star_cosines = np.empty(longest * LANES, np.float32)
     star_sines = np.empty(longest * LANES, np.float32)
     along_rays = (mu_along, amounts, depths)
-    optics = (extinction, moments, polarising)
+    optics = (extinction, moments, polarised_phase)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -155,7 +155,7 @@ def _sweep(
             for start in range(0, suns, 4):
                 for index in range(count):
                     k = order[index]
-                    fill_four(
+                    source_four_suns(
                         k, levels[k], fractions[k], k * registers * LANES, factors, suns, field,
                         start, wide_at[k], degrees_at[k], degree, rows, paired,
                     )  # fmt: skip
@@ -168,9 +168,9 @@ def _sweep(
             turned[2 * (first + k) + 1] = np.float32(turns_along[point, 1] * sine)
         reflected = splat(0.0)
         if below:
-            through = through_ray(extinction, totals[i, a], 0, constituents)
+            transmittance = transmittance_ray(extinction, totals[i, a], 0, constituents)
             factor = sky_factor(surface, 0, leaving_at_end(ends, i, a, mu))
-            reflected = factor * INVERSE_PI * through
+            reflected = factor * INVERSE_PI * transmittance
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
         for j in range(suns):
@@ -185,21 +185,25 @@ def _sweep(
                         turned, first, points, around, b, sine_s, np.float32(mu_s), table, suns,
                         columns, shares, star_cosines, star_sines,
                     )  # fmt: skip
-                radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
+                radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
                 for k in range(points):
                     at = LANES * k + lane
                     low = ((first + k) * suns + int(columns[at])) * block
-                    light, plane, slant = sent_by_point(
+                    light, point_q, point_u = source_at_point(
                         rows, low, low + block, shares[at], star_cosines[at], star_sines[at],
                         wide_at[first + k], degree, True, True, paired,
                     )  # fmt: skip
                     radiance = radiance + light
-                    along = along + plane
-                    across = across + slant
+                    stokes_q = stokes_q + point_q
+                    stokes_u = stokes_u + point_u
                 if paired:
-                    radiance, along, across = folded(radiance), folded(along), folded(across)
+                    radiance, stokes_q, stokes_u = (
+                        folded(radiance),
+                        folded(stokes_q),
+                        folded(stokes_u),
+                    )
                 radiance = exact * radiance
-                add_polarised(polarised, multiples, sines, b, exact * along, exact * across)
+                add_polarised(polarised, multiples, sines, b, exact * stokes_q, exact * stokes_u)
                 if below:
                     nu = star_from_ray(mu, mu_s, cosines[b])
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
@@ -227,10 +231,10 @@ def sweep_radius(
     ----------
     i : int
         Index of the radius.
-    grid, rays, azimuths, air : Grid, Rays, Azimuths, Air
+    grid, rays, azimuths, air : Grid, Rays, Azimuths, ScaledOptics
         Shell, its rays, and its optics.
     share : array, shape (r·a·8,)
-        Factors from ``rays_in_sight``. [1]
+        Factors from ``cull_opaque``. [1]
     expansion : Harmonics
         Harmonics of the moments.
     field : array, shape (r·s·(1 + k)·8,)
@@ -238,7 +242,7 @@ def sweep_radius(
     ground : array, shape (s·2·8,)
         Irradiance of the ground by the light so far, as (s, E·s) per node.
     degrees : array, shape (r,)
-        Highest degree of the moments that count at each radius, see ``light_degrees``.
+        Highest degree of the moments that count at each radius, see ``active_degrees``.
     out : array, shape (s·k·8,)
         Receives the moments at this radius.
     sky_out : array, shape (s·8,)

@@ -3,8 +3,8 @@
 A history's rays are traced by optical radius, in which they are straight (``geometry.bending``).
 At each event the point and the direction are turned together about the axis perpendicular to the
 ray's plane, by the bending of the stretch, and are then the true ones: stars stay where they are.
-The bending is integrated along each stretch, apart from its optical depth. The direction in which
-the star is seen from an event, and the squeeze of its disc, are read from ``tables.star_lift``.
+The bending is integrated along each stretch, apart from its optical depth. The apparent direction
+of the star at an event, and the flattening of its disc, are read from ``tables.refraction_table``.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, seen_star
+from airlight.geometry.bending import apparent_sun, bend_angle
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import compiled_loop, inlined
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.montecarlo.rays import BESIDE, per_y
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
@@ -41,7 +41,7 @@ class Bending(NamedTuple):
     table : array, shape (m,)
         Density of "bending" at even steps of the square root of altitude. [1]
     lift : array, shape (rows, columns, 2)
-        Table from ``star_lift``; without rows where light goes straight. [1]
+        Table from ``refraction_table``; without rows where light goes straight. [1]
     nodes, weights : array, shape (n,)
         Quadrature rule of a panel.
     """
@@ -53,7 +53,7 @@ class Bending(NamedTuple):
     weights: FloatArray
 
 
-def bending_of(paths: LightPaths, nodes: int) -> Bending:
+def bending_of(paths: RefractedGeometry, nodes: int) -> Bending:
     """Bending of a medium, with a table of so many nodes."""
     rule = gauss_legendre(_POINTS)
     medium = paths.medium
@@ -155,28 +155,28 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
 
     Returns
     -------
-    a, b, c, mu, squeeze : float
+    a, b, c, mu, refraction_jacobian : float
         Direction, cosine of its zenith angle, and d apparent/d true cosine. [1]
     """
     up, side, ahead = x / r, y / r, z / r
     true = min(max(a * up + b * side + c * ahead, -1.0), 1.0)
-    mu, squeeze, _ = seen_star(r, true, bottom, top, bending.lift)
+    mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, bending.lift)
     sine = sqrt(max((1.0 - true) * (1.0 + true), 0.0))
     if bending.lift.shape[0] == 0 or sine < 1e-9:
-        return a, b, c, true, squeeze
+        return a, b, c, true, refraction_jacobian
     level = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / sine
     a, b, c = (a - true * up) * level, (b - true * side) * level, (c - true * ahead) * level
-    return a + mu * up, b + mu * side, c + mu * ahead, mu, squeeze
+    return a + mu * up, b + mu * side, c + mu * ahead, mu, refraction_jacobian
 
 
 def direct_irradiance_bent(
-    paths: LightPaths, star_radius: float, r: FloatArray, mu_s: FloatArray
+    paths: RefractedGeometry, star_radius: float, r: FloatArray, mu_s: FloatArray
 ) -> FloatArray:
     """Irradiance of a level surface by the bent light of the star, per irradiance, (n, nl). [1]
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
     star_radius : float
         Angular radius of the star. [rad]
     r, mu_s : array, shape (n,)
@@ -190,19 +190,19 @@ def direct_irradiance_bent(
     share = share / share.sum()
     zenith = np.arccos(np.clip(mu_s, -1.0, 1.0))[:, None] - star_radius * middle
     at = r[:, None] + 0.0 * zenith
-    seen, squeeze = np.empty(at.shape), np.empty(at.shape)
+    seen, refraction_jacobian = np.empty(at.shape), np.empty(at.shape)
     _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, paths.lift, seen.ravel(),
-          squeeze.ravel())  # fmt: skip
+          refraction_jacobian.ravel())  # fmt: skip
     horizon = -np.sqrt(np.maximum((at - bottom) * (at + bottom), 0.0)) / at
     shines = seen > horizon
     up = np.where(shines, seen, 1.0)
     length = -at * up + np.sqrt((top - at) * (top + at) + (at * up) ** 2)
     depth = columns(at, up, length, bottom, medium.density) @ medium.extinction
-    weight = np.where(shines, share * squeeze * np.maximum(seen, 0.0), 0.0)
+    weight = np.where(shines, share * refraction_jacobian * np.maximum(seen, 0.0), 0.0)
     return np.asarray((weight[..., None] * np.exp(-depth)).sum(axis=1))
 
 
 @compiled_loop
-def _seen(x, mu_s, bottom, top, lift, seen, squeeze):
+def _seen(x, mu_s, bottom, top, lift, seen, refraction_jacobian):
     for k in range(x.size):
-        seen[k], squeeze[k], _ = seen_star(x[k], mu_s[k], bottom, top, lift)
+        seen[k], refraction_jacobian[k], _ = apparent_sun(x[k], mu_s[k], bottom, top, lift)

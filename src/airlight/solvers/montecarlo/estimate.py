@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.solvers.montecarlo.histories import follow
+from airlight.solvers.montecarlo.histories import trace_paths
 from airlight.solvers.montecarlo.history_optics import HistoryOptics
 from airlight.solvers.montecarlo.lit_air import new_lit
 from airlight.solvers.montecarlo.rays import new_trace
@@ -36,7 +36,7 @@ _DARK: Final = 64
 #: Where the star is lower than this on a line of sight, half of the points are drawn in lit air;
 #: elsewhere nearly all air is lit, and the choice would only cost time. [1]
 _LOW_STAR: Final = 0.0
-_LIT_SHARE: Final = 0.5
+_SUN_SAMPLING_FRACTION: Final = 0.5
 
 
 @dataclass(frozen=True)
@@ -211,13 +211,13 @@ def _run_block(
     end_r = np.sqrt(max(r * r + question.lengths[line] * (question.lengths[line] + 2 * r * mu), 1))
     end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
     lowest = mu_s if question.hemisphere else min(mu_s, end_mu_s)
-    lit_share = _LIT_SHARE if lowest < _LOW_STAR else 0.0
+    sun_sampling_fraction = _SUN_SAMPLING_FRACTION if lowest < _LOW_STAR else 0.0
     occulted = OccultedStar.whole()
     if question.occulted is not None:
         occulted = question.occulted[line].lane(at)
-    follow(
-        BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, lit_share, air, occulted,
-        state, paths, workspace, out,
+    trace_paths(
+        BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, sun_sampling_fraction, air,
+        occulted, state, paths, workspace, out,
     )  # fmt: skip
 
 

@@ -1,7 +1,7 @@
-"""Events of a history: their points, their share of the star's light, the directions after them.
+"""Events of a history: their points, contributions of direct light, and directions after them.
 
-Every function is inlined into ``histories.follow``; random numbers are drawn in the order in which
-they are written here.
+Every function is inlined into ``histories.trace_paths``; random numbers are drawn in the order in
+which they are written here.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ LONG_SURVIVAL: Final = 0.999
 
 #: Last event whose point is also drawn where the star shines. Each such draw doubles the weight of
 #: a point in the dark, and in deep air the light of dusk comes by many of those.
-SEEKING: Final = 6
+MAX_BIASED_EVENTS: Final = 6
 
 _INVERSE_PI: Final = 1.0 / pi
 
@@ -61,7 +61,9 @@ def start_vectors(mu, mu_s, nu):
 
 
 @inlined
-def draw_in_air(r, mu, panels, depth, caught, total, lit_share, air, path, lit, state):
+def draw_in_air(
+    r, mu, panels, depth, collision_probability, total, sun_sampling_fraction, air, path, lit, state
+):
     """Draw the point of a scattering event on a traced ray.
 
     Parameters
@@ -70,12 +72,13 @@ def draw_in_air(r, mu, panels, depth, caught, total, lit_share, air, path, lit, 
         Start of the ray. [m], [1]
     panels, depth : int, float
         Result of ``trace``.
-    caught : float
+    collision_probability : float
         Probability of a scattering or absorption on the ray, 1 - exp(-depth). [1]
-    total, lit_share : float
-        Result of ``weigh``, 0 if light is not considered; share of the points drawn in light. [1]
+    total, sun_sampling_fraction : float
+        Result of ``sun_sampling_integral``, 0 without sampling towards the sun's light; and
+        fraction of the points that are sampled so. [1]
     air, path, lit, state :
-        See ``follow``.
+        See ``trace_paths``.
 
     Returns
     -------
@@ -85,21 +88,21 @@ def draw_in_air(r, mu, panels, depth, caught, total, lit_share, air, path, lit, 
         Density with which the point was drawn over exponential attenuation; 0 for a point that
         cannot be used. [1]
     """
-    if total > 0.0 and uniform(state) < lit_share:
+    if total > 0.0 and uniform(state) < sun_sampling_fraction:
         at, t, wanted = place_in_light(
             uniform(state), uniform(state), panels, total, air.extinction, path, lit
         )
     else:
-        wanted = min(-log1p(-uniform(state) * caught), depth)
+        wanted = min(-log1p(-uniform(state) * collision_probability), depth)
         at, t = place_at_depth(wanted, panels, air.extinction, path)
     along, strength, slope = point_at(path.panels[at], t, r, mu, air.extinction)
     mixture = 1.0
     if total > 0.0:
-        by_depth = slope * exp(-wanted) / caught
+        by_depth = slope * exp(-wanted) / collision_probability
         by_light = density_in_light(at, t, total, air.extinction, lit)
         mixture = 0.0
         if by_depth > 0.0:
-            mixture = (1.0 - lit_share) + lit_share * by_light / by_depth
+            mixture = (1.0 - sun_sampling_fraction) + sun_sampling_fraction * by_light / by_depth
     return along, strength, mixture
 
 

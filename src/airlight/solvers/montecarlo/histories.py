@@ -33,7 +33,7 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
 from airlight.solvers.montecarlo.bent_paths import bent_on_way, seen_direction, turned_together
 from airlight.solvers.montecarlo.events import (
-    SEEKING,
+    MAX_BIASED_EVENTS,
     draw_in_air,
     reflected_share,
     roulette,
@@ -44,7 +44,7 @@ from airlight.solvers.montecarlo.events import (
     towards_star,
     turned,
 )
-from airlight.solvers.montecarlo.lit_air import weigh
+from airlight.solvers.montecarlo.lit_air import sun_sampling_integral
 from airlight.solvers.montecarlo.rays import trace
 from airlight.solvers.montecarlo.stokes import (
     arriving,
@@ -70,29 +70,30 @@ def _from_star(r, mu, air, path):
 
 
 @inlined
-def _add_history(brought, polarised, reached, sums):
-    """Add what a history brought of each order, and its square, to the sums; empty it."""
+def _add_history(contribution, polarised, reached, sums):
+    """Add a history's contribution of each order, and its square, to the sums; reset it."""
     whole = 0.0
     for k in range(2):
         value = polarised[k]
-        sums[0, brought.size + 1 + k] += value
-        sums[1, brought.size + 1 + k] += value * value
+        sums[0, contribution.size + 1 + k] += value
+        sums[1, contribution.size + 1 + k] += value * value
         polarised[k] = 0.0
     for k in range(reached):
-        value = brought[k]
+        value = contribution[k]
         whole += value
         sums[0, k] += value
         sums[1, k] += value * value
-        brought[k] = 0.0
-    sums[0, brought.size] += whole
-    sums[1, brought.size] += whole * whole
+        contribution[k] = 0.0
+    sums[0, contribution.size] += whole
+    sums[1, contribution.size] += whole * whole
 
 
 @compiled_loop
-def follow(
-    count, start, hemisphere, first_order, lit_share, air, occulted, state, paths, workspace, sums
+def trace_paths(
+    count, start, hemisphere, first_order, sun_sampling_fraction, air, occulted, state, paths,
+    workspace, sums
 ):  # fmt: skip
-    """Follow histories and add their contributions, and the squares, to the sums of each order.
+    """Trace histories and add their contributions, and the squares, to the sums of each order.
 
     Parameters
     ----------
@@ -105,8 +106,8 @@ def follow(
         level surface, rather than along the view.
     first_order : int
         Orders below this one are followed but not counted.
-    lit_share : float
-        Share of the points that is drawn where the star shines; see ``lit_air``. [1]
+    sun_sampling_fraction : float
+        Fraction of the points that are sampled towards the star's light; see ``lit_air``. [1]
     air : HistoryOptics
     occulted : OccultedStar
         Moon in front of the star, in the frame of ``start_vectors``; without lanes if none is.
@@ -124,10 +125,10 @@ def follow(
     """
     start_r, start_mu, mu_s, nu = start
     first_path, next_path, star_path, first_lit, next_lit = paths
-    shares, brought, polarised, importance = workspace
+    shares, contribution, polarised, importance = workspace
     bottom, top = air.extinction.bottom, air.extinction.top
     bending = air.bending
-    orders = brought.size
+    orders = contribution.size
     view_x, view_y, sun_x = start_vectors(start_mu, mu_s, nu)
     disc = 2.0 * sin(0.5 * air.star_radius) ** 2
     # The disc is uniformly bright and has irradiance 1: its solid angle over its projected one.
@@ -136,8 +137,8 @@ def follow(
     first_count, first_depth, first_total = 0, 0.0, 0.0
     if not hemisphere:
         first_count, first_depth = trace(start_r, start_mu, grounded, air.extinction, first_path)
-        if lit_share > 0.0:
-            first_total = weigh(
+        if sun_sampling_fraction > 0.0:
+            first_total = sun_sampling_integral(
                 start_r, start_mu, mu_s, nu, first_count, air.extinction, air.light, first_path,
                 first_lit,
             )  # fmt: skip
@@ -163,17 +164,17 @@ def follow(
             else:
                 to_ground = meets_ground(r, mu, bottom)
                 panels, depth = trace(r, mu, to_ground, air.extinction, next_path)
-            caught = -expm1(-depth)
+            collision_probability = -expm1(-depth)
             leaving, returned, reflected = 0.0, 0.0, 0.0
             if to_ground:
                 leaving = leaving_cosine(r, mu, bottom)
                 returned = sky_factor(air.ground, 0, leaving)
                 reflected = returned * exp(-depth)
-            if not caught + reflected > 0.0:
+            if not collision_probability + reflected > 0.0:
                 break
-            weight *= caught + reflected
+            weight *= collision_probability + reflected
             event += 1
-            on_ground = uniform(state) * (caught + reflected) < reflected
+            on_ground = uniform(state) * (collision_probability + reflected) < reflected
             from_r, from_mu = r, mu
             if on_ground:
                 along = -r * mu - sqrt(max((bottom - r) * (bottom + r) + r * r * mu * mu, 0.0))
@@ -184,13 +185,23 @@ def follow(
                 path = first_path if at_start else next_path
                 lit = first_lit if at_start else next_lit
                 total = first_total if at_start else 0.0
-                if lit_share > 0.0 and event <= SEEKING and not at_start:
+                if sun_sampling_fraction > 0.0 and event <= MAX_BIASED_EVENTS and not at_start:
                     star_mu, turn = (x * sun_x + z * mu_s) / r, u * sun_x + w * mu_s
-                    total = weigh(
+                    total = sun_sampling_integral(
                         r, mu, star_mu, turn, panels, air.extinction, air.light, path, lit
                     )
                 along, strength, mixture = draw_in_air(
-                    r, mu, panels, depth, caught, total, lit_share, air, path, lit, state
+                    r,
+                    mu,
+                    panels,
+                    depth,
+                    collision_probability,
+                    total,
+                    sun_sampling_fraction,
+                    air,
+                    path,
+                    lit,
+                    state,
                 )
                 if not mixture > 0.0:
                     break
@@ -210,7 +221,9 @@ def follow(
                 depolarise(importance)
             if event >= first_order:
                 a, b, c = towards_star(sun_x, mu_s, disc, state)
-                a, b, c, sun_mu, squeeze = seen_direction(x, y, z, r, a, b, c, bottom, top, bending)
+                a, b, c, sun_mu, refraction_jacobian = seen_direction(
+                    x, y, z, r, a, b, c, bottom, top, bending
+                )
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 first, second, third = 1.0, 0.0, 0.0
                 if on_ground:
@@ -229,8 +242,8 @@ def follow(
                     share *= seen_part(x, y, z, occulted)
                 if share > 0.0:
                     light = _from_star(r, sun_mu, air, star_path)
-                    value = weight * share * brightness * squeeze * light
-                    brought[min(event, orders) - 1] += value * first
+                    value = weight * share * brightness * refraction_jacobian * light
+                    contribution[min(event, orders) - 1] += value * first
                     polarised[0] += value * second
                     polarised[1] += value * third
             if event == 1:
@@ -256,4 +269,4 @@ def follow(
                     a1, a2, a3 = crossed(p, q, s, a, b, c)
                 u, v, w = a, b, c
             mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
-        _add_history(brought, polarised, min(event, orders), sums)
+        _add_history(contribution, polarised, min(event, orders), sums)

@@ -13,7 +13,6 @@ from airlight.optics.altitude_nodes import CELLS
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.montecarlo.bent_paths import Bending, bending_of
 from airlight.solvers.montecarlo.lit_air import Starlight, make_starlight
 from airlight.solvers.montecarlo.rays import (
@@ -24,6 +23,7 @@ from airlight.solvers.montecarlo.rays import (
     trace,
 )
 from airlight.solvers.montecarlo.scattering_angles import Lobes, lobes
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
@@ -87,12 +87,12 @@ class HistoryOptics(NamedTuple):
     polarised: bool
 
 
-def history_optics(paths: LightPaths, wavelength: int, *, polarised: bool) -> HistoryOptics:
+def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool) -> HistoryOptics:
     """Prepare a medium at one of its wavelengths.
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
         Paths of light in the medium.
     wavelength : int
         Index of the wavelength.

@@ -1,9 +1,9 @@
 """Points along a ray drawn where the star shines: importance sampling for twilight.
 
 When the star is low, most of the air along a ray lies in the planet's shadow. Half of the points
-of a history's first events (``events.SEEKING``) are then drawn from a density that follows the
-light scattered once, extinction times transmittance times the star's light. That light is read from
-a coarse table, which affects only the noise: the weight of each point is the ratio of the true
+of a history's first events (``events.MAX_BIASED_EVENTS``) are then drawn from a density that
+follows single scattering, extinction times transmittance times the star's light. That light is read
+from a coarse table, which affects only the noise: the weight of each point is the ratio of the true
 density to the mixture of both (the balance heuristic of Veach & Guibas 1995,
 doi:10.1145/218380.218498), at most 2.
 """
@@ -110,8 +110,8 @@ def _starlight(r, mu_s, light):
 
 
 @compiled_loop
-def weigh(r, mu, mu_s, nu, count, extinction, light, path, lit):
-    """Weigh the star's light along a traced ray, piece by piece.
+def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
+    """Integral of the sampling density towards the star's light along a traced ray, by segments.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ def place_in_light(u, v, count, total, extinction, path, lit):
     u, v : float
         Random numbers in (0, 1).
     count, total, extinction, path, lit :
-        Arguments, result and outputs of ``weigh``.
+        Arguments, result and outputs of ``sun_sampling_integral``.
 
     Returns
     -------

@@ -13,9 +13,9 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import seen_star
+from airlight.geometry.bending import apparent_sun
 from airlight.planets import Medium, Planet, load_planet
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.validation.published.row import Row, Section
 
 #: Angular diameter of the sun at 1 au. [deg]
@@ -24,12 +24,12 @@ DIAMETER: Final = 2.0 * 0.2665
 _NM: Final = 550.0
 
 
-def refraction(paths: LightPaths, seen: float) -> float:
+def refraction(paths: RefractedGeometry, seen: float) -> float:
     """Lift of a star seen from the ground. [deg]
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
     seen : float
         Apparent altitude of the star. [deg]
     """
@@ -39,12 +39,12 @@ def refraction(paths: LightPaths, seen: float) -> float:
     return degrees(float(paths.bent(x, np.array([sin(radians(seen))]))[0]))
 
 
-def flattening(paths: LightPaths, diameter: float = DIAMETER) -> float:
+def flattening(paths: RefractedGeometry, diameter: float = DIAMETER) -> float:
     """Height over width of a star whose lower limb touches the horizon of the ground. [1]
 
     Parameters
     ----------
-    paths : LightPaths
+    paths : RefractedGeometry
     diameter : float
         True angular diameter of the star. [deg]
     """
@@ -53,15 +53,15 @@ def flattening(paths: LightPaths, diameter: float = DIAMETER) -> float:
         bottom, top = paths.shell.bottom, paths.shell.top
     low = -refraction(paths, 0.0)
     limbs = [
-        asin(float(seen_star(bottom, sin(radians(true)), bottom, top, paths.lift)[0]))
+        asin(float(apparent_sun(bottom, sin(radians(true)), bottom, top, paths.lift)[0]))
         for true in (low, low + diameter)
     ]
     return degrees(limbs[1] - limbs[0]) / diameter
 
 
-def paths_of(planet: Planet) -> LightPaths:
+def paths_of(planet: Planet) -> RefractedGeometry:
     """Paths of light in a planet's air."""
-    return LightPaths.of(Medium.from_planet(planet, (_NM,)))
+    return RefractedGeometry.of(Medium.from_planet(planet, (_NM,)))
 
 
 def sunset() -> Section:

@@ -11,7 +11,7 @@ from airlight.color.exposure import eased, exposure_with_stars
 from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
 from airlight.ephemeris import moon_formula, sun_formula
-from airlight.geometry.bending import raised_star
+from airlight.geometry.bending import apparent_sun_cosine
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
@@ -29,16 +29,16 @@ from airlight.scene.observer import ground_axes
 from airlight.scene.projections import PROJECTIONS
 from airlight.solvers.moments.acceleration import combine
 from airlight.solvers.moments.convergence import (
+    acceleration_weight,
     change_at,
     count_at,
+    geometric_tail,
     is_near,
-    rest_after,
-    trusted_part,
 )
+from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.packing import floor_below, level_weight, thick_share
-from airlight.solvers.moments.reduced_optics import reduce_optics
-from airlight.solvers.moments.vertical_coupling import sideways_equations
+from airlight.solvers.moments.packing import floor_below, level_weight, optically_thick_weight
+from airlight.solvers.moments.synthetic_acceleration import lateral_diffusion_equations
 from airlight.viewer.parameters.turbidity import haze_of, turbidity_of
 
 #: Tables of a metered picture.
@@ -51,7 +51,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     filter_axis: (),
     ground_axes: (),
     observer_numbers: (),
-    raised_star: (F32, F32, F32, F32, Table("lift", 3)),
+    apparent_sun_cosine: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
     exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
     eased: (),
@@ -82,20 +82,20 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     disc_factor: (),
     change_at: (),
     count_at: (),
-    rest_after: (F32, F32, I32),
+    geometric_tail: (F32, F32, I32),
     combine: (LocalArray(1), I32, LocalArray(1)),
     is_near: (),
     floor_below: (),
-    trusted_part: (),
+    acceleration_weight: (),
     node_value: (F32, F32, F32, Table("first_nodes"), Table("row")),
-    sideways_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
+    lateral_diffusion_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
     factorise: (LocalArray(1, VEC4), I32),
     substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
-    reduce_optics: (
+    delta_m_scaling: (
         Table("scattering", 2),
         Table("absorption", 2),
         Table("phases", 3),
-        Table("turning", 3),
+        Table("polarised_elements", 3),
         Table("columns"),
         I32,
         LocalArray(1),
@@ -105,7 +105,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     ),
     turbidity_of: (),
     haze_of: (),
-    thick_share: (),
+    optically_thick_weight: (),
     level_weight: (),
 }
 

@@ -20,17 +20,22 @@ from airlight.gpu.solver.solver import THICKEST
 from airlight.optics.reflection import LAWS
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import convergence
-from airlight.solvers.moments.iterate import FURTHER
+from airlight.solvers.moments.delta_m import Optics
+from airlight.solvers.moments.iterate import POLARISED_OVER_RELAXATION
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import filled
-from airlight.solvers.moments.reduced_optics import Optics
 from airlight.solvers.moments.settings import QUALITIES, Settings
-from airlight.solvers.moments.setup import DEEP, LEAK, SIDELIT, WANDERS
+from airlight.solvers.moments.setup import (
+    LATERAL_THRESHOLD,
+    NUMERICAL_DIFFUSION,
+    OPTICALLY_DEEP,
+    TRANSPORT_DEPTH_SCALE,
+)
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.moments.stopping import SWEEP_IMAGES, Stopping
-from airlight.solvers.moments.vertical_coupling import DEGREE, ORDER
+from airlight.solvers.moments.stopping import SWEEP_ITERATES, Stopping
+from airlight.solvers.moments.synthetic_acceleration import DEGREE, ORDER
+from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.viewer.browser.tables_text import DIGITS, as_text, deflated, rounded
 from airlight.viewer.browser.web_shaders import solver_shaders
 
@@ -42,10 +47,10 @@ SHARED: Final = {
     "ahead": "ahead", "back": "back",
 }  # fmt: skip
 _TOLERANCE: Final = 2e-3
-#: Factor of thick air for which a page's nodes and rays are laid out, and beyond which it solves
-#: no edit: light under the clouds of Venus errs by 14 % where they are twice as thick as the nodes
-#: were laid out for. [1]
-_ROOM: Final = 2.0
+#: Factor of the extinction of thick air for which a page's nodes and rays are placed, and beyond
+#: which it solves no edit: light under the clouds of Venus errs by 14 % where they are twice as
+#: thick as the nodes were placed for. [1]
+_HEADROOM: Final = 2.0
 
 
 def page_settings() -> Settings:
@@ -70,9 +75,9 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
     """
     chosen = page_settings() if settings is None else settings
     medium = solution.medium
-    paths = LightPaths.of(medium)
+    paths = RefractedGeometry.of(medium)
     own = float(Optics.chosen(paths.medium, chosen).transport_depth.max())
-    plan = plan_for(paths, chosen, room=_ROOM if own > THICKEST else 1.0)
+    plan = plan_for(paths, chosen, extinction_headroom=_HEADROOM if own > THICKEST else 1.0)
     made = plan.as_dict()
     stopping = Stopping.of_passes(chosen)
     del made["shaders"]
@@ -92,15 +97,17 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
             "scattering": _table(_four(drawn.scattering)),
             "absorption": _table(_four(drawn.absorption)),
             "phases": _table(np.moveaxis(_four(np.moveaxis(optics.phases, 1, 2)), 2, 1)),
-            "turning": _table(np.moveaxis(_four(np.moveaxis(optics.turning, 1, 2)), 2, 1)),
+            "polarised_elements": _table(
+                np.moveaxis(_four(np.moveaxis(optics.polarised_elements, 1, 2)), 2, 1)
+            ),
             "columns": _table(drawn.columns),
             "degree": optics.degree,
             "albedo": _four(drawn.ground_albedo).tolist(),
             "brightest": tuple(LAWS.values())[drawn.reflection.law].LARGEST_ALBEDO,
-            "day": [float(x) for x in plan.setup.daylight],
-            "thickest": max(THICKEST, _ROOM * own),
+            "day": [float(x) for x in plan.setup.day_weight],
+            "thickest": max(THICKEST, _HEADROOM * own),
         },
-        "completion": _completion(plan),
+        "synthetic": _synthetic(plan),
         "picture": {
             "shared": SHARED,
             "ends": [float(x) for x in plan.setup.march_ends],
@@ -109,8 +116,8 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
     }
 
 
-def _completion(plan: SolverPlan) -> dict[str, Any]:
-    """Data for sweeps of thick air that are completed along the vertical, as the processor's."""
+def _synthetic(plan: SolverPlan) -> dict[str, Any]:
+    """Parameters of synthetic acceleration, with which pages solve thick air as the CPU does."""
     setup, degree = plan.setup, int(plan.sizes["degree"])
     cubics = finer_weights(setup.gathering.radii.size, setup.parts).astype(np.float32)
     return {
@@ -118,15 +125,15 @@ def _completion(plan: SolverPlan) -> dict[str, Any]:
         "degree": min(degree, DEGREE),
         "order": min(degree, ORDER),
         "cubics": as_text(cubics, cubics.shape[1] + 1),
-        "further": FURTHER.tolist(),
-        "wide": setup.optics.depths.reach / setup.grid.bottom_radius,
-        "leak": LEAK,
-        "deep": DEEP,
-        "sidelit": SIDELIT,
-        "wanders": WANDERS,
+        "over_relaxation": POLARISED_OVER_RELAXATION.tolist(),
+        "diffusion_length": setup.optics.depths.diffusion_length / setup.grid.bottom_radius,
+        "grid_diffusion": NUMERICAL_DIFFUSION,
+        "deep": OPTICALLY_DEEP,
+        "lateral_threshold": LATERAL_THRESHOLD,
+        "transport_depth_scale": TRANSPORT_DEPTH_SCALE,
         "least": convergence.LEAST,
         "tolerance": QUALITIES["preview"].tolerance,
-        "images": SWEEP_IMAGES,
+        "iterates": SWEEP_ITERATES,
     }
 
 

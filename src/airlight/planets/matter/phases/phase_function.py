@@ -96,7 +96,7 @@ class PhaseFunction(Record, ABC):
         section 2.8: their β₁, α₂ and α₃ of degree 2, over 5, and their α₂ + α₃ of degree 5, over
         22. β₁ couples radiance and even polarised light, α₂ keeps the even, α₃ the odd.
         The last is the part of polarised light that counts as not scattered, see
-        ``solvers.moments.reduced_optics``.
+        ``solvers.moments.delta_m``.
         """
         return np.array(
             [polarising_moments_of(self.sampled(float(nm))) for nm in np.atleast_1d(wavelengths)]
@@ -127,7 +127,7 @@ class PhaseFunction(Record, ABC):
 
 def polarising_moments_of(rows: tuple[PhaseRow, ...]) -> tuple[float, float, float, float]:
     """``PhaseFunction.polarising_moments`` at one wavelength, of its tables. [1]"""
-    coupling, even, odd, forward = 0.0, 0.0, 0.0, 0.0
+    beta_1, alpha_2, alpha_3, forward = 0.0, 0.0, 0.0, 0.0
     share = (np.arange(_STEPS_A_CELL) + 0.5) / _STEPS_A_CELL
     for row in rows:
         width = np.diff(np.radians(row.angles))[:, None]
@@ -141,14 +141,14 @@ def polarising_moments_of(rows: tuple[PhaseRow, ...]) -> tuple[float, float, flo
             across, turned = (
                 np.interp(np.degrees(angle), row.angles, one) for one in row.ratios[:2]
             )
-        coupling += float(light @ (across * (np.sqrt(6.0) / 4.0) * (1.0 - nu**2)))
+        beta_1 += float(light @ (across * (np.sqrt(6.0) / 4.0) * (1.0 - nu**2)))
         ahead, behind = 0.5 * (1.0 + nu), 0.5 * (1.0 - nu)
         same, other = (1.0 + turned) * ahead**2, (1.0 - turned) * behind**2
-        even += float(light @ (same + other)) / 2.0
-        odd += float(light @ (same - other)) / 2.0
+        alpha_2 += float(light @ (same + other)) / 2.0
+        alpha_3 += float(light @ (same - other)) / 2.0
         fifth = ahead**3 - behind * (21.0 * ahead**2 - behind * (63.0 * ahead - 35.0 * behind))
         forward += float(light @ (same * fifth)) / 2.0
-    return coupling, even, odd, forward
+    return beta_1, alpha_2, alpha_3, forward
 
 
 class FormulaPhase(PhaseFunction):

@@ -224,7 +224,7 @@ export class Picture {
   /** Draw the sky tables of the lights, unless they are up to date. */
   async drawSky(lights, effort) {
     const { program, fixed, planet } = this;
-    const peaks = planet.uniforms.first_peak >= 0;
+    const peaks = planet.uniforms.separated_1 >= 0;
     const keys = lights.map((light) => (light.air ? this.skyKey(light) : ""));
     const shape = this.shapeFor(effort);
     if (lights.length > 1) this.takeLaw(lights[1].law ?? EVEN);
@@ -233,7 +233,7 @@ export class Picture {
     if (shape !== this.shape) this.skies = ["", ""];
     this.shape = shape;
     const [columns, rows] = fixed.sky[shape];
-    program.setAll({ keeps_peaks: Number(peaks), sky_columns: columns, sky_rows: rows });
+    program.setAll({ separated_phases: Number(peaks), sky_columns: columns, sky_rows: rows });
     const began = performance.now();
     let drawn = 0;
     lights.forEach((light, i) => {

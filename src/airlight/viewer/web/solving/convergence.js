@@ -9,8 +9,8 @@ import {
   combine,
   count_at,
   is_near,
-  rest_after,
-  trusted_part,
+  acceleration_weight,
+  geometric_tail,
 } from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
 
@@ -35,18 +35,18 @@ export function counts(mean, thick) {
   return Float64Array.from(mean, (value, i) => count_at(value, most[i % LANES], thick[i % LANES]));
 }
 
-/** Ratio of the sum of all later changes to the last one, from `back` steps, by wavelength. */
-export function whatFollows(residuals, back) {
+/** Sum of all later changes over the last one, from `back` steps, by wavelength. */
+export function estimatedTail(residuals, back) {
   const size = (one, lane) => Math.sqrt(product(one, one, lane));
   const steps = Math.min(residuals.length, back + 1) - 1;
   const [before, last] = [residuals.length - 1 - steps, residuals.length - 1];
   return Array.from({ length: LANES }, (_, lane) =>
-    rest_after(size(residuals[last], lane), size(residuals[before], lane), steps),
+    geometric_tail(size(residuals[last], lane), size(residuals[before], lane), steps),
   );
 }
 
 /**
- * Weights of the last images that minimise the combined residual, the latest last.
+ * Weights of the last iterates that minimise the combined residual, the latest last.
  *
  * @param {Float64Array[]} residuals
  * @param {number} lane Index of the wavelength.
@@ -61,14 +61,15 @@ export function mixingWeights(residuals, lane) {
 }
 
 /**
- * Weight of the light completed along the vertical, by node and wavelength; see `trust` in
+ * Weights of synthetic acceleration, by node and wavelength; see `acceleration_weights` in
  * solvers/moments/convergence.py.
  *
  * @param {Float32Array} mean Mean radiance, by radius, sun and wavelength.
  * @param {number} suns
- * @param {number[]} sidelit Part of the largest mean radiance below which light comes from the side.
+ * @param {number[]} thresholds Fraction of the largest mean radiance below which lateral transport
+ *   dominates, by wavelength.
  */
-export function trust(mean, suns, sidelit) {
+export function accelerationWeights(mean, suns, thresholds) {
   const most = brightest(mean).map((x) => Math.max(x, 1e-30));
   const column = new Float64Array(suns * LANES).fill(-Infinity);
   mean.forEach((value, i) => {
@@ -77,7 +78,7 @@ export function trust(mean, suns, sidelit) {
   return Float64Array.from(mean, (value, i) => {
     const lane = i % LANES;
     const bright = (value / most[lane]) * (column[i % column.length] / most[lane]);
-    return trusted_part(Math.max(bright, 0), sidelit[lane]);
+    return acceleration_weight(Math.max(bright, 0), thresholds[lane]);
   });
 }
 
@@ -111,16 +112,16 @@ export function replaceUnless(test, light, other, nodes, terms) {
 }
 
 /**
- * Next guess: for each wavelength its own combination of the last images, where that is trusted.
+ * Next guess by Anderson acceleration: each wavelength has its own combination of iterates.
  *
- * @param {Float32Array[]} images The latest last.
- * @param {number[][]} weights Weights of the images, by wavelength.
- * @param {Float64Array} trusted From `trust`.
+ * @param {Float32Array[]} iterates The latest last.
+ * @param {number[][]} weights Weights of the iterates, by wavelength.
+ * @param {Float64Array} damping From `accelerationWeights`.
  * @param {number} nodes
  * @param {number} terms
  */
-export function mixed(images, weights, trusted, nodes, terms) {
-  const last = images[images.length - 1];
+export function andersonStep(iterates, weights, damping, nodes, terms) {
+  const last = iterates[iterates.length - 1];
   const most = {
     mean: brightest(momentOf(last, nodes, terms, 0)),
     sky: brightest(last.subarray(nodes * terms * LANES)),
@@ -129,10 +130,10 @@ export function mixed(images, weights, trusted, nodes, terms) {
     const texel = Math.floor(i / LANES);
     const node = texel < nodes * terms ? Math.floor(texel / terms) : texel - nodes * terms;
     let total = 0;
-    images.forEach((image, k) => {
-      total += weights[i % LANES][k] * image[i];
+    iterates.forEach((iterate, k) => {
+      total += weights[i % LANES][k] * iterate[i];
     });
-    return value + trusted[node * LANES + (i % LANES)] * (total - value);
+    return value + damping[node * LANES + (i % LANES)] * (total - value);
   });
   const near = (value, computed, lane, part) => is_near(value, computed, most[part][lane]);
   replaceUnless(near, light, last, nodes, terms);

@@ -1,10 +1,10 @@
 /**
  * Optical coefficients for edited amounts of the constituents in viewer/browser/page_solver.py.
  *
- * What an edit changes is emitted from solvers/moments/reduced_optics.py and packing.py. Tables are
+ * What an edit changes is emitted from solvers/moments/delta_m.py and packing.py. Tables are
  * `{values, shape}`, as the emitted functions read them, with four wavelengths on their last axis.
  */
-import { level_weight, reduce_optics, thick_share } from "../generated/formulas.js";
+import { level_weight, delta_m_scaling, optically_thick_weight } from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
 
 /**
@@ -35,22 +35,22 @@ export function isPlain({ amounts, ground }) {
  * @param {object} air
  * @param {{amounts: number[], ground: number}} edit
  * @returns {object} Tables by name, four wavelengths per texel: `extinction`, `moments` and
- *     `polarising` without forward peaks, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
+ *     `polarised_phase` with delta-M scaling, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
  *     of each constituent; `thick`, the weight of the night side, and `transport`, the depth in which
  *     each scattering counts by 1 - g, of each wavelength.
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
  */
 export function editedAir(air, { amounts, ground }) {
-  const { phases, turning, columns, degree } = air;
+  const { phases, polarised_elements, columns, degree } = air;
   const scattering = scaled(air.scattering, amounts);
   const absorption = scaled(air.absorption, amounts);
   const size = scattering.values.length;
   const extinction = new Float32Array(size);
   const moments = new Float32Array(size * (degree + 1));
-  const polarising = new Float32Array(4 * size);
+  const polarised_phase = new Float32Array(4 * size);
   const depths = new Float64Array(3 * LANES);
-  const read = [scattering, absorption, phases, turning, columns];
-  reduce_optics(...read, degree, extinction, moments, polarising, depths);
+  const read = [scattering, absorption, phases, polarised_elements, columns];
+  delta_m_scaling(...read, degree, extinction, moments, polarised_phase, depths);
   const [, depth, transport] = split(depths);
   if (Math.max(...transport) > air.thickest) {
     throw new RangeError("so much air is too thick to be solved here; the desktop viewer solves it");
@@ -61,12 +61,12 @@ export function editedAir(air, { amounts, ground }) {
     true_extinction: Float32Array.from(whole),
     scattering: Float32Array.from(scattering.values),
     moments,
-    polarising,
+    polarised_phase,
     albedo: Float32Array.from(air.albedo, (x) => Math.min(x * ground, air.brightest)),
     level: Float32Array.from(air.day.flatMap((day) => depth.map((one) => level_weight(day, one)))),
     strongest: Float32Array.from(split(whole), (row) => Math.max(...row)),
     brightest: Float32Array.from(split(scattering.values), (row) => Math.max(...row)),
-    thick: depth.map(thick_share),
+    thick: depth.map(optically_thick_weight),
     transport,
   };
 }

@@ -76,7 +76,7 @@ export class Edits {
     if (!light) return;
     const { sweeps, residual } = this.solver;
     const seconds = ((performance.now() - began) / 1000).toPrecision(2);
-    this.text = `${sweeps} orders in ${seconds} s, ${residual.toExponential(0)} to come`;
+    this.text = `${sweeps} orders in ${seconds} s, remaining error ${residual.toExponential(0)}`;
     await viewer.take(await editedPicture(plain, this.solver, air, light, edit.ground));
   }
 

@@ -3,20 +3,20 @@
  *
  * A description from viewer/browser/page_solver.py has the `plan` of gpu/solver/plan.py, its
  * `uniforms`, `scalars` (its tables in order) and `shaders`, the coefficients of the `air`, and the
- * stopping criteria. In thick air, where orders alone would not end, each is completed along the
- * vertical (completion.js), as by solvers/moments/iterate.py.
+ * stopping criteria. In thick air, where successive orders converge too slowly, the iteration has
+ * synthetic acceleration (synthetic_acceleration.js), as in solvers/moments/iterate.py.
  */
-import { Completion } from "./completion.js";
+import { SyntheticAcceleration } from "./synthetic_acceleration.js";
 import {
+  accelerationWeights,
   brightest,
   counts,
-  mixed,
+  andersonStep,
   mixingWeights,
   momentOf,
   relativeChange,
   replaceUnless,
-  trust,
-  whatFollows,
+  estimatedTail,
 } from "./convergence.js";
 import { numbersOf, textOf } from "../drawing/package.js";
 import { LANES, ROW } from "../generated/sizes.js";
@@ -46,10 +46,10 @@ export class Solver {
     this.plan = description.plan;
     this.scalars = scalars;
     this.solve = Float32Array.from(description.uniforms);
-    this.mix = new Float32Array((this.plan.images.length + 2) * LANES);
+    this.mix = new Float32Array((this.plan.iterates.length + 2) * LANES);
     this.textures = new Map();
     this.passes = new Map();
-    this.ring = [...this.plan.images];
+    this.ring = [...this.plan.iterates];
     this.sweeps = 0;
     this.residual = 0;
   }
@@ -86,8 +86,8 @@ export class Solver {
     this.load(air);
     this.guess = "first";
     this.run("once");
-    const thick = Math.max(...air.transport) > this.fixed.completion.thicker;
-    const solved = await (thick ? this.complete(air, stale, tell) : this.sum(air, stale, tell));
+    const thick = Math.max(...air.transport) > this.fixed.synthetic.thicker;
+    const solved = await (thick ? this.accelerate(air, stale, tell) : this.sum(air, stale, tell));
     if (!solved) return null;
     if (this.sweeps > this.fixed.most_sweeps) {
       const most = this.fixed.most_sweeps;
@@ -115,7 +115,7 @@ export class Solver {
       const counted = counts(mean, air.thick);
       residuals.push(change.map((x, i) => x * counted[i]));
       if (residuals.length > this.ring.length) residuals.shift();
-      this.residual = this.toCome(change, mean, residuals, air.thick, fixed.night);
+      this.residual = this.remainingError(change, mean, residuals, air.thick, fixed.night);
       tell(shareOf(this.residual, tolerance));
       this.weigh(residuals, mean, sky);
       this.run("mix");
@@ -125,23 +125,26 @@ export class Solver {
     return true;
   }
 
-  /** Sum orders that are completed along the vertical; false if stale. */
-  async complete(air, stale, tell) {
+  /** Iterate with synthetic acceleration; false if stale. */
+  async accelerate(air, stale, tell) {
     const { fixed, plan } = this;
-    const { further, images: most, least, sidelit, wanders, tolerance } = fixed.completion;
+    const { over_relaxation, iterates: most, least, tolerance } = fixed.synthetic;
+    const { lateral_threshold, transport_depth_scale } = fixed.synthetic;
     const { radii, suns, terms } = plan.sizes;
     const nodes = radii * suns;
-    const polarised = further.map((_, i) => terms - further.length + i);
-    const completion = await this.completion(air);
+    const polarised = over_relaxation.map((_, i) => terms - over_relaxation.length + i);
+    const synthetic = await this.synthetic(air);
     const first = await this.numbers("first");
-    const sides = air.transport.map(
-      (x, w) => air.thick[w] * Math.min(sidelit[0] * Math.max(x / wanders, 1) ** 3, sidelit[1]),
-    );
+    const [shallow, deep] = lateral_threshold;
+    const thresholds = air.transport.map((x, w) => {
+      const ratio = Math.max(x / transport_depth_scale, 1);
+      return air.thick[w] * Math.min(shallow * ratio ** 3, deep);
+    });
     const lit = (guess, swept) => guess > least * swept;
-    let light = completion.finish(first);
+    let light = synthetic.apply(first);
     replaceUnless(lit, light, first, nodes, terms);
     const residuals = [];
-    const images = [];
+    const iterates = [];
     for (this.sweeps = 1; this.sweeps <= fixed.most_sweeps; this.sweeps++) {
       await breath();
       if (stale()) return false;
@@ -152,25 +155,26 @@ export class Solver {
       const swept = await this.numbers(this.ring[0], plan.textures.light);
       const mean = momentOf(swept, nodes, terms, 0);
       if (!mean.some((x) => x > 0)) break;
-      const trusted = trust(mean, suns, sides);
-      const change = swept.map((x, i) => x - light[i]);
-      const all = completion.finish(change, swept);
-      const image = light.map((value, i) => {
+      const acceleration = accelerationWeights(mean, suns, thresholds);
+      const residual = swept.map((x, i) => x - light[i]);
+      const accelerated = synthetic.apply(residual, swept);
+      const iterate = light.map((value, i) => {
         const texel = Math.floor(i / LANES);
         const [node, term] =
           texel < nodes * terms
             ? [Math.floor(texel / terms), texel % terms]
             : [texel - nodes * terms, 0];
-        const more = change[i] + trusted[node * LANES + (i % LANES)] * (all[i] - change[i]);
-        return value + more * (further[term - polarised[0]] ?? 1);
+        const weight = acceleration[node * LANES + (i % LANES)];
+        const change = residual[i] + weight * (accelerated[i] - residual[i]);
+        return value + change * (over_relaxation[term - polarised[0]] ?? 1);
       });
-      replaceUnless(lit, image, swept, nodes, terms);
-      images.push(image);
-      if (images.length > most) images.shift();
+      replaceUnless(lit, iterate, swept, nodes, terms);
+      iterates.push(iterate);
+      if (iterates.length > most) iterates.shift();
       // Mean radiances, and mean radiances that differ by the change of each polarised moment.
-      const after = momentOf(image, nodes, terms, 0);
+      const after = momentOf(iterate, nodes, terms, 0);
       const steps = [0, ...polarised].map((term) => {
-        const [old, now] = [light, image].map((one) => momentOf(one, nodes, terms, term));
+        const [old, now] = [light, iterate].map((one) => momentOf(one, nodes, terms, term));
         const before = after.map((x, i) => x - (now[i] - old[i]));
         return relativeChange(before, after);
       });
@@ -178,12 +182,12 @@ export class Solver {
       residuals.push(Float64Array.from(steps.flatMap((one) => [...one.map((x, i) => x * counted[i])])));
       if (residuals.length > most) residuals.shift();
       this.residual = Math.max(
-        ...steps.map((step) => this.toCome(step, after, residuals, air.thick, 1)),
+        ...steps.map((step) => this.remainingError(step, after, residuals, air.thick, 1)),
       );
       if (!Number.isFinite(this.residual)) throw new Error("this air's light is not a finite number");
       tell(shareOf(this.residual, tolerance));
       const weights = Array.from({ length: LANES }, (_, lane) => mixingWeights(residuals, lane));
-      light = mixed(images, weights, trusted, nodes, terms);
+      light = andersonStep(iterates, weights, acceleration, nodes, terms);
       if (this.residual <= tolerance && this.sweeps > 1) break;
     }
     this.put("given", FORMAT, light);
@@ -191,18 +195,23 @@ export class Solver {
     return true;
   }
 
-  /** Inverse along the vertical in an atmosphere, from what the passes know of its rays. */
-  async completion(air) {
+  /** Synthetic acceleration in an atmosphere, from the textures of its rays. */
+  async synthetic(air) {
     const { fixed, plan } = this;
-    const { wide, leak, deep, cubics, ...limits } = fixed.completion;
+    const { diffusion_length, grid_diffusion, deep, cubics, ...limits } = fixed.synthetic;
     const names = ["factors", "shares", "bounces", "projections"];
     const rays = {};
     for (const name of names) rays[name] = await this.numbers(name);
     const weights = await numbersOf(cubics);
     const transport = Math.max(...air.transport);
-    const reach = { wide, leak: leak * wide * transport, deep: transport > deep };
+    const diffusion = {
+      diffusion_length,
+      grid_diffusion: grid_diffusion * diffusion_length * transport,
+      deep: transport > deep,
+    };
     const table = (name) => this.table(name);
-    return new Completion(plan, table, { ...limits, cubics: weights }, rays, reach).eliminate(breath);
+    const fixedLimits = { ...limits, cubics: weights };
+    return new SyntheticAcceleration(plan, table, fixedLimits, rays, diffusion).eliminate(breath);
   }
 
   /** Table of the plan, as emitted functions read it. */
@@ -220,7 +229,7 @@ export class Solver {
   /** Replace the tables of the atmosphere. */
   load(air) {
     const { plan, scalars } = this;
-    const lanes = ["extinction", "moments", "polarising", "albedo"].sort(
+    const lanes = ["extinction", "moments", "polarised_phase", "albedo"].sort(
       (a, b) => plan.tables[a].start - plan.tables[b].start,
     );
     const spectra = Float32Array.from(lanes.flatMap((name) => [...air[name]]));
@@ -251,15 +260,15 @@ export class Solver {
     }
   }
 
-  /** Texture by its name in a shader; images rotate, and the first guess is the first order. */
+  /** Texture by its name in a shader; iterates rotate, and the first guess is the first order. */
   texture(name, isTarget = false) {
-    if (name === "image") return this.textures.get(this.ring[0]);
+    if (name === "iterate") return this.textures.get(this.ring[0]);
     if (name === "light" && !isTarget) return this.textures.get(this.guess);
-    const image = this.plan.images.indexOf(name);
-    return this.textures.get(image < 0 ? name : this.ring[image]);
+    const iterate = this.plan.iterates.indexOf(name);
+    return this.textures.get(iterate < 0 ? name : this.ring[iterate]);
   }
 
-  /** Promise of mean radiance and irradiance of the last image, and mean radiance of the guess. */
+  /** Promise of mean radiance and irradiance of the last iterate, and mean radiance of the guess. */
   async means() {
     const { radii, suns } = this.plan.sizes;
     const length = radii * suns * LANES;
@@ -268,18 +277,18 @@ export class Solver {
   }
 
   /** Largest remaining change, estimated. [1] */
-  toCome(change, mean, residuals, thick, share) {
+  remainingError(change, mean, residuals, thick, share) {
     const { fixed } = this;
     const night = counts(mean, thick.map((x) => share * x));
     const largest = brightest(change.map((x, i) => Math.abs(x * night[i])));
-    const follows = whatFollows(residuals, fixed.back);
+    const follows = estimatedTail(residuals, fixed.back);
     return Math.max(...largest.map((x, lane) => x * follows[lane]));
   }
 
-  /** Set the inputs of the pass `next_guess`: weights, last image first, and two largest values. */
+  /** Set the inputs of the pass `next_guess`: weights, last iterate first, and two largest values. */
   weigh(residuals, mean, sky) {
     this.mix.fill(0);
-    const images = this.ring.length;
+    const iterates = this.ring.length;
     for (let lane = 0; lane < LANES; lane++) {
       mixingWeights(residuals, lane)
         .reverse()
@@ -287,8 +296,8 @@ export class Solver {
           this.mix[i * LANES + lane] = weight;
         });
     }
-    this.mix.set(brightest(mean), images * LANES);
-    this.mix.set(brightest(sky), (images + 1) * LANES);
+    this.mix.set(brightest(mean), iterates * LANES);
+    this.mix.set(brightest(sky), (iterates + 1) * LANES);
   }
 }
 

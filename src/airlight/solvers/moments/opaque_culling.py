@@ -1,4 +1,4 @@
-"""Rays for eight wavelengths: without points out of sight, and without loss of light."""
+"""Rays for eight wavelengths without the points behind opaque air; the rest is renormalised."""
 
 from __future__ import annotations
 
@@ -9,27 +9,27 @@ from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, exponential, load, maximum, minimum, splat, store
-from airlight.solvers.moments.ray_optics import Air, optical_depth
+from airlight.solvers.moments.ray_optics import ScaledOptics, optical_depth
 from airlight.solvers.moments.rays import Rays
 
 Float32Array = NDArray[np.float32]
 
-#: Optical depth beyond which a point is not seen: 1e-6 of its light comes through. [1]
-_OUT_OF_SIGHT: Final = 14.0
+#: Optical depth beyond which points are culled: the transmittance is 1e-6. [1]
+_OPAQUE: Final = 14.0
 #: Arrays of ``Rays`` with a row for each point.
 _ALONG: Final = ("radius", "mu_along", "turn", "amount", "column")
 #: Largest correction of a ray's sum; a larger one means a ray without points that count.
 MOST: Final = 0.5
 
 
-def rays_in_sight(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
-    """Points that any of eight wavelengths sees, and factors that make the sums over them exact.
+def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
+    """Rays with only the points that are not opaque at all eight wavelengths, and their factors.
 
     Parameters
     ----------
     rays : Rays
         Rays for all wavelengths.
-    air : Air
+    air : ScaledOptics
         Optics of eight wavelengths.
 
     Returns
@@ -37,13 +37,13 @@ def rays_in_sight(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
     rays : Rays
         Rays with fewer points.
     share : array, shape (r·a·8,)
-        1 - exp(-τ) of the whole ray over the quadrature's sum of exp(-τ) dτ: this factor keeps a
-        source that is the same everywhere, and loses no light. [1]
+        1 - exp(-τ) of the whole ray over the quadrature's sum of exp(-τ) dτ: with this factor the
+        sum is exact for a constant source function, and energy is conserved. [1]
     """
     extinction = air.extinction.astype(float).reshape(-1, LANES)
     constituents = extinction.shape[0]
     before = rays.column[:, :constituents] @ extinction
-    seen = before.min(axis=1) < _OUT_OF_SIGHT
+    seen = before.min(axis=1) < _OPAQUE
     counts = np.diff(rays.start, axis=1)
     owner = np.repeat(np.arange(counts.size), counts.ravel())[seen]
     kept = np.bincount(owner, minlength=counts.size).reshape(counts.shape)
@@ -51,17 +51,17 @@ def rays_in_sight(rays: Rays, air: Air) -> tuple[Rays, Float32Array]:
     begin, end = starts[:-1].reshape(counts.shape), starts[1:].reshape(counts.shape)
     along = {name: getattr(rays, name)[seen] for name in _ALONG}
     start = np.concatenate([begin, end[:, -1:]], axis=1)
-    in_sight = rays._replace(start=start, **along)
+    near = rays._replace(start=start, **along)
     share = np.empty(counts.size * LANES, np.float32)
     share_into(
         starts,
-        np.ascontiguousarray(in_sight.column[:, :constituents]).reshape(-1),
-        in_sight.amount,
+        np.ascontiguousarray(near.column[:, :constituents]).reshape(-1),
+        near.amount,
         np.ascontiguousarray(rays.total[..., :constituents]).reshape(-1),
         air.extinction,
         share,
     )
-    return in_sight, share
+    return near, share
 
 
 @inlined
@@ -78,7 +78,7 @@ def emitted(tau):
 
 @inlined
 def ray_share(first, points, columns, amounts, total, extinction, constituents):
-    """Factor that makes the sum over a ray's points exact, see ``rays_in_sight``. [1]
+    """Factor with which a ray's sum is exact for a constant source function. [1]
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
-"""Rays through thick air with few points in the panels that send little light.
+"""Adaptive quadrature of rays through thick air: few points in panels that contribute little.
 
 Panels of a ray through thick air end where the air has layers, wherever the ray's light comes from.
-A panel that sends a hundredth of the light needs a hundred times less precision than the brightest:
-it gets fewer points, on the polynomials through those that it has.
+A panel that contributes a hundredth of the radiance needs a hundred times less precision than the
+brightest: it gets fewer Gauss-Legendre points, to which its integrand is interpolated.
 """
 
 from __future__ import annotations
@@ -15,27 +15,26 @@ from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel.lanes import LANES
-from airlight.solvers.moments.ray_optics import Air
+from airlight.solvers.moments.ray_optics import ScaledOptics
 from airlight.solvers.moments.rays import Rays
 
 FloatArray = NDArray[np.float64]
 
-#: Points of a panel that sends more than a part of the ray's light, in the order in which the
-#: parts fall; the last is that of all others.
+#: Least fraction of the ray's light that a panel contributes, and the panel's number of points.
 POINTS: Final = ((0.3, 8), (0.03, 5), (1e-3, 3), (0.0, 2))
 
 
-def thinned(rays: Rays, air: Air, nodes: int) -> Rays:
-    """Rays with fewer points in dim panels.
+def adaptive_quadrature(rays: Rays, air: ScaledOptics, nodes: int) -> Rays:
+    """Rays with fewer points in panels that contribute little.
 
     Parameters
     ----------
     rays : Rays
         Rays with ``nodes`` Gauss-Legendre points in each panel.
-    air : Air
+    air : ScaledOptics
         Optics of eight wavelengths: the one that needs most points decides.
     nodes : int
-        Points in a panel; as many are the most.
+        Present, and largest, number of points in a panel.
     """
     extinction = air.extinction.astype(float).reshape(-1, LANES)
     constituents = extinction.shape[0]
@@ -80,7 +79,7 @@ def thinned(rays: Rays, air: Air, nodes: int) -> Rays:
 
 
 def _between(nodes: FloatArray, weights: FloatArray, wanted: FloatArray) -> FloatArray:
-    """Matrix from values at the points of a rule to those of their polynomial, shape (m, n)."""
+    """Matrix of polynomial interpolation from a rule's nodes to others, shape (m, n). [1]"""
     degrees = np.arange(nodes.size)
     analysis = (2 * degrees[:, None] + 1) * weights
     analysis = analysis * legvander(2.0 * nodes - 1.0, nodes.size - 1).T

@@ -1,22 +1,23 @@
-r"""Forward peaks, widened by the scattering that counts as unscattered.
+r"""Correction of single scattering for multiple scattering within the forward peak.
 
-The sweeps count the part f of each scattering as unscattered, and the march adds the star's light
-scattered once by the whole phase function, dimmed by the air so thinned. Light that meets the peak
-is then counted as unscattered on its way and as scattered where it meets it: too much by x/(1 -
-exp(-x)), where x is the depth of the peak on the whole way from the star to the observer, and not
-as wide as several scatterings make it.
+Delta-M scaling counts the fraction f of each scattering as unscattered, and the march adds single
+scattering by the whole phase function with the scaled extinction (TMS: Nakajima & Tanaka 1988,
+JQSRT 40, 51). Light of the peak is then counted both as unscattered on its path and as scattered at
+each point: too much by x/(1 - exp(-x)), where x is the optical depth of the peak from the star to
+the observer, and it is not broadened by repeated scattering. This correction, like their IMS
+method, adds the small-angle multiple scattering.
 
-With moments p_l of the phase function the peak is what the sweeps leave out: q_l = f up to their
-degree and p_l beyond. Light that goes through a depth x/f of scattering by the peak alone has, if
-its angles are small, the moments exp(-x (1 - χ_l)), χ_l = q_l/f (Goudsmit & Saunderson 1940, Phys.
-Rev. 57, 24), exp(-x) of it unscattered. Of n scatterings each point of the way is given the n-th
-part, so that per scattering at a point the phase function p becomes
+The Legendre moments of the peak are the truncated ones: q_l = f up to the degree of the sweeps, and
+p_l, those of the phase function, beyond. In the small-angle approximation light that passes the
+depth x of the peak has the moments exp(-x (1 - χ_l)), χ_l = q_l/f (Goudsmit & Saunderson 1940,
+Phys. Rev. 57, 24); exp(-x) of it is unscattered. One n-th of n-fold scattering is attributed to
+each point of the path, so that the phase function p at a point becomes
 
 .. math:: p + f B, \quad B = \sum_l \frac{2l + 1}{4\pi} P_l(\nu)
           \left[\frac{e^{-x (1 - \chi_l)} - e^{-x}}{x} - \chi_l\right].
 
-Its integral is right for any x, and the energy with it. The table holds f B/p: how much brighter
-the light scattered once is, as a function of the angle and of x.
+Its integral is exact for any x, so energy is conserved. The table holds f B/p, the relative gain of
+single scattering, as a function of the scattering angle and of x.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ from numpy.typing import NDArray
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.reduced_optics import MOST_PEAK, NEGLIGIBLE, Optics
+from airlight.solvers.moments.delta_m import MOST_PEAK, NEGLIGIBLE, Optics
 
 FloatArray = NDArray[np.float64]
 
@@ -40,18 +41,18 @@ FloatArray = NDArray[np.float64]
 ANGLES: Final = 128
 DEPTHS: Final = 20
 MIDDLE: Final = 2.0
-#: Vertical depth of the peaks below which they are not widened. [1]
+#: Vertical depth of the peaks below which there is no correction. [1]
 _FAINT: Final = 1e-4
 #: Numbers of moments: of most particles, and of those with sharper peaks.
 _MOMENTS: Final = (400, 4000)
-#: Moment over the peak's part below which further ones are left out; they count by their square.
+#: Moment over f below which higher ones are omitted; they contribute by their square. [1]
 _LAST: Final = 5e-3
-#: Least strength of peaks on a line, so that their mean depth exists. [1]
+#: Smallest strength of the peaks on a line, which keeps their mean depth finite. [1]
 _LEAST: Final = 1e-30
 
 
 @inlined
-def clear_peaks(light, work):
+def reset_peaks(light, work):
     """Set sums over a line's peaks to zero; arguments as in ``add_peaks``."""
     for at in range(0, 3 * light.lanes, LANES):
         store(work.peaks, at, splat(0.0))
@@ -67,29 +68,29 @@ def add_peaks(star, dimmed, spread, phase, light, work, at):
         Irradiance by the star at the point, times its weight, as transmitted to the line's start.
         [m]
     dimmed : lanes or float
-        Part of it that comes. [1]
+        Factor of single scattering. [1]
     spread : bool
         Whether two points represent the star.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
     light, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace with density and columns of the point, whose peaks receive
-        the light scattered once by constituents with peaks [sr⁻¹], that counted as unscattered [1],
-        and the latter times the peaks' depth on its way. [1]
+        single scattering by constituents with peaks [sr⁻¹], the truncated part [1], and the latter
+        times the peaks' optical depth on its path. [1]
     at : int
         Index of the first lane.
     """
     peaked, strength, depth = splat(0.0), splat(0.0), splat(0.0)
     for c in range(light.constituents):
         here = light.lanes * c + at
-        part = load(light.true_extinction, here) - load(light.extinction, here)
-        column = work.here[c]
+        part = load(light.extinction, here) - load(light.scaled_extinction, here)
+        column = work.columns_to_sun_low[c]
         if spread:
-            column = 0.5 * (column + work.there[c])
+            column = 0.5 * (column + work.columns_to_sun_high[c])
         depth = depth + part * np.float32(work.depths[c] + column)
-        part = part * work.rho[c]
+        part = part * work.point_density[c]
         strength = strength + part
-        peaked = peaked + part * load(light.sharpness, here) * load(phase, here)
+        peaked = peaked + part * load(light.inverse_peak_fraction, here) * load(phase, here)
     strength = strength * star
     count, means = light.lanes + at, 2 * light.lanes + at
     store(work.peaks, at, load(work.peaks, at) + peaked * (star * dimmed))
@@ -98,8 +99,8 @@ def add_peaks(star, dimmed, spread, phase, light, work, at):
 
 
 @inlined
-def more_light(half_sine, light, work, at):
-    """Additional light of widened peaks, per light scattered once by them. [1]
+def peak_gain(half_sine, light, work, at):
+    """Gain of single scattering by peaks, f B/p. [1]
 
     Parameters
     ----------
@@ -125,8 +126,8 @@ def more_light(half_sine, light, work, at):
 
 
 @inlined
-def peaked_share(constituent, light, at):
-    """Part of a constituent's light scattered once that widens: 0 without a peak. [1]
+def peak_fraction(constituent, light, at):
+    """Fraction of a constituent's single scattering that has the gain: 0 without a peak. [1]
 
     Parameters
     ----------
@@ -136,12 +137,16 @@ def peaked_share(constituent, light, at):
         Arguments of ``add_peaks``.
     """
     here = light.lanes * constituent + at
-    part = load(light.true_extinction, here) - load(light.extinction, here)
-    return part * load(light.sharpness, here) / maximum(load(light.scattering, here), _LEAST)
+    part = load(light.extinction, here) - load(light.scaled_extinction, here)
+    return (
+        part
+        * load(light.inverse_peak_fraction, here)
+        / maximum(load(light.scattering, here), _LEAST)
+    )
 
 
-def sharpness(optics: Optics) -> FloatArray:
-    """Reciprocal of the part of a scattering that is peak, in thick air; 0 without a peak. [1]
+def inverse_peak_fraction(optics: Optics) -> FloatArray:
+    """Reciprocal 1/f of the peak's fraction of scattering, in thick air; 0 without a peak. [1]
 
     Parameters
     ----------
@@ -157,8 +162,8 @@ def sharpness(optics: Optics) -> FloatArray:
     return np.asarray(np.divide(1.0, part, out=np.zeros_like(part), where=peaked))
 
 
-def peak_widening(optics: Optics) -> FloatArray | None:
-    """Table of the additional light of widened peaks, per light scattered once by them.
+def peak_broadening(optics: Optics) -> FloatArray | None:
+    """Table of the gain of single scattering by peaks, f B/p.
 
     Constituents with peaks are mixed by their vertical scattering depths.
 
@@ -170,10 +175,10 @@ def peak_widening(optics: Optics) -> FloatArray | None:
     Returns
     -------
     array, shape (``DEPTHS``, ``ANGLES``, nl), or None
-        Additional light, never below -1 [1]; none where nothing counts as unscattered.
+        Gain, at least -1 [1]; None where nothing is truncated.
     """
     medium = optics.medium
-    weight = sharpness(optics) > 0.0
+    weight = inverse_peak_fraction(optics) > 0.0
     depth = (medium.extinction - optics.extinction) * medium.columns[:, None]
     if depth.sum(axis=0).max() < _FAINT:
         return None

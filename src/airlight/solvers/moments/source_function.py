@@ -1,4 +1,4 @@
-"""Light that a point sends along a ray, from the moments of the light there."""
+"""Source function at a point of a ray, from the moments of the radiance there."""
 
 from __future__ import annotations
 
@@ -87,10 +87,10 @@ def odd_moment(field, low, high, f, m, degree, paired):
 
 
 @inlined
-def sent_by_point(
+def source_at_point(
     rows, low, high, f, step, sine, wide, degree, bright, polarised, paired
 ):  # fmt: skip
-    """I, Q and U sent along a ray by one of its points, from light scattered before. [1]
+    """Contribution of a point to I, Q and U of its ray, by multiple scattering. [1]
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def sent_by_point(
     g = np.float32(1.0) - f
     one, two = np.float32(1.0), np.float32(2.0)
     scale = splat(1.0) / (g * load(rows, low) + f * load(rows, high))
-    radiance, along, across = splat(0.0), splat(0.0), splat(0.0)
+    radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
     double = two * step * step - one
     last = degree + 1
     if paired:
@@ -153,14 +153,14 @@ def sent_by_point(
         at = at + LANES
         twice = g * load(rows, low + at) + f * load(rows, high + at)
         if paired:
-            along = even * pair(one, step) + once * double
-            across = twice * pair(two * sine * step, sine)
+            stokes_q = even * pair(one, step) + once * double
+            stokes_u = twice * pair(two * sine * step, sine)
         else:
-            along = even + once * step + twice * double
+            stokes_q = even + once * step + twice * double
             at = at + LANES
             once = g * load(rows, low + at) + f * load(rows, high + at)
             at = at + LANES
             twice = g * load(rows, low + at) + f * load(rows, high + at)
-            across = once * sine + twice * (two * sine * step)
-        along, across = along * scale, across * scale
-    return radiance, along, across
+            stokes_u = once * sine + twice * (two * sine * step)
+        stokes_q, stokes_u = stokes_q * scale, stokes_u * scale
+    return radiance, stokes_q, stokes_u

@@ -1,15 +1,15 @@
-"""Optics of a medium without forward peaks, packed for kernels of eight wavelengths at once.
+"""Delta-M scaling of the optics of a medium, packed for kernels of eight wavelengths at once.
 
-Where light is scattered many times by particles with a sharp forward peak, the part
-f = g_{N+1} of each scattering counts as unscattered (δ-M: Wiscombe 1977, JAS 34, 1408), and the
-first order is computed with the exact phase function in the air so thinned (TMS: Nakajima &
-Tanaka 1988, JQSRT 40, 51). Where the particles are thin the peak's light is scattered once, δ-M
-gains nothing and spoils the narrow bright band along the horizon; f is therefore faded in with the
-particles' vertical optical depth. Measurements: docs/decisions/0001-moments-in-the-twilight.md.
+For particles with a sharp forward peak, the fraction f = g_{N+1} of each scattering counts as
+unscattered (δ-M: Wiscombe 1977, JAS 34, 1408), and the first order is computed with the exact phase
+function and the scaled extinction (TMS: Nakajima & Tanaka 1988, JQSRT 40, 51). Where the particles
+are optically thin, the peak's light is scattered once, δ-M gains nothing and spoils the narrow
+bright band along the horizon; f is therefore faded in with the particles' vertical optical depth.
+Measurements: docs/decisions/0001-moments-in-the-twilight.md.
 
-Polarised light is expanded to degree 2 alone, beyond which particles scatter it onwards. Of Q and U
-a larger part counts therefore as unscattered: the element of degree 5 that keeps them, which stands
-for those of degree 3 and more to 0.01 of the degree of polarisation under haze
+Q and U are expanded to degree 2 only, beyond which particles scatter them forward. A larger
+fraction of them counts therefore as unscattered: the element of degree 5 of the phase matrix, which
+represents those of degree 3 and more to 0.01 of the degree of polarisation under haze
 (docs/decisions/0049-haze-in-polarised-light.md). Molecules have none.
 """
 
@@ -31,13 +31,13 @@ from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import ELEMENTS
 from airlight.solvers.moments.levels import Depths, panel_cuts
 from airlight.solvers.moments.packing import pack
-from airlight.solvers.moments.ray_optics import Air
+from airlight.solvers.moments.ray_optics import ScaledOptics
 from airlight.solvers.moments.settings import Settings
 from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
 
-#: Vertical scattering optical depth about which forward peaks begin to be cut off. [1]
+#: Vertical scattering optical depth about which forward peaks begin to be truncated. [1]
 THIN: Final = 0.1
 #: Smallest scattering optical depth of a layer aloft at whose edges the panels of lines of sight
 #: end: at dusk, when it alone is lit, a cloud of depth 1e-4 at 55 km was up to 40 % off.
@@ -46,7 +46,7 @@ _SEEN: Final = 1e-6
 _NEAR_EDGE: Final = 1.5e-3
 #: Legendre moments below this count as zero.
 NEGLIGIBLE: Final = 1e-6
-#: Largest part of a scattering that counts as unscattered. [1]
+#: Largest truncated fraction f. [1]
 MOST_PEAK: Final = 0.999
 
 
@@ -57,21 +57,21 @@ def is_peaked(beyond):
 
 
 @kernel
-def cut_weight(depth):
-    """Weight of the removal of forward peaks, by the scattering depth of what is peaked. [1]"""
+def delta_m_weight(depth):
+    """Weight of delta-M scaling, by the scattering depth of the constituents with peaks. [1]"""
     return 1.0 - exp(-((depth / THIN) ** 2))
 
 
 @kernel
-def cut_part(beyond, weight):
-    """Part of a scattering that counts as unscattered. [1]
+def truncated_fraction(beyond, weight):
+    """Fraction f of a scattering that counts as unscattered. [1]
 
     Parameters
     ----------
     beyond : float
         The phase function's first moment above the degree. [1]
     weight : float
-        Weight from ``cut_weight``. [1]
+        Weight from ``delta_m_weight``. [1]
     """
     if is_peaked(beyond):
         return min(max(beyond, 0.0), MOST_PEAK) * weight
@@ -79,25 +79,25 @@ def cut_part(beyond, weight):
 
 
 @kernel
-def onward_part(forward, part):
-    """Part of a scattering of Q and U that counts as unscattered. [1]
+def polarised_truncated_fraction(forward, part):
+    """Fraction of a scattering of Q and U that counts as unscattered. [1]
 
     Parameters
     ----------
     forward : float
-        Element of degree 5 that keeps them, of ``PhaseFunction``. [1]
+        Diagonal element of degree 5 of the phase matrix, of ``PhaseFunction``. [1]
     part : float
-        That of I, from ``cut_part``. [1]
+        That of I, from ``truncated_fraction``. [1]
     """
     return min(max(forward, part), MOST_PEAK)
 
 
 @compiled_loop
-def reduce_optics(
-    scattering, absorption, phases, turning, columns, degree, extinction, moments, polarising,
-    depths,
+def delta_m_scaling(
+    scattering, absorption, phases, polarised_elements, columns, degree, extinction, moments,
+    polarised_phase, depths,
 ):  # fmt: skip
-    """Remove the forward peaks of a medium, at each of its wavelengths.
+    """Delta-M scaling of a medium, at each of its wavelengths.
 
     Parameters
     ----------
@@ -105,23 +105,24 @@ def reduce_optics(
         Coefficients of the constituents at relative density 1. [m⁻¹]
     phases : array, shape (nc, nl, degree + 2)
         Legendre moments of the phase functions. [1]
-    turning : array, shape (nc, nl, 4)
-        Elements that polarise, see ``PhaseFunction``; all 0 for scalar transfer. [1]
+    polarised_elements : array, shape (nc, nl, 4)
+        Elements of the phase matrix of degree 2, and the one of degree 5, see ``PhaseFunction``;
+        all 0 for scalar transfer. [1]
     columns : array, shape (nc,)
         Vertical columns. [m]
     degree : int
         Degree of the harmonics.
     extinction : array, shape (nc·nl,)
-        Receives the extinction coefficients without forward peaks. [m⁻¹]
+        Receives the scaled extinction coefficients. [m⁻¹]
     moments : array, shape (nc·(degree + 1)·nl,)
-        Receives scattering coefficient times Legendre moment, both without forward peaks. [m⁻¹]
-    polarising : array, shape (nc·4·nl,)
-        Receives scattering coefficient times the elements of degree 2, between moments and even
-        polarised moments, between these, and between odd ones, without what counts as
-        unscattered; then by how much less Q and U are dimmed on their way than I. [m⁻¹]
+        Receives scattering coefficient times Legendre moment, both scaled. [m⁻¹]
+    polarised_phase : array, shape (nc·4·nl,)
+        Receives scattering coefficient times the scaled elements of degree 2: β₁ between moments of
+        the radiance and even polarised ones, α₂ and α₃ between even and between odd polarised
+        ones; then the extinction of I less that of Q and U. [m⁻¹]
     depths : array, shape (3·nl,)
-        Receives the weight of the removal, from 0 (thin) to 1 (thick); the vertical scattering
-        optical depth without forward peaks; and the vertical depth in which each scattering counts
+        Receives the weight of the scaling, from 0 (thin) to 1 (thick); the scaled vertical
+        scattering optical depth; and the vertical transport depth, in which scattering counts
         by 1 - g. [1]
     """
     constituents, wavelengths = scattering.shape[0], scattering.shape[1]
@@ -130,13 +131,13 @@ def reduce_optics(
         for c in range(constituents):
             if is_peaked(phases[c, w, degree + 1]):
                 peaked += scattering[c, w] * columns[c]
-        weight = cut_weight(peaked)
+        weight = delta_m_weight(peaked)
         smooth = 0.0
         transport = 0.0
         for c in range(constituents):
             scattered = scattering[c, w]
             total = scattered + absorption[c, w]
-            part = cut_part(phases[c, w, degree + 1], weight)
+            part = truncated_fraction(phases[c, w, degree + 1], weight)
             extinction[c * wavelengths + w] = total - part * scattered
             smooth += columns[c] * (scattered * (1.0 - part))
             transport += columns[c] * (total - scattered * phases[c, w, 1])
@@ -145,12 +146,16 @@ def reduce_optics(
                 if scattered > 0.0:
                     moment = scattered * (phases[c, w, l] - part)
                 moments[(c * (degree + 1) + l) * wavelengths + w] = moment
-            onward = onward_part(turning[c, w, 3], part)
+            polarised_part = polarised_truncated_fraction(polarised_elements[c, w, 3], part)
             first = ELEMENTS * c * wavelengths + w
-            polarising[first] = scattered * turning[c, w, 0]
-            polarising[first + wavelengths] = scattered * (turning[c, w, 1] - onward)
-            polarising[first + 2 * wavelengths] = scattered * (turning[c, w, 2] - onward)
-            polarising[first + 3 * wavelengths] = scattered * (onward - part)
+            polarised_phase[first] = scattered * polarised_elements[c, w, 0]
+            polarised_phase[first + wavelengths] = scattered * (
+                polarised_elements[c, w, 1] - polarised_part
+            )
+            polarised_phase[first + 2 * wavelengths] = scattered * (
+                polarised_elements[c, w, 2] - polarised_part
+            )
+            polarised_phase[first + 3 * wavelengths] = scattered * (polarised_part - part)
         depths[w] = weight
         depths[wavelengths + w] = smooth
         depths[2 * wavelengths + w] = transport
@@ -208,8 +213,8 @@ class Optics:
         return self.medium.phase_moments(self.degree + 1)
 
     @cached_property
-    def turning(self) -> FloatArray:
-        """Elements that polarise, shape (nc, nl, 4); 0 without polarisation. [1]"""
+    def polarised_elements(self) -> FloatArray:
+        """Elements of the phase matrix, shape (nc, nl, 4); 0 without polarisation. [1]"""
         shape = (*self.medium.scattering.shape, ELEMENTS)
         return self.medium.polarising_moments() if self.polarised else np.zeros(shape)
 
@@ -218,45 +223,46 @@ class Optics:
         medium, (constituents, wavelengths) = self.medium, self.medium.scattering.shape
         extinction = np.empty((constituents, wavelengths))
         moments = np.empty((constituents, self.degree + 1, wavelengths))
-        polarising = np.empty((constituents, ELEMENTS, wavelengths))
+        polarised_phase = np.empty((constituents, ELEMENTS, wavelengths))
         depths = np.empty((3, wavelengths))
         # Copies, which can be written to: a medium's arrays cannot, and need not be in one piece.
         given = (
-            medium.scattering, medium.absorption, self.phases, self.turning, medium.columns
+            medium.scattering, medium.absorption, self.phases, self.polarised_elements,
+            medium.columns,
         )  # fmt: skip
-        reduce_optics(
+        delta_m_scaling(
             *(np.array(one, float) for one in given), self.degree, extinction.reshape(-1),
-            moments.reshape(-1), polarising.reshape(-1), depths.reshape(-1),
+            moments.reshape(-1), polarised_phase.reshape(-1), depths.reshape(-1),
         )  # fmt: skip
-        return extinction, moments, polarising, depths
+        return extinction, moments, polarised_phase, depths
 
     @property
     def extinction(self) -> FloatArray:
-        """Extinction coefficients without forward peaks, shape (nc, nl). [m⁻¹]"""
+        """Scaled extinction coefficients, shape (nc, nl). [m⁻¹]"""
         return self._reduced[0]
 
     @property
     def scattering(self) -> FloatArray:
-        """Scattering coefficients without forward peaks, shape (nc, nl). [m⁻¹]"""
+        """Scaled scattering coefficients, shape (nc, nl). [m⁻¹]"""
         return self._reduced[1][:, 0]
 
     @property
     def peak_weight(self) -> FloatArray:
-        """Weight of the removal of forward peaks, from 0 (thin) to 1 (thick), shape (nl,). [1]"""
+        """Weight of delta-M scaling, from 0 (thin) to 1 (thick), shape (nl,). [1]"""
         return np.asarray(self._reduced[3][0])
 
     @property
     def scattering_depth(self) -> FloatArray:
-        """Vertical scattering optical depth without forward peaks, shape (nl,). [1]"""
+        """Scaled vertical scattering optical depth, shape (nl,). [1]"""
         return np.asarray(self._reduced[3][1])
 
     @property
     def transport_depth(self) -> FloatArray:
-        """Vertical depth in which each scattering counts by 1 - g, shape (nl,). [1]"""
+        """Vertical transport depth, in which scattering counts by 1 - g, shape (nl,). [1]"""
         return np.asarray(self._reduced[3][2])
 
     def kept_beyond(self, degree: int) -> float:
-        """Largest part of light of a higher degree that a level passage through the air keeps. [1]
+        """Largest fraction of moments of a higher degree that survives on a horizontal path. [1]
 
         Parameters
         ----------
@@ -271,7 +277,7 @@ class Optics:
 
     @cached_property
     def depths(self) -> Depths:
-        """Depths that the radii follow."""
+        """Optical depths by which the radial grid is placed."""
         medium = self.medium
         table, altitude = density_table(medium.density), medium.density.node_altitudes
         step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
@@ -279,7 +285,7 @@ class Optics:
         smooth = self._reduced[1][:, 0]
         return Depths(altitude, column @ smooth.max(axis=1), medium.thin_layers)
 
-    def air(self, block: slice) -> Air:
+    def air(self, block: slice) -> ScaledOptics:
         """Pack the optics of some wavelengths in whole groups of eight lanes.
 
         Parameters
@@ -287,13 +293,13 @@ class Optics:
         block : slice
             Indices of the wavelengths.
         """
-        medium, (extinction, moments, polarising, _) = self.medium, self._reduced
-        return Air(
+        medium, (extinction, moments, polarised_phase, _) = self.medium, self._reduced
+        return ScaledOptics(
             extinction=pack(extinction[:, block]),
             moments=pack(moments[..., block]),
             ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
             star_radius=medium.lights[0].angular_radius,
-            polarising=pack(polarising[..., block]),
+            polarised_phase=pack(polarised_phase[..., block]),
         )
 
 

@@ -1,12 +1,12 @@
-"""Order in which many wavelengths are solved, and a guess of the light between those that are.
+"""Batches of wavelengths, and initial guesses interpolated between wavelengths.
 
-The inverse along the vertical turns the first order of scattering into a guess of all orders. What
-the sweeps then add to it, over its mean radiance, is a smooth function of wavelength, so that
-wavelengths between two that are solved begin with it and need one sweep where the others need three
-or four, or none. Wavelengths run in panels: a panel's blocks of eight are combs, each with its
-wavelengths all over the panel. The first and the last comb of a panel are solved before those
-between them. What a sweep changes there tells how far the correction is from a straight line; where
-it can change less than the tolerance, there is none.
+Synthetic acceleration of the first order is the initial guess. The correction that the sweeps then
+add, relative to the mean radiance, is a smooth function of wavelength: with the correction
+interpolated between two solved wavelengths, a wavelength needs one sweep or none where others need
+three or four. A batch has blocks of eight wavelengths; each block is a comb with wavelengths all
+over the batch. Its first and its last comb are solved before those between them. The change by a
+sweep after an interpolated guess measures the curvature of the correction over wavelength; where
+the predicted change is below the tolerance, no sweep is made.
 """
 
 from __future__ import annotations
@@ -24,44 +24,44 @@ from airlight.solvers.moments.convergence import DARK, Light
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Most blocks in a panel: as many are solved between two that are.
-_PANEL: Final = 8
-#: Fewest blocks that are worth a panel.
+#: Largest number of blocks in a batch.
+_LARGEST: Final = 8
+#: Smallest number of blocks for which guesses are interpolated.
 _FEWEST: Final = 2
 #: Longest step between wavelengths of one block over the wavelength. [1]
 _WIDE: Final = 0.1
 
 
-def panels(wavelengths: FloatArray, *, clear: bool = True) -> list[list[slice]]:
-    """Blocks of at most eight wavelengths in the order in which they are solved, by panel.
+def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[list[slice]]:
+    """Blocks of at most eight wavelengths in the order in which they are solved, by batch.
 
     Parameters
     ----------
     wavelengths : array, shape (nl,)
         Wavelengths in any order. [nm]
     clear : bool
-        Whether the air is clear: in thick air it is the dusk that converges last, where what is
-        left of a tolerance's size is no smooth function of wavelength.
+        Whether the air is clear: in thick air dusk converges last, where errors within the
+        tolerance are not a smooth function of wavelength.
 
     Returns
     -------
     list of list of slice
-        Indices of the wavelengths of each block. Blocks of a panel help each other; where
-        wavelengths are few, far apart or not ascending or descending, or the air is thick, each
-        panel is one block.
+        Indices of the wavelengths of each block. Guesses are interpolated between blocks of a
+        batch; where wavelengths are few, far apart or not monotonic, or the air is thick, each
+        batch is one block.
 
     Examples
     --------
-    >>> panels(np.linspace(500.0, 540.0, 40))
+    >>> wavelength_batches(np.linspace(500.0, 540.0, 40))
     [[slice(0, 40, 5), slice(4, 40, 5), slice(2, 40, 5), slice(1, 40, 5), slice(3, 40, 5)]]
-    >>> panels(np.array([680.0, 550.0, 440.0]))
+    >>> wavelength_batches(np.array([680.0, 550.0, 440.0]))
     [[slice(0, 3, 1)]]
     """
     count = wavelengths.size
     steps = np.diff(wavelengths)
     whole = -(-count // LANES)
-    apart = -(-whole // _PANEL)
-    blocks = -(-whole // apart)
+    batches = -(-whole // _LARGEST)
+    blocks = -(-whole // batches)
     helped = clear and blocks >= _FEWEST and bool(np.all(steps > 0.0) or np.all(steps < 0.0))
     if helped:
         comb = np.abs(wavelengths[blocks:] - wavelengths[:-blocks]) / wavelengths[blocks:]
@@ -70,7 +70,7 @@ def panels(wavelengths: FloatArray, *, clear: bool = True) -> list[list[slice]]:
         return [
             [slice(first, min(first + LANES, count), 1)] for first in range(0, count, LANES)
         ]  # fmt: skip
-    edges = [min(LANES * (whole * k // apart), count) for k in range(apart + 1)]
+    edges = [min(LANES * (whole * k // batches), count) for k in range(batches + 1)]
     found = []
     for first, last in itertools.pairwise(edges):
         combs = -(-(last - first) // LANES)
@@ -90,60 +90,59 @@ def _from_the_ends(count: int) -> list[int]:
     return order
 
 
-class Corrections:
-    """What sweeps added to the guess from the inverse, at the wavelengths of one panel so far."""
+class SpectralGuess:
+    """Initial guesses between the solved wavelengths of a batch, corrected by interpolation."""
 
     def __init__(self) -> None:
-        self._places: list[float] = []
+        self._wavelengths: list[float] = []
         self._light: list[Light] = []
         self._logs: list[Float32Array] = []
         self._checks: list[tuple[float, float]] = []
 
     def add(self, wavelengths: FloatArray, guess: Light, light: Light) -> None:
-        """Take up solved wavelengths.
+        """Add the corrections of solved wavelengths.
 
         Parameters
         ----------
         wavelengths : array, shape (w,)
             Their wavelengths. [nm]
         guess, light : Light
-            Guess from the inverse, and the light, both with at least w lanes.
+            Guess by synthetic acceleration, and the solution, both with at least w lanes.
         """
-        for lane, place in enumerate(wavelengths.tolist()):
+        for lane, nm in enumerate(wavelengths.tolist()):
             parts = tuple(
                 (after[..., lane] - before[..., lane]) / _mean(before[..., lane])
                 for before, after in zip(guess, light, strict=True)
             )
-            at = bisect(self._places, place)
-            self._places.insert(at, place)
+            at = bisect(self._wavelengths, nm)
+            self._wavelengths.insert(at, nm)
             self._light.insert(at, (parts[0], parts[1]))
             self._logs.insert(at, np.log(_mean(guess[0][..., lane])[:, :, 0]))
 
     def check(self, wavelengths: FloatArray, change: FloatArray) -> None:
-        """Take up by how much a sweep changed a guess, if it was corrected; call before ``add``.
+        """Add the change of an interpolated guess by its first sweep; call before ``add``.
 
         Parameters
         ----------
         wavelengths : array, shape (w,)
             Its wavelengths. [nm]
         change : array, shape (w,)
-            Largest relative change of the mean radiance that the sweep and all further ones make.
+            Largest relative change of the mean radiance by this sweep and all further ones. [1]
         """
-        if len(self._places) < 2:
+        if len(self._wavelengths) < 2:
             return
-        for place, size in zip(wavelengths.tolist(), change.tolist(), strict=True):
-            low, part = self._between(place)
+        for nm, size in zip(wavelengths.tolist(), change.tolist(), strict=True):
+            low, part = self._between(nm)
             if 0.0 < part < 1.0:
-                self._checks.append((place, size / self._bow(low, part)))
+                self._checks.append((nm, size / self._bow(low, part)))
 
     def expected(self, wavelengths: FloatArray, guess: Light) -> FloatArray:
-        """Largest relative change that sweeps would make to the corrected guess, shape (w,).
+        """Predicted largest relative change of the corrected guess by sweeps, shape (w,). [1]
 
-        Between solved wavelengths a and b a straight line errs by (x - a)(b - x) times half the
-        curvature, which is taken from the two nearest wavelengths at which a change was seen. Where
-        the air has a line or a band of its own, the correction may have one too: that part of it by
-        which the guess differs from its neighbours', between their logarithms. Infinite beyond the
-        solved wavelengths, and where no change was seen.
+        Between solved wavelengths a and b linear interpolation errs by (x - a)(b - x) times half
+        the curvature, which comes from the two nearest wavelengths given to ``check``. Added to it,
+        for absorption lines: the correction times the difference of the guess's logarithm from its
+        interpolation. Infinite beyond the solved wavelengths, and before any ``check``.
 
         Parameters
         ----------
@@ -151,9 +150,9 @@ class Corrections:
             Arguments of ``corrected``.
         """
         found = np.full(wavelengths.size, np.inf)
-        for lane, place in enumerate(wavelengths.tolist()):
-            low, part = self._between(place)
-            seen = sorted((abs(at - place), bend) for at, bend in self._checks)[:2]
+        for lane, nm in enumerate(wavelengths.tolist()):
+            low, part = self._between(nm)
+            seen = sorted((abs(at - nm), bend) for at, bend in self._checks)[:2]
             if not seen or not 0.0 <= part <= 1.0:
                 continue
             logs = np.log(_mean(guess[0][..., lane])[:, :, 0])
@@ -164,39 +163,39 @@ class Corrections:
             found[lane] = self._bow(low, part) * max(bend for _, bend in seen) + own
         return found
 
-    def _between(self, place: float) -> tuple[int, float]:
-        """Index of the solved wavelength below one [nm], and its place up to the next one. [1]"""
-        high = min(max(bisect(self._places, place), 1), len(self._places) - 1)
-        start, end = self._places[high - 1], self._places[high]
-        return high - 1, (place - start) / (end - start)
+    def _between(self, nm: float) -> tuple[int, float]:
+        """Index of the solved wavelength below one [nm], and fraction of the step above it. [1]"""
+        high = min(max(bisect(self._wavelengths, nm), 1), len(self._wavelengths) - 1)
+        start, end = self._wavelengths[high - 1], self._wavelengths[high]
+        return high - 1, (nm - start) / (end - start)
 
     def _bow(self, low: int, part: float) -> float:
-        """Product of the distances to the solved wavelengths to both sides. [nm²]"""
-        width = self._places[low + 1] - self._places[low]
+        """Product of the distances to the solved wavelengths on both sides. [nm²]"""
+        width = self._wavelengths[low + 1] - self._wavelengths[low]
         return part * (1.0 - part) * width * width
 
     def corrected(self, wavelengths: FloatArray, guess: Light) -> Light | None:
-        """Guess with the corrections between those at the two nearest wavelengths.
+        """Guess with the correction interpolated between the two nearest solved wavelengths.
 
         Parameters
         ----------
         wavelengths : array, shape (w,)
             Wavelengths that are to be solved. [nm]
         guess : Light
-            Their guess from the inverse.
+            Their guess by synthetic acceleration.
 
         Returns
         -------
         Light or None
-            None as long as fewer than two wavelengths are known.
+            None as long as fewer than two wavelengths are solved.
         """
-        if len(self._places) < 2:
+        if len(self._wavelengths) < 2:
             return None
         field, sky = guess[0].copy(), guess[1].copy()
         lanes = field.shape[-1]
         for lane in range(lanes):
-            place = float(wavelengths[min(lane, wavelengths.size - 1)])
-            low, part = self._between(place)
+            nm = float(wavelengths[min(lane, wavelengths.size - 1)])
+            low, part = self._between(nm)
             for out, given, one, other in zip(
                 (field, sky), guess, self._light[low], self._light[low + 1], strict=True
             ):

@@ -1,4 +1,4 @@
-"""Rows of the matrix along the vertical, by plain array operations."""
+"""Rows of the synthetic operator, by plain array operations."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.kernel.lanes import LANES
 from airlight.solvers.moments.levels import finer_weights
-from airlight.solvers.moments.vertical_matrix import gather_levels, project_radii
+from airlight.solvers.moments.synthetic_operator import gather_levels, project_radii
 
 ANGLES, RADII, PAIRS = 5, 7, 9
 

@@ -1,4 +1,4 @@
-"""Paths of light in a medium, straight or bent, for solvers that treat all as straight."""
+"""Geometry of refracted rays, which are straight lines in the optical radius."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.geometry.bending import seen_star
+from airlight.geometry.bending import apparent_sun
 from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, vectorized
-from airlight.optics.bent_density import BentShell
+from airlight.optics.bent_density import RefractingShell
 from airlight.planets.medium import Medium
 from airlight.solvers.sight import Sight
 from airlight.tables.columns import columns
-from airlight.tables.star_lift import NONE, bending, star_lift
+from airlight.tables.refraction_table import NONE, bending, refraction_table
 
 FloatArray = NDArray[np.float64]
 
@@ -34,31 +34,31 @@ _QUICK_STEPS: Final = 3
 
 
 @dataclass(frozen=True, eq=False)
-class LightPaths:
-    """Medium in which rays are straight, with the conversions to and from it.
+class RefractedGeometry:
+    """Medium in the optical radius, in which rays are straight, and conversions to and from it.
 
     Attributes
     ----------
     medium : Medium
         Medium by optical radius, with "bending" as its last constituent; the planet's own where
         light goes straight.
-    shell : BentShell or None
+    shell : RefractingShell or None
         Shell by optical radius, or None where light goes straight.
     lift : array, shape (rows, columns, 2)
-        Table from ``star_lift``; without rows where light goes straight. [1]
+        Table from ``refraction_table``; without rows where light goes straight. [1]
     """
 
     medium: Medium
-    shell: BentShell | None
+    shell: RefractingShell | None
     lift: FloatArray
 
     @classmethod
-    def of(cls, medium: Medium) -> LightPaths:
-        """Make the paths of light in a planet's medium."""
-        drawn, shell = medium.drawn_straight(), medium.bent_shell
+    def of(cls, medium: Medium) -> RefractedGeometry:
+        """Geometry of the rays in a planet's medium."""
+        drawn, shell = medium.in_optical_radius(), medium.refracting_shell
         if shell is None:
             return cls(drawn, None, NONE)
-        return cls(drawn, shell, _star_lift_of(shell))
+        return cls(drawn, shell, _refraction_table_of(shell))
 
     @property
     def bend(self) -> float:
@@ -87,13 +87,13 @@ class LightPaths:
         length = np.where(missed, 0.0, vectorized(ray_length)(x, sight.mu, bottom, top))
         return replace(sight, r=x, length=length, to_ground=to_ground)
 
-    def seen_nu(self, sight: Sight) -> FloatArray:
-        """Cosines between straight lines of sight and the apparent star, shape (n,). [1]"""
+    def apparent_nu(self, sight: Sight) -> FloatArray:
+        """Cosines between lines of sight and the apparent star, shape (n,). [1]"""
         if self.shell is None:
             return sight.nu
         out = np.empty(sight.nu.size)
         arrays = (sight.r, sight.mu, sight.mu_s, sight.nu)
-        _seen_nu(*arrays, self.shell.bottom, self.shell.top, self.lift, out)
+        _apparent_nu(*arrays, self.shell.bottom, self.shell.top, self.lift, out)
         return out
 
     @property
@@ -111,7 +111,7 @@ class LightPaths:
         shell = self.shell
         return bending(x, mu, shell.bottom, shell.top, shell.density, shell.bend)
 
-    def drawn_length(
+    def optical_length(
         self,
         x: FloatArray,
         mu: FloatArray,
@@ -120,7 +120,7 @@ class LightPaths:
         *,
         quick: bool = False,
     ) -> FloatArray:
-        """Length by optical radius of stretches of rays of known true length, (n,). [m]
+        """Length, in the optical radius, of segments of rays with known true length, (n,). [m]
 
         Parameters
         ----------
@@ -147,7 +147,7 @@ class LightPaths:
         return np.asarray(np.where(reached < true_length * (1.0 - 1e-9), following, length))
 
 
-def _star_lift_of(shell: BentShell) -> FloatArray:
+def _refraction_table_of(shell: RefractingShell) -> FloatArray:
     """Table of the apparent star, from the last few that were made; haze does not change it."""
     bending_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
     key = (shell.bottom, shell.top, shell.bend, *bending_row)
@@ -155,7 +155,7 @@ def _star_lift_of(shell: BentShell) -> FloatArray:
         if key in _lifts:
             _lifts.move_to_end(key)
             return _lifts[key]
-    made = star_lift(shell.bottom, shell.top, shell.density, shell.bend)
+    made = refraction_table(shell.bottom, shell.top, shell.density, shell.bend)
     with _lock:
         _lifts[key] = made
         while len(_lifts) > _KEPT:
@@ -164,11 +164,11 @@ def _star_lift_of(shell: BentShell) -> FloatArray:
 
 
 @compiled_loop
-def _seen_nu(x, mu, mu_s, nu, bottom, top, lift, out):
+def _apparent_nu(x, mu, mu_s, nu, bottom, top, lift, out):
     for k in range(x.size):
         sine = max((1.0 - mu[k]) * (1.0 + mu[k]), 0.0) ** 0.5
         sine_s = max((1.0 - mu_s[k]) * (1.0 + mu_s[k]), 0.0) ** 0.5
-        seen, _, _ = seen_star(x[k], mu_s[k], bottom, top, lift)
+        seen, _, _ = apparent_sun(x[k], mu_s[k], bottom, top, lift)
         across = sine * sine_s
         azimuth = (nu[k] - mu[k] * mu_s[k]) / across if across > 1e-12 else 1.0
         sine_seen = max((1.0 - seen) * (1.0 + seen), 0.0) ** 0.5
@@ -176,7 +176,7 @@ def _seen_nu(x, mu, mu_s, nu, bottom, top, lift, out):
         out[k] = min(max(value, -1.0), 1.0)
 
 
-def straightened(medium: Medium) -> tuple[Medium, str]:
+def without_refraction(medium: Medium) -> tuple[Medium, str]:
     """Medium in which light goes straight, and a line that says so; itself and "" if it does.
 
     The true direction of the star is kept: the sun sets half a degree earlier on Earth, and the
@@ -188,7 +188,7 @@ def straightened(medium: Medium) -> tuple[Medium, str]:
     return straight, "light that this planet bends is drawn straight"
 
 
-def only_straight(medium: Medium, what: str) -> None:
+def require_no_refraction(medium: Medium, what: str) -> None:
     """Refuse a medium that bends light, for methods whose rays are straight.
 
     Raises

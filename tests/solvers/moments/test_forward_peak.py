@@ -12,8 +12,14 @@ from airlight import Medium, load_planet, solve
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import vectorized
 from airlight.optics.phase_functions import henyey_greenstein
-from airlight.solvers.moments.reduced_optics import Optics
-from airlight.solvers.moments.widened_peaks import ANGLES, DEPTHS, MIDDLE, peak_widening, sharpness
+from airlight.solvers.moments.delta_m import Optics
+from airlight.solvers.moments.forward_peak import (
+    ANGLES,
+    DEPTHS,
+    MIDDLE,
+    inverse_peak_fraction,
+    peak_broadening,
+)
 from extremes import Case, lost
 
 DEGREE = 6
@@ -24,10 +30,14 @@ def table_of(g: float) -> tuple[np.ndarray, np.ndarray, float]:
     """Depths, additional light of thick particles of one asymmetry, and their peak's part."""
     medium = Medium.from_planet(Case(asymmetry=g, depth=3.0).planet(), [550.0])
     optics = Optics(medium, DEGREE)
-    table = peak_widening(optics)
+    table = peak_broadening(optics)
     assert table is not None
     place = np.arange(DEPTHS - 1) / (DEPTHS - 1)
-    return MIDDLE * place / (1.0 - place), table[:, :, 0], 1.0 / float(sharpness(optics)[0, 0])
+    return (
+        MIDDLE * place / (1.0 - place),
+        table[:, :, 0],
+        1.0 / float(inverse_peak_fraction(optics)[0, 0]),
+    )
 
 
 @pytest.mark.parametrize("g", [0.9, 0.99])

@@ -1,25 +1,31 @@
 /**
- * Sum of all further orders of scattering along the vertical, for thick air: see
- * solvers/moments/vertical_coupling.py, whose elimination and spread sideways are emitted.
+ * Synthetic acceleration of the iteration in thick air: see
+ * solvers/moments/synthetic_acceleration.py, whose elimination and lateral diffusion are emitted.
  *
- * The matrix of a sweep is put together from what the passes have computed of each ray: `factors`
+ * The operator K is assembled from the textures of each ray that the passes have filled: `factors`
  * of the moments at its points, `shares`, `bounces` and `projections`, see gpu/solver/passes.py.
  * Light is an array as in the solver's textures: moments (radius, sun, term), then irradiances
  * (radius, sun), four wavelengths each. Matrices have one wavelength.
  */
-import { factorise, floor_below, node_value, sideways_equations, substitute } from "../generated/formulas.js";
+import {
+  factorise,
+  floor_below,
+  lateral_diffusion_equations,
+  node_value,
+  substitute,
+} from "../generated/formulas.js";
 import { LANES } from "../generated/sizes.js";
 
-export class Completion {
+export class SyntheticAcceleration {
   /**
    * @param {object} plan Plan of the solver.
    * @param {(name: string) => object} table Table of the plan, as emitted functions read it.
-   * @param {object} fixed Limits `degree` and `order` of what is completed, and `cubics`.
+   * @param {object} fixed Largest `degree` and `order` of the moments in K, and `cubics`.
    * @param {Object<string, Float32Array>} rays Contents of the four textures.
-   * @param {{wide: number, leak: number, deep: boolean}} reach Lengths of the spread sideways
-   *   [rad], and whether it is relative to the light, as in deep air.
+   * @param {{diffusion_length: number, grid_diffusion: number, deep: boolean}} diffusion Lengths of
+   *   lateral and numerical diffusion [rad], and whether the air is optically deep.
    */
-  constructor(plan, table, fixed, rays, reach) {
+  constructor(plan, table, fixed, rays, diffusion) {
     const { degree, order, cubics } = fixed;
     this.sizes = plan.sizes;
     this.pairs = [];
@@ -29,10 +35,12 @@ export class Completion {
       for (let l = m; l <= degree; l++) this.pairs.push((l * (l + 1)) / 2 + m);
     }
     this.cubics = sparse(cubics, this.sizes.radii);
-    this.deep = reach.deep;
-    this.all = sideways(table("sun_cosines"), reach.wide, reach.leak);
-    this.wide = sideways(table("sun_cosines"), reach.wide, 0);
-    this.leak = sideways(table("sun_cosines"), 0, reach.leak);
+    const { diffusion_length, grid_diffusion, deep } = diffusion;
+    const cosines = table("sun_cosines");
+    this.deep = deep;
+    this.both = lateralDiffusionMatrix(cosines, diffusion_length, grid_diffusion);
+    this.diffusion = lateralDiffusionMatrix(cosines, diffusion_length, 0);
+    this.gridDiffusion = lateralDiffusionMatrix(cosines, 0, grid_diffusion);
     this.points = pointsOf(plan.sizes, table);
     this.rays = rays;
     this.start = table("start");
@@ -42,7 +50,7 @@ export class Completion {
    * Eliminate the equations of each wavelength.
    *
    * @param {() => Promise<void>} breathe Awaited between two wavelengths.
-   * @returns {Promise<Completion>} This completion, which no longer needs the rays.
+   * @returns {Promise<SyntheticAcceleration>} This object, which no longer needs the rays.
    */
   async eliminate(breathe) {
     this.lanes = [];
@@ -129,29 +137,29 @@ export class Completion {
   }
 
   /**
-   * Add to the change by the last sweep the sum of all further sweeps.
+   * Residual plus the sum of all further sweeps.
    *
-   * @param {Float32Array} change
-   * @param {Float32Array?} light Light with that change; null where the change is the first order.
+   * @param {Float32Array} change Residual of a sweep, or the first order.
+   * @param {Float32Array?} light Light after the sweep; null for the first order.
    * @returns {Float32Array}
    */
-  finish(change, light = null) {
+  apply(change, light = null) {
     const { radii, suns, terms } = this.sizes;
     const nodes = radii * suns;
     const all = change.slice();
     for (let lane = 0; lane < LANES; lane++) {
       const { sizes, factors, toSky } = this.lanes[lane];
       const once = this.deep && !light;
-      const across = (more) => (once ? this.spread(more, this.wide) : more);
-      const around = once ? this.leak : this.all;
+      const diffused = (more) => (once ? this.spread(more, this.diffusion) : more);
+      const around = once ? this.gridDiffusion : this.both;
       const known = light ?? change;
       let scale;
       this.blocks.forEach((block, index) => {
         const before = this.unknowns(change, block, lane);
         const after = before.slice();
         substitute(factors[index], sizes[index], after, suns);
-        const more = across(after.map((x, i) => x - before[i]));
-        // With the star in the zenith or the nadir the light is the same in all azimuths.
+        const more = diffused(after.map((x, i) => x - before[i]));
+        // With the star in the zenith or the nadir no light depends on azimuth.
         const inner = block.m > 0 ? 1 : 0;
         const { first, width } = block;
         if (block.m === 0) {
@@ -166,7 +174,7 @@ export class Completion {
           all[(node * terms + this.pairs[first + (row % width)]) * LANES + lane] += x * scale[node];
         });
         if (block.m > 0) return;
-        const sky = across(this.irradiances(toSky, after));
+        const sky = diffused(this.irradiances(toSky, after));
         const received = this.scaleOf((i, s) => sky[i * suns + s], known, 1, nodes * terms, lane);
         this.spread(sky.map((x, k) => x / received[k]), around).forEach((x, k) => {
           all[(nodes * terms + k) * LANES + lane] += x * received[k];
@@ -176,7 +184,7 @@ export class Completion {
     return all;
   }
 
-  /** Light and what is added to it, by node, for a change cannot be larger; 1 but in deep air. */
+  /** Light plus the magnitude of its change, by node: the scale of ratios in deep air, otherwise 1. */
   scaleOf(more, light, step, first, lane) {
     const { radii, suns } = this.sizes;
     const scale = new Float64Array(radii * suns);
@@ -254,12 +262,12 @@ function pointsOf({ levels: count, bottom, top }, table) {
   return { levels, fractions };
 }
 
-/** Matrix between suns, rows first: see `sideways` in solvers/moments/vertical_coupling.py. */
-function sideways(cosines, wide, leak) {
+/** Matrix between sun elevations, rows first: `lateral_diffusion_matrix` of synthetic_acceleration.py. */
+function lateralDiffusionMatrix(cosines, diffusionLength, gridDiffusion) {
   const suns = cosines.values.length;
   const spread = new Float64Array(suns * suns);
   const measure = new Float64Array(suns);
-  sideways_equations(cosines, wide, leak, spread, measure);
+  lateral_diffusion_equations(cosines, diffusionLength, gridDiffusion, spread, measure);
   const matrix = new Float64Array(suns * suns);
   measure.forEach((value, s) => {
     matrix[s * suns + s] = value;

@@ -14,7 +14,7 @@ from airlight.kernel import vectorized
 from airlight.planets import load_planet
 from airlight.planets import replace as changed
 from airlight.solvers import solve
-from airlight.solvers.moments.many_stars import light_apart
+from airlight.solvers.moments.march_sun_angles import scattering_by_constituent
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 
@@ -51,15 +51,19 @@ def test_many_stars_have_the_light_of_each(planet: str, refraction: str) -> None
     solution = solve(world, wavelengths=(680.0, 550.0, 440.0), quality="preview")
     assert isinstance(solution, MomentsSolution)
     sight = _sight(solution)
-    own = solution.medium.phase_function(solution.paths.seen_nu(solution.paths.sight(sight)))
-    air = solution.light._replace(widened=False, extinction=solution.light.true_extinction)
-    for orders, thinned, light in ((2, False, air), (0, True, None), (2, True, None)):
-        found, once = light_apart(solution, sight, orders, thinned=thinned)
+    own = solution.medium.phase_function(solution.paths.apparent_nu(solution.paths.sight(sight)))
+    air = solution.light._replace(widened=False, scaled_extinction=solution.light.extinction)
+    for orders, delta_scaled, light in ((2, False, air), (0, True, None), (2, True, None)):
+        found, once = scattering_by_constituent(solution, sight, orders, delta_scaled=delta_scaled)
         # Columns up to a panel come from whole panels or from those that a shadow cuts in two.
         near = {"rtol": 2e-3, "atol": 1e-7}
-        assert_allclose(found, solution.marched(sight, orders, ground=False), **near)
+        assert_allclose(
+            found, solution.radiance_per_irradiance(sight, orders, ground=False), **near
+        )
         for c in range(own.shape[1]):
-            alone = solution.marched(sight, 1, light=light, scatterers=[c], ground=False)
+            alone = solution.radiance_per_irradiance(
+                sight, 1, light=light, scatterers=[c], ground=False
+            )
             assert_allclose(once[:, c] * own[:, c], alone, **near)
 
 
@@ -70,8 +74,8 @@ def test_the_result_does_not_depend_on_company() -> None:
     assert isinstance(solution, MomentsSolution)
     sight = _sight(solution)
     mixed = np.random.default_rng(5).permutation(sight.r.size)
-    together, _ = light_apart(solution, sight, 2, thinned=False)
-    apart, _ = light_apart(
+    together, _ = scattering_by_constituent(solution, sight, 2, delta_scaled=False)
+    apart, _ = scattering_by_constituent(
         solution,
         replace(
             sight,
@@ -83,6 +87,6 @@ def test_the_result_does_not_depend_on_company() -> None:
             to_ground=sight.to_ground[mixed],
         ),
         2,
-        thinned=False,
+        delta_scaled=False,
     )
     assert_allclose(apart, together[mixed], rtol=2e-3, atol=1e-7)

@@ -9,7 +9,7 @@ import pytest
 from airlight import load_planet
 from airlight.errors import ParameterError
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 def test_a_mirage_of_the_star_is_refused(tmp_path: Path) -> None:
@@ -22,4 +22,4 @@ def test_a_mirage_of_the_star_is_refused(tmp_path: Path) -> None:
     planet = load_planet(file)
     assert file.read_text() != text
     with pytest.raises(ParameterError, match=r"refraction is 'bouguer'; allowed: 'none' .* star"):
-        LightPaths.of(Medium.from_planet(planet, [680.0, 550.0, 440.0]))
+        RefractedGeometry.of(Medium.from_planet(planet, [680.0, 550.0, 440.0]))

@@ -1,8 +1,8 @@
-"""Rows of the matrix of a sweep along the vertical: what each ray of a radius sees of all radii.
+"""Synthetic operator K: matrix of a plane-parallel sweep, one row of radii at a time.
 
-The matrix is that of ``vertical_coupling``. Weights of the moments are summed over the points of a
-ray, at the levels between which the sweep interpolates, then at the radii from whose moments these
-are interpolated, and projected onto the moments of the radius.
+``synthetic_acceleration`` inverts 1 - K. Weights of the moments are summed over the quadrature
+points of each ray, at the levels between which the sweep interpolates, then at the radii from whose
+moments these are interpolated, and projected onto the moments of the ray's radius.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, s
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import sky_factor
 from airlight.solvers.moments.harmonics import legendre_functions
-from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, through_ray
+from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, transmittance_ray
 
 
 @compiled_loop
-def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
+def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
     """Weights of the moments at all radii in the radiance of the rays from one radius.
 
     Parameters
@@ -51,14 +51,14 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
         for k in range(starts[i, a], starts[i, a + 1]):
             legendre_functions(mu_along[k], expansion, functions)
             depth = optical_depth(depths[k], 0, extinction, constituents)
-            through = exponential(0.0 - depth) * exact
+            transmittance = exponential(0.0 - depth) * exact
             for l in range(degree + 1):
                 strength = splat(0.0)
                 for c in range(constituents):
                     strength = strength + load(
                         moments, LANES * (c * (highest + 1) + l)
                     ) * np.float32(amounts[k, c])
-                store(strengths, LANES * l, strength * through)
+                store(strengths, LANES * l, strength * transmittance)
             x = node_value(ray_radii[k], bottom, top, first_nodes, rows_at)
             row = min(int(x), radii.size - 2)
             f = x - row
@@ -73,9 +73,9 @@ def couple_radius(i, grid, rays, share, mu_along, air, expansion, degree, order,
                     low += LANES
                     high += LANES
         if a < angles // 2:
-            through = through_ray(extinction, totals[i, a], 0, constituents)
+            transmittance = transmittance_ray(extinction, totals[i, a], 0, constituents)
             leaving = leaving_at_end(rays.end, i, a, rays.mu[i, a])
-            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * through)
+            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * transmittance)
 
 
 @compiled_loop
@@ -87,7 +87,7 @@ def gather_levels(cubics, weights, angles, out):
     cubics : array, shape (f, r)
         Matrix from ``levels.finer_weights``, mostly 0. [1]
     weights : array, shape (a·f·pairs·8,)
-        Weights from ``couple_radius``, at f levels. [1]
+        Weights from ``synthetic_rows``, at f levels. [1]
     angles : int
         Number a of rays.
     out : array, shape (a·r·pairs·8,)

@@ -10,18 +10,18 @@ from numpy.testing import assert_allclose, assert_array_less
 from airlight import load_planet
 from airlight.kernel.lanes import LANES
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
+from airlight.solvers.moments.adaptive_quadrature import POINTS, adaptive_quadrature
 from airlight.solvers.moments.rays import Rays
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
-from airlight.solvers.moments.thinned_rays import POINTS, thinned
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 def test_few_points_in_dim_panels_change_no_ray_by_a_thousandth() -> None:
     # Second method: all points. The source rises towards the top of the air and turns with the
     # star's place on the way, as the light of a low sun does.
     medium = Medium.from_planet(load_planet("titan"), [680.0, 550.0, 440.0])
-    setup = Setup(paths=LightPaths.of(medium), settings=settings_for("preview"))
+    setup = Setup(paths=RefractedGeometry.of(medium), settings=settings_for("preview"))
     air = setup.optics.air(slice(0, 3))
     extinction = air.extinction.astype(float).reshape(-1, LANES)
     count = extinction.shape[0]
@@ -35,7 +35,7 @@ def test_few_points_in_dim_panels_change_no_ray_by_a_thousandth() -> None:
             [part[first:last].sum(axis=0) for row in rays.start for first, last in pairwise(row)]
         )
 
-    few = thinned(setup.rays, air, setup.ray_nodes)
+    few = adaptive_quadrature(setup.rays, air, setup.ray_nodes)
     assert few.radius.size < 0.6 * setup.rays.radius.size
     most, total = light(setup.rays), light(few)
     assert_allclose(total, most, rtol=5e-3, atol=1e-6)

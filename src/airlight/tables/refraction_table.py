@@ -40,7 +40,7 @@ def bending(
     density : DensitySegments
         Profiles over optical altitude, "bending" last.
     bend : float
-        See ``BentShell``. [m⁻²]
+        See ``RefractingShell``. [m⁻²]
 
     Returns
     -------
@@ -54,7 +54,9 @@ def bending(
     return np.asarray(bend * x * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)) * column)
 
 
-def star_lift(bottom: float, top: float, density: DensitySegments, bend: float) -> FloatArray:
+def refraction_table(
+    bottom: float, top: float, density: DensitySegments, bend: float
+) -> FloatArray:
     """Raise of the cosine of a star's zenith angle, and flattening of the star.
 
     Parameters

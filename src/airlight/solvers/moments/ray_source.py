@@ -1,9 +1,9 @@
-"""Light that the points of a ray send along it, under each sun.
+"""Source function at the points of a ray, for each sun elevation.
 
-What a point sends depends on its own zenith cosine and on the moments between its two radii, not
-on the azimuth. So the factors of a point, strengths times Legendre functions, are found once, and
-contracted with the moments under four suns at a time: each factor and each moment is loaded as
-seldom as the registers allow.
+It depends on the ray's zenith cosine at the point and on the moments between two radii, not on the
+azimuth. So the factors of a point, strengths times Legendre functions, are computed once, and
+contracted with the moments for four sun elevations at a time: each factor and each moment is loaded
+as seldom as the registers allow.
 """
 
 from __future__ import annotations
@@ -19,8 +19,12 @@ from airlight.solvers.moments.harmonics import (
     legendre_functions,
     polarised_functions,
 )
-from airlight.solvers.moments.ray_optics import onward_light, optical_depth, strength_of
-from airlight.solvers.moments.sent_light import coupled_moments, first_register, odd_moment
+from airlight.solvers.moments.ray_optics import (
+    optical_depth,
+    polarised_transmittance_ratio,
+    strength_of,
+)
+from airlight.solvers.moments.source_function import coupled_moments, first_register, odd_moment
 
 #: Numbers of a point that couple the moments of one order, in registers.
 _COUPLINGS = 7
@@ -59,7 +63,7 @@ def factor_count(degree, paired):
 def fill_factors(
     point, rays, air, expansion, degree, highest, functions, first, factors, paired
 ):  # fmt: skip
-    """Factors of a point of a ray, by which the moments there are multiplied.
+    """Factors by which the moments at a point of a ray are multiplied.
 
     Parameters
     ----------
@@ -78,13 +82,13 @@ def fill_factors(
     paired : bool
         See ``first_register``; a constant.
     """
-    extinction, moments, polarising = air
+    extinction, moments, polarised_phase = air
     mu_along, amounts, depths = rays
     constituents = amounts.shape[1]
     legendre_functions(mu_along[point], expansion, functions)
-    through = exponential(0.0 - optical_depth(depths[point], 0, extinction, constituents))
+    transmittance = exponential(0.0 - optical_depth(depths[point], 0, extinction, constituents))
     for l in range(highest + 1):
-        strength = strength_of(moments, amounts, point, l, degree, constituents) * through
+        strength = strength_of(moments, amounts, point, l, degree, constituents) * transmittance
         index = l * (l + 1) // 2
         at = first + LANES * first_register(l, paired)
         if paired:
@@ -98,11 +102,19 @@ def fill_factors(
             for m in range(l + 1):
                 store(factors, at + LANES * m, strength * np.float32(functions[index + m]))
     last = ELEMENTS - 1
-    coupling = through * strength_of(polarising, amounts, point, 0, last, constituents)
-    onward = onward_light(depths[point], 0, polarising, constituents)
-    keeping = onward * through * strength_of(polarising, amounts, point, 1, last, constituents)
-    turning = onward * through * strength_of(polarising, amounts, point, 2, last, constituents)
-    turned = onward * coupling
+    beta_1 = transmittance * strength_of(polarised_phase, amounts, point, 0, last, constituents)
+    polarised_ratio = polarised_transmittance_ratio(depths[point], 0, polarised_phase, constituents)
+    alpha_2 = (
+        polarised_ratio
+        * transmittance
+        * strength_of(polarised_phase, amounts, point, 1, last, constituents)
+    )
+    alpha_3 = (
+        polarised_ratio
+        * transmittance
+        * strength_of(polarised_phase, amounts, point, 2, last, constituents)
+    )
+    turned = polarised_ratio * beta_1
     # The Legendre functions of degree 2.
     second_0, second_1, second_2 = functions[3], functions[4], functions[5]
     a0, a1, a2, b1, b2 = polarised_functions(mu_along[point])
@@ -123,21 +135,21 @@ def fill_factors(
                 second, even, odd = splat(second_1), splat(a1), splat(b1)
             if m == 2:
                 second, even, odd = splat(second_2), splat(a2), splat(b2)
-        store(factors, at, coupling * second)
+        store(factors, at, beta_1 * second)
         store(factors, at + LANES, even * turned)
-        store(factors, at + 2 * LANES, even * keeping)
-        store(factors, at + 3 * LANES, odd * turning)
+        store(factors, at + 2 * LANES, even * alpha_2)
+        store(factors, at + 3 * LANES, odd * alpha_3)
         store(factors, at + 4 * LANES, odd * turned)
-        store(factors, at + 5 * LANES, odd * keeping)
-        store(factors, at + 6 * LANES, even * turning)
+        store(factors, at + 5 * LANES, odd * alpha_2)
+        store(factors, at + 6 * LANES, even * alpha_3)
         at = at + _COUPLINGS * LANES
 
 
 @inlined
-def fill_four(
+def source_four_suns(
     k, row, f, first, factors, suns, field, start, wide, highest, degree, rows, paired
 ):  # fmt: skip
-    """Light that a point sends along its ray, under four suns.
+    """Source function at a point of a ray, for four sun elevations.
 
     Parameters
     ----------
@@ -160,7 +172,7 @@ def fill_four(
     highest, degree : int
         Highest degree that counts at this point, and highest degree of the moments.
     rows : array
-        Receives for each sun a node of ``sent_by_point``.
+        Receives for each sun a node of ``source_at_point``.
     paired : bool
         See ``first_register``; a constant.
     """
@@ -214,20 +226,20 @@ def fill_four(
             if m < wide:
                 at = target + LANES * (1 + m)
                 store(rows, at, load(rows, at) + load(factors, by) * here)
-            plane = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * here
-            slant = load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * here
+            point_q = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * here
+            point_u = load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * here
             if paired or m > 0:
                 turned = odd_moment(field, low, high, f, m, degree, paired)
-                plane = plane + load(factors, by + 3 * LANES) * turned
-                slant = slant + load(factors, by + 6 * LANES) * turned
+                point_q = point_q + load(factors, by + 3 * LANES) * turned
+                point_u = point_u + load(factors, by + 6 * LANES) * turned
             at = target + LANES * (1 + all_wide)
-            store(rows, at + LANES * m, plane)
+            store(rows, at + LANES * m, point_q)
             if paired:  # U_1 in the second half, U_2 in the first
                 if m == 1:
-                    slant = slant + load(rows, at + 2 * LANES)
-                store(rows, at + 2 * LANES, slant)
+                    point_u = point_u + load(rows, at + 2 * LANES)
+                store(rows, at + 2 * LANES, point_u)
             elif m > 0:
-                store(rows, at + LANES * (EVEN - 1 + m), slant)
+                store(rows, at + LANES * (EVEN - 1 + m), point_u)
 
 
 @inlined

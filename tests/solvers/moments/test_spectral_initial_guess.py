@@ -11,31 +11,33 @@ from airlight.planets import Constituent
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.spectral import PerWavelength
 from airlight.solvers.moments import iterate
-from airlight.solvers.moments.between_wavelengths import Corrections, panels
 from airlight.solvers.moments.settings import QUALITIES
+from airlight.solvers.moments.spectral_initial_guess import SpectralGuess, wavelength_batches
 
 
 @pytest.mark.parametrize("count", [1, 3, 8, 9, 16, 17, 24, 63, 64, 65, 129, 400])
 @pytest.mark.parametrize("step", [1.0, -1.0, 40.0])
 def test_each_wavelength_is_solved_once_and_eight_at_a_time(count, step):
     wavelengths = 900.0 + step * np.arange(count)
-    blocks = [which for panel in panels(wavelengths) for which in panel]
+    blocks = [which for batch in wavelength_batches(wavelengths) for which in batch]
     indices = [range(count)[which] for which in blocks]
     assert sorted(i for block in indices for i in block) == list(range(count))
     assert all(1 <= len(block) <= 8 for block in indices)
 
 
-def test_the_ends_of_a_panel_come_first():
-    (panel,) = panels(np.linspace(500.0, 563.0, 64))
-    assert [which.start for which in panel] == [0, 7, 3, 1, 5, 2, 4, 6]
+def test_the_ends_of_a_batch_come_first():
+    (batch,) = wavelength_batches(np.linspace(500.0, 563.0, 64))
+    assert [which.start for which in batch] == [0, 7, 3, 1, 5, 2, 4, 6]
 
 
 @pytest.mark.parametrize("wavelengths", [np.linspace(300.0, 1000.0, 40), np.array([600.0, 500.0])])
 def test_wavelengths_far_apart_are_on_their_own(wavelengths):
-    assert all(len(panel) == 1 for panel in panels(wavelengths))
+    assert all(len(batch) == 1 for batch in wavelength_batches(wavelengths))
     shuffled = np.array([500.0, 503.0, 501.0, 502.0] * 8)
-    assert all(len(panel) == 1 for panel in panels(shuffled))
-    assert all(len(panel) == 1 for panel in panels(np.linspace(500.0, 563.0, 64), clear=False))
+    assert all(len(batch) == 1 for batch in wavelength_batches(shuffled))
+    assert all(
+        len(batch) == 1 for batch in wavelength_batches(np.linspace(500.0, 563.0, 64), clear=False)
+    )
 
 
 def test_corrections_linear_in_wavelength_are_found_exactly():
@@ -48,11 +50,11 @@ def test_corrections_linear_in_wavelength_are_found_exactly():
         lanes = np.resize(nm, 8).astype(np.float32)
         return base * (1.0 + 0.01 * lanes), sky * (1.0 + 0.02 * lanes)
 
-    corrections = Corrections()
+    spectral = SpectralGuess()
     known, wanted = np.array([0.0, 4.0]), np.array([1.0, 3.0, 5.0])
-    assert corrections.corrected(wanted, (base, sky)) is None
-    corrections.add(known, (base, sky), light(known))
-    found = corrections.corrected(wanted, (base, sky))
+    assert spectral.corrected(wanted, (base, sky)) is None
+    spectral.add(known, (base, sky), light(known))
+    found = spectral.corrected(wanted, (base, sky))
     # A guess is corrected in proportion to its own mean radiance: here by the moments of lane 1,
     # whose correction at 4 nm is 4 % of them.
     share = 0.01 * base[..., 1:2] / base[:, :, :1, 1:2]
@@ -65,15 +67,15 @@ def test_what_sweeps_would_change_follows_from_what_one_changed():
     # A straight line from 0 to 4 misses a parabola x² by x (4 - x): 4 in the middle, 3 beside it.
     shape = (2, 3, 4, 8)
     ones = np.ones(shape, np.float32), np.ones(shape[:2] + shape[3:], np.float32)
-    corrections = Corrections()
-    corrections.add(np.array([0.0, 4.0]), ones, (1.02 * ones[0], 1.02 * ones[1]))
+    spectral = SpectralGuess()
+    spectral.add(np.array([0.0, 4.0]), ones, (1.02 * ones[0], 1.02 * ones[1]))
     asked = np.array([1.0, 2.0, 5.0])
-    assert_allclose(corrections.expected(asked, ones), np.inf)  # nothing was seen
-    corrections.check(np.array([2.0]), np.array([4e-3]))
-    assert_allclose(corrections.expected(asked, ones), [3e-3, 4e-3, np.inf])
+    assert_allclose(spectral.expected(asked, ones), np.inf)  # nothing was seen
+    spectral.check(np.array([2.0]), np.array([4e-3]))
+    assert_allclose(spectral.expected(asked, ones), [3e-3, 4e-3, np.inf])
     # A line of the air's own: the guess is e times lower, the correction of 2 % may be another.
     band = ones[0] * np.where(np.arange(8) == 1, np.exp(-1.0), 1.0).astype(np.float32), ones[1]
-    assert_allclose(corrections.expected(asked, band), [3e-3, 4e-3 + 0.02, np.inf], rtol=1e-5)
+    assert_allclose(spectral.expected(asked, band), [3e-3, 4e-3 + 0.02, np.inf], rtol=1e-5)
 
 
 @pytest.fixture
@@ -101,7 +103,7 @@ def test_wavelengths_in_between_need_fewer_sweeps_for_the_same_light(planet, swe
     helped = solve(made, nm, quality, cache=False).radiance(**SEEN)
     alike, sweeps[:] = list(sweeps), []
     apart = [[slice(k, k + 8)] for k in range(0, 24, 8)]
-    monkeypatch.setattr(iterate, "panels", lambda *_, **__: apart)
+    monkeypatch.setattr(iterate, "wavelength_batches", lambda *_, **__: apart)
     alone = solve(made, nm, quality, cache=False).radiance(**SEEN)
     assert alike[0] == sweeps[0] >= 2
     assert alike[-1] <= 1
@@ -135,10 +137,10 @@ def test_an_absorption_line_between_two_wavelengths_is_swept(sweeps):
     earth = load_planet("earth")
     planet = replace(earth, constituents=(*earth.constituents, gas))
     found = solve(planet, nm, "preview", cache=False).radiance(**SEEN)
-    (panel,) = panels(nm)
+    (batch,) = wavelength_batches(nm)
     inside = np.flatnonzero(np.abs(nm - middle) < 0.6)
     assert inside.size >= 2
-    for which, count in zip(panel, sweeps, strict=True):
+    for which, count in zip(batch, sweeps, strict=True):
         if set(range(64)[which]) & set(inside):
             assert count >= 1
     alone = solve(planet, nm[inside], "preview", cache=False).radiance(**SEEN)

@@ -1,10 +1,10 @@
-"""March of lines of sight that differ in the place of the star alone.
+"""March of lines of sight that differ only in the direction of the star.
 
-Texels of a table with the same radius and view lie on one line, under many suns. Its points, the
-columns up to them and what the field's harmonics give in a direction do not depend on the star, so
-they are found once for all stars that cut the line into the same panels. Points and stars are those
-of ``march``: the loop over stars is inside that over points, and sums over the harmonics of one
-azimuthal order are taken before those over orders.
+Texels of a table with the same radius and view lie on one line, for many sun angles. Its points,
+the columns up to them and the harmonics of its direction do not depend on the sun angle, so they
+are computed once for all sun angles that cut the line into the same panels. Points and results are
+those of ``march``: the loop over sun angles is inside that over points, and sums over the degrees
+of one azimuthal order come before those over orders.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
 from airlight.optics.altitude_nodes import node_value
+from airlight.solvers.moments.forward_peak import add_peaks, peak_fraction, peak_gain
 from airlight.solvers.moments.harmonics import (
     ELEMENTS,
     EVEN,
@@ -34,35 +35,34 @@ from airlight.solvers.moments.march_tables import MarchTables, new_workspace
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.moments.source import star_at, through_columns
-from airlight.solvers.moments.widened_peaks import add_peaks, more_light, peaked_share
+from airlight.solvers.moments.source import direct_beam, transmittance_columns
 from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Lines of sight in one block of work, and largest number of stars of one line.
+#: Lines of sight in one block of work, and largest number of sun angles of one line.
 _BLOCK: Final = 4096
 _STARS: Final = 512
 
 
-class StarsWorkspace(NamedTuple):
-    """Workspace of one thread beside that of the march; n stars, w lanes.
+class SunAngleWorkspace(NamedTuple):
+    """Workspace of one thread in addition to that of the march; n sun angles, w lanes.
 
     Attributes
     ----------
     edges : array, shape (n, MAX_EDGES)
-        Ends of the panels under each star. [m]
-    before : array, shape (n, nc)
+        Ends of the panels for each sun angle. [m]
+    columns_so_far : array, shape (n, nc)
         Columns up to the next panel. [m]
     next, counts, rules : array, shape (n,)
         Index of the next panel, number of edges, and start of the quadrature.
     faint : array, shape (n,)
-        Light scattered before is left out at points that scatter less. [1]
+        Multiple scattering is omitted at points that scatter less. [1]
     together : array, shape (n,)
-        Indices of the stars that share a panel.
-    through, through_once : array, shape (w,)
-        Transmittance to a point times its weight, of all light and of that scattered once. [m]
+        Indices of the sun angles that share a panel.
+    transmittance, transmittance_once : array, shape (w,)
+        Transmittance to a point times its weight, with and without delta-M scaling. [m]
     scattering : array, shape (nc·w,)
         Scattering coefficients at a point. [m⁻¹]
     factors : array, shape (k·w,)
@@ -71,21 +71,21 @@ class StarsWorkspace(NamedTuple):
         Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
         field's scale, for each sun of the field.
     made : array, shape (suns,)
-        Whether these are made for the point.
+        Whether these are computed for the point.
     sums : array, shape (n·(4 + nc)·w,)
-        Sums over the line for each star: all light, three of ``add_peaks``, light scattered once by
-        each constituent.
+        Sums over the line for each sun angle: all light, three of ``add_peaks``, single scattering
+        by each constituent.
     """
 
     edges: FloatArray
-    before: FloatArray
+    columns_so_far: FloatArray
     next: NDArray[np.int64]
     counts: NDArray[np.int64]
     rules: NDArray[np.int64]
     faint: FloatArray
     together: NDArray[np.int64]
-    through: Float32Array
-    through_once: Float32Array
+    transmittance: Float32Array
+    transmittance_once: Float32Array
     scattering: Float32Array
     factors: Float32Array
     orders: Float32Array
@@ -93,18 +93,18 @@ class StarsWorkspace(NamedTuple):
     sums: Float32Array
 
 
-def _new_workspace(light: MarchTables) -> StarsWorkspace:
+def _new_workspace(light: MarchTables) -> SunAngleWorkspace:
     lanes, count = light.lanes, light.constituents
-    return StarsWorkspace(
+    return SunAngleWorkspace(
         edges=np.empty((_STARS, MAX_EDGES)),
-        before=np.empty((_STARS, count)),
+        columns_so_far=np.empty((_STARS, count)),
         next=np.empty(_STARS, np.int64),
         counts=np.empty(_STARS, np.int64),
         rules=np.empty(_STARS, np.int64),
         faint=np.empty(_STARS),
         together=np.empty(_STARS, np.int64),
-        through=np.empty(lanes, np.float32),
-        through_once=np.empty(lanes, np.float32),
+        transmittance=np.empty(lanes, np.float32),
+        transmittance_once=np.empty(lanes, np.float32),
         scattering=np.empty(count * lanes, np.float32),
         factors=np.empty(moment_count(light.degree) * lanes, np.float32),
         orders=np.empty(light.suns * (light.degree + 2) * lanes, np.float32),
@@ -113,10 +113,10 @@ def _new_workspace(light: MarchTables) -> StarsWorkspace:
     )
 
 
-def light_apart(
-    solution: MomentsSolution, sight: Sight, orders: int, *, thinned: bool
+def scattering_by_constituent(
+    solution: MomentsSolution, sight: Sight, orders: int, *, delta_scaled: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Air's light, and that scattered once by each constituent apart.
+    """Radiance of the air, and single scattering by each constituent.
 
     Parameters
     ----------
@@ -124,21 +124,21 @@ def light_apart(
     sight : Sight
         n lines of sight; neighbours with equal radius, view and length are marched together.
     orders : int
-        Orders of the light as for ``MomentsSolution.marched``.
-    thinned : bool
-        Whether the light scattered once is the solution's own, in air thinned by its forward peaks,
-        which are widened; otherwise it is that of single scattering proper.
+        Orders of the light as for ``MomentsSolution.radiance_per_irradiance``.
+    delta_scaled : bool
+        Whether single scattering is the solution's, with delta-M scaled extinction and broadened
+        forward peaks; otherwise extinction and phase functions are unscaled.
 
     Returns
     -------
     light : array, shape (n, nl)
         Radiance of the air. [sr⁻¹]
     once : array, shape (n, nc, nl)
-        Light scattered once by each constituent, to be multiplied by its phase function. [1]
+        Single scattering by each constituent, to be multiplied by its phase function. [1]
     """
     light, paths = solution.light, solution.paths
     sight = paths.sight(sight)
-    seen = paths.seen_nu(sight)
+    seen = paths.apparent_nu(sight)
     n, count, constituents = sight.r.size, solution.wavelengths.size, light.constituents
     out, once = np.empty((n, count)), np.empty((n, constituents, count))
 
@@ -149,7 +149,7 @@ def light_apart(
         result = np.empty((phase.shape[0], (1 + constituents) * light.lanes), np.float32)
         _march_all(
             sight.r[rows], sight.mu[rows], sight.mu_s[rows], sight.nu[rows], half_sine,
-            sight.length[rows], orders, thinned, phase, light, new_workspace(light),
+            sight.length[rows], orders, delta_scaled, phase, light, new_workspace(light),
             _new_workspace(light), result,
         )  # fmt: skip
         parts = result.reshape(-1, 1 + constituents, light.lanes)[:, :, :count]
@@ -161,13 +161,13 @@ def light_apart(
 
 @compiled_loop
 def _march_all(
-    r, mu, mu_s, nu, half_sine, length, orders, thinned, phase, light, work, stars, out
+    r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, light, work, stars, out
 ):  # fmt: skip
     light, work, stars = borrowed((light, work, stars))
     apart = False
-    if not thinned:
-        for k in range(light.extinction.size):
-            apart = apart or light.extinction[k] != light.true_extinction[k]
+    if not delta_scaled:
+        for k in range(light.scaled_extinction.size):
+            apart = apart or light.scaled_extinction[k] != light.extinction[k]
     first = 0
     while first < r.size:
         last = first + 1
@@ -178,7 +178,7 @@ def _march_all(
             last += 1
         if length[first] > 0.0:
             _march_line(
-                first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, thinned, phase,
+                first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, delta_scaled, phase,
                 light, work, stars, out,
             )  # fmt: skip
         else:
@@ -188,10 +188,10 @@ def _march_all(
 
 @inlined
 def _march_line(
-    first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, thinned, phase, light, work,
-    stars, out,
+    first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, delta_scaled, phase, light,
+    work, stars, out,
 ):  # fmt: skip
-    """March the line under the stars ``first`` to ``last``; arguments as in ``_march_all``."""
+    """March the line for the sun angles ``first`` to ``last``; arguments as in ``_march_all``."""
     lanes, count = light.lanes, last - first
     width = (4 + light.constituents) * lanes
     for index in range(count):
@@ -202,8 +202,8 @@ def _march_line(
             stars.edges[index, edge] = work.edges[edge]
         scatters = 0.0
         for c in range(light.constituents):
-            scatters += light.brightest[c] * work.totals[c]
-            stars.before[index, c] = 0.0
+            scatters += light.brightest[c] * work.columns_total[c]
+            stars.columns_so_far[index, c] = 0.0
         points = int(light.rules[rule]) * (edges - 1)
         stars.faint[index] = FAINT * min(scatters, 1.0) / points if day else 0.0
     for at in range(0, count * width, LANES):
@@ -215,7 +215,7 @@ def _march_line(
         for edge in range(edges):
             work.edges[edge] = stars.edges[lead, edge]
         for c in range(light.constituents):
-            work.before[c] = stars.before[lead, c]
+            work.columns_so_far[c] = stars.columns_so_far[lead, c]
         place_panel(r[first], mu[first], panel, edges, rule, light, work)
         panel_columns(rule, light, work)
         n = int(light.rules[rule])
@@ -228,7 +228,7 @@ def _march_line(
             index = stars.together[member]
             stars.next[index] += 1
             for c in range(light.constituents):
-                stars.before[index, c] = work.before[c]
+                stars.columns_so_far[index, c] = work.columns_so_far[c]
         members = _next_panel(count, light, stars)
     for index in range(count):
         star, sums = first + index, index * width
@@ -238,15 +238,15 @@ def _march_line(
                 for part in range(3):
                     value = load(stars.sums, sums + (1 + part) * lanes + at)
                     store(work.peaks, part * lanes + at, value)
-                more = more_light(half_sine[star], light, work, at)
+                more = peak_gain(half_sine[star], light, work, at)
             found = load(stars.sums, sums + at)
             if light.widened and orders != 0:
                 found = found + more * load(work.peaks, at)
             store(out[star], at, found)
             for c in range(light.constituents):
                 once = load(stars.sums, sums + (4 + c) * lanes + at)
-                if thinned and light.widened:
-                    once = once * (np.float32(1.0) + more * peaked_share(c, light, at))
+                if delta_scaled and light.widened:
+                    once = once * (np.float32(1.0) + more * peak_fraction(c, light, at))
                 store(out[star], (1 + c) * lanes + at, once)
 
 
@@ -258,7 +258,7 @@ def _next_panel(count, light, stars):
     ----------
     count : int
         Number of stars.
-    light, stars : MarchTables, StarsWorkspace
+    light, stars : MarchTables, SunAngleWorkspace
         Tables of the solution; workspace, whose ``together`` receives the indices of the stars.
 
     Returns
@@ -293,7 +293,7 @@ def _next_panel(count, light, stars):
 
 @inlined
 def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, light, work, stars):
-    """Add the light of point k of a panel, of n points, to the sums of each star."""
+    """Add the source of point k of a panel, of n points, to the sums of each sun angle."""
     lanes, constituents = light.lanes, light.constituents
     width = (4 + constituents) * lanes
     q = min(max(work.radius[k], light.bottom), light.top)
@@ -301,7 +301,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
     mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
     scatters = 0.0
     for c in range(constituents):
-        work.rho[c] = work.density[c * n + k]
+        work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
         scatters += light.brightest[c] * work.density[c * n + k]
     angle = 0.0
@@ -309,14 +309,18 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
         angle = bend_angle(r, mu, light.bend, work.columns[(constituents - 1) * n + k])
     weight = np.float32(work.weight[k])
     for at in range(0, lanes, LANES):
-        through = through_columns(work.depths, light.extinction, constituents, lanes, at)
-        store(stars.through, at, through * weight)
+        transmittance = transmittance_columns(
+            work.depths, light.scaled_extinction, constituents, lanes, at
+        )
+        store(stars.transmittance, at, transmittance * weight)
         if apart:
-            through = through_columns(work.depths, light.true_extinction, constituents, lanes, at)
-            store(stars.through_once, at, through * weight)
+            transmittance = transmittance_columns(
+                work.depths, light.extinction, constituents, lanes, at
+            )
+            store(stars.transmittance_once, at, transmittance * weight)
         for c in range(constituents):
             here = c * lanes + at
-            store(stars.scattering, here, load(light.scattering, here) * work.rho[c])
+            store(stars.scattering, here, load(light.scattering, here) * work.point_density[c])
     x = node_value(q, light.bottom, light.top, light.first_nodes, light.row)
     row = min(int(x), light.radii - 2)
     f = np.float32(x - row)
@@ -340,18 +344,25 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
             sun = min(int(y), light.suns - 2)
             if not (stars.made[sun] and stars.made[sun + 1]):
                 _add_degrees(row, sun, f, light, stars)
-            _add_gathered(
+            _add_multiple_scattering(
                 sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), sums, light, stars
             )
 
 
 @inlined
 def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
-    """Add the star's light scattered once at a point to the sums from index ``sums`` on."""
+    """Add single scattering at a point to the sums from index ``sums`` on."""
     lanes, constituents = light.lanes, light.constituents
     for at in range(0, lanes, LANES):
-        star = load(stars.through, at) * star_at(
-            seen, work.here, work.there, spread, light.extinction, constituents, lanes, at
+        star = load(stars.transmittance, at) * direct_beam(
+            seen,
+            work.columns_to_sun_low,
+            work.columns_to_sun_high,
+            spread,
+            light.scaled_extinction,
+            constituents,
+            lanes,
+            at,
         )
         if orders != 0:
             source = splat(0.0)
@@ -370,8 +381,15 @@ def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
                     stars.sums, sums + (1 + part) * lanes + at, load(work.peaks, part * lanes + at)
                 )
         if apart:
-            star = load(stars.through_once, at) * star_at(
-                seen, work.here, work.there, spread, light.true_extinction, constituents, lanes, at
+            star = load(stars.transmittance_once, at) * direct_beam(
+                seen,
+                work.columns_to_sun_low,
+                work.columns_to_sun_high,
+                spread,
+                light.extinction,
+                constituents,
+                lanes,
+                at,
             )
         for c in range(constituents):
             own = sums + (4 + c) * lanes + at
@@ -392,21 +410,24 @@ def _place_direction(mu, light, work, stars):
             strength = splat(0.0)
             for c in range(light.constituents):
                 moment = load(light.moments, lanes * (c * (degree + 1) + l) + at)
-                strength = strength + moment * work.rho[c]
+                strength = strength + moment * work.point_density[c]
             for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
                 store(stars.factors, index * lanes + at, strength * work.functions[index])
-        coupling = splat(0.0)
+        beta_1 = splat(0.0)
         for c in range(light.constituents):
-            coupling = coupling + load(light.polarising, lanes * ELEMENTS * c + at) * work.rho[c]
+            beta_1 = (
+                beta_1
+                + load(light.polarised_phase, lanes * ELEMENTS * c + at) * work.point_density[c]
+            )
         last = (degree + 1) * (degree + 2) // 2
         for m in range(EVEN):
-            factor = coupling * work.functions[3 + m]
+            factor = beta_1 * work.functions[3 + m]
             store(stars.factors, (last + m) * lanes + at, factor)
 
 
 @inlined
 def _add_degrees(row, sun, f, light, stars):
-    """Sum the field over degrees, for two suns, between two rows; f is the share of the second."""
+    """Sum the field over degrees at two sun nodes, between two rows; f is the second's weight."""
     lanes, degree = light.lanes, light.degree
     last = (degree + 1) * (degree + 2) // 2
     block = lanes * (1 + last + POLARISED)
@@ -447,23 +468,23 @@ def _add_degrees(row, sun, f, light, stars):
 
 
 @inlined
-def _add_gathered(sun, share, cosine, sums, light, stars):
-    """Add light scattered before at a point, between two suns of the field, to a star's sum."""
+def _add_multiple_scattering(sun, share, cosine, sums, light, stars):
+    """Add multiple scattering at a point, between two sun nodes of the field, to a sum."""
     lanes, degree = light.lanes, light.degree
     e = np.float32(share)
     h = np.float32(1.0) - e
     near = sun * (degree + 2) * lanes
     far = near + (degree + 2) * lanes
     for at in range(0, lanes, LANES):
-        gathered = splat(0.0)
+        source = splat(0.0)
         earlier, multiple = cosine, 1.0  # cos (m - 1)φ and cos mφ
         for m in range(degree + 1):
             here = m * lanes + at
             part = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
-            gathered = gathered + part * np.float32(multiple)
+            source = source + part * np.float32(multiple)
             earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
         here = (degree + 1) * lanes + at
         scale = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
         # A sum of few harmonics may be negative where there is almost no light.
-        gathered = maximum(gathered / scale, 0.0) * load(stars.through, at)
-        store(stars.sums, sums + at, load(stars.sums, sums + at) + gathered)
+        source = maximum(source / scale, 0.0) * load(stars.transmittance, at)
+        store(stars.sums, sums + at, load(stars.sums, sums + at) + source)

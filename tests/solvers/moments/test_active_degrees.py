@@ -10,18 +10,18 @@ from numpy.testing import assert_allclose
 
 from airlight import load_planet
 from airlight.planets.medium import Medium
-from airlight.solvers.light_paths import LightPaths
 from airlight.solvers.moments import iterate
-from airlight.solvers.moments.light_degrees import light_degrees
+from airlight.solvers.moments.active_degrees import active_degrees
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
 def block_of(name: str, tolerance: float = 1e-2) -> Block:
     planet = load_planet(name)
     settings = replace(settings_for("preview"), tolerance=tolerance)
     medium = Medium.from_planet(planet, planet.wavelengths[:3])
-    return Setup(paths=LightPaths.of(medium), settings=settings).block(slice(None))
+    return Setup(paths=RefractedGeometry.of(medium), settings=settings).block(slice(None))
 
 
 def test_light_from_all_sides_has_few_degrees_and_a_level_between_those_of_both_ends() -> None:
@@ -32,7 +32,7 @@ def test_light_from_all_sides_has_few_degrees_and_a_level_between_those_of_both_
     field = np.zeros((radii, suns, setup.terms, 8), np.float32)
     field[:, :, 0] = 1.0
     field[3, 7, 5 * 6 // 2 + 2, 1] = 0.1
-    degrees = light_degrees(block, field)
+    degrees = active_degrees(block, field)
     assert degrees.shape == setup.grid.radii.shape
     parts = setup.parts
     assert parts > 1
@@ -50,10 +50,10 @@ def test_light_of_few_degrees_is_that_of_all(name: str, monkeypatch: pytest.Monk
     found: list[np.ndarray] = []
 
     def kept(block: Block, field: np.ndarray) -> np.ndarray:
-        found.append(light_degrees(block, field))
+        found.append(active_degrees(block, field))
         return block.all_degrees
 
-    monkeypatch.setattr(iterate, "light_degrees", kept)
+    monkeypatch.setattr(iterate, "active_degrees", kept)
     every = iterate.solve_moments(paths, settings)
     assert few.sweeps == every.sweeps
     assert name != "venus" or found[0].min() < block.setup.degree

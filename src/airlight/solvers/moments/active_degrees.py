@@ -1,7 +1,7 @@
-"""Degrees of the light that count at each radius of thick air.
+"""Truncation of the spherical harmonics at each radius of thick air.
 
-Under thick cloud light comes from all sides: its moments of high degree are a millionth of the mean
-radiance, and what they would bring to a ray is not worth their sums.
+Under thick cloud radiance is nearly isotropic: its moments of high degree are a millionth of the
+mean radiance, and the source function is computed without them.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from airlight.solvers.moments.setup import Block
 
 Float32Array = NDArray[np.float32]
 
-#: Part of the tolerance that moments of a degree may have of the mean radiance and do not count.
+#: Largest neglected moments, over the mean radiance and the tolerance. [1]
 _PART: Final = 0.005
 
 
-def light_degrees(block: Block, field: Float32Array) -> NDArray[np.int64]:
-    """Highest degree that counts at each radius of the grid, shape (r,).
+def active_degrees(block: Block, field: Float32Array) -> NDArray[np.int64]:
+    """Highest active degree at each radius of the grid, shape (r,).
 
-    Moments count by what scattering keeps of their degree, over the mean radiance, where that is
-    not dark.
+    A degree is active where its part of the source function, over that of degree 0, is not
+    negligible at any node that is not dark.
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
-"""Sweep as a matrix, in air lit alike everywhere, and its inverse, which ends the iteration.
+"""Synthetic acceleration: the plane-parallel sweep as a matrix, and its inverse.
 
 In thick air light travels up and down many times before it leaves, and each order of scattering
 differs little from the last. Along the vertical, however, a sweep is a small matrix: if the star
 stood at the same height everywhere, the moments of each sun elevation and of each m would couple
 over radius and degree alone. With K that matrix and r the light that one more sweep adds,
-(1 - K)⁻¹ r is what all further sweeps add, except for the light that travels sideways. So the
+(1 - K)⁻¹ r is what all further sweeps add, except for the light that travels laterally. So the
 iteration, which alone is exact, ends after a few sweeps however thick the air is. This is the
 synthetic method (Kopp 1963, Nucl. Sci. Eng. 17, 65; Larsen 1982, Nucl. Sci. Eng. 82, 47) with the
 sweep's own operator in place of diffusion.
@@ -26,22 +26,22 @@ from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import positive
 from airlight.solvers.moments.setup import Block
-from airlight.solvers.moments.vertical_matrix import couple_radius, gather_levels, project_radii
+from airlight.solvers.moments.synthetic_operator import gather_levels, project_radii, synthetic_rows
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 #: Moments, or their means, and irradiances.
 Light = tuple[Float32Array, Float32Array]
 
-#: Highest degree and order in the m that is inverted; the rest converges by itself.
+#: Highest degree l and order m of the moments in K; higher ones converge without acceleration.
 DEGREE: Final = 8
 ORDER: Final = 3
 #: Number of sun elevations solved for together.
 _SUNS: Final = 14
 
 
-class Wandering:
-    """Inverse (1 - K)⁻¹ for eight wavelengths: the sum of all further sweeps along the vertical.
+class SyntheticAcceleration:
+    """Synthetic acceleration for eight wavelengths: (1 - K)⁻¹, K the plane-parallel sweep.
 
     Parameters
     ----------
@@ -55,10 +55,10 @@ class Wandering:
         setup, rays, share, air = block.setup, block.rays, block.share, block.air
         grid, expansion, parts = setup.grid, setup.expansion, setup.parts
         self.block, self.grid = block, grid
-        self.widen(1.0)
-        reach, leak = (length / grid.bottom_radius for length in block.reach)
-        self.wide = sideways(grid.sun_cosines, reach, 0.0)
-        self.leak = sideways(grid.sun_cosines, 0.0, leak)
+        self.set_lateral_scale(1.0)
+        cosines = grid.sun_cosines
+        self.diffusion = lateral_diffusion_matrix(cosines, block.diffusion_length, 0.0)
+        self.grid_diffusion = lateral_diffusion_matrix(cosines, 0.0, block.grid_diffusion)
         self.degree = min(expansion.degree, DEGREE)
         self.order = min(expansion.degree, ORDER)
         self.radii = rays.mu.shape[0]
@@ -71,12 +71,12 @@ class Wandering:
         self.sizes = sizes = [self.radii * width + (m == 0) for m, width in enumerate(widths)]
         self.factors = [np.zeros((size, size, LANES), np.float32) for size in sizes]
         self.to_sky = np.zeros((self.radii, self.radii * widths[0], LANES), np.float32)
-        self.finished: Light | None = None
+        self.accelerated: Light | None = None
 
         def couple(i: int) -> None:
             weights = np.empty(angles * levels * int(starts[-1]) * LANES, np.float32)
             bounced = np.empty(angles * LANES, np.float32)
-            couple_radius(
+            synthetic_rows(
                 i, grid, rays, share, along, air, expansion, self.degree, self.order,
                 weights, bounced,
             )  # fmt: skip
@@ -108,29 +108,36 @@ class Wandering:
 
         run_blocks(invert, self.order + 1, cancel=cancel)
 
-    def widen(self, factor: float) -> None:
-        """Spread the light that is added farther sideways than it goes, by a factor. [1]"""
-        reach, leak = (length / self.grid.bottom_radius for length in self.block.reach)
-        self.spread = sideways(self.grid.sun_cosines, factor * reach, factor**2 * leak)
+    def set_lateral_scale(self, factor: float) -> None:
+        """Scale the lateral diffusion length of the correction by a factor. [1]"""
+        length, grid_diffusion = self.block.diffusion_length, self.block.grid_diffusion
+        self.spread = lateral_diffusion_matrix(
+            self.grid.sun_cosines, factor * length, factor**2 * grid_diffusion
+        )
 
-    def finish(self, field: Float32Array, sky: Float32Array, light: Light | None = None) -> Light:
-        """Add to moments and irradiances the sum of all further sweeps.
+    def apply(self, field: Float32Array, sky: Float32Array, light: Light | None = None) -> Light:
+        """Residual plus the sum of all further sweeps, (1 - K)⁻¹ r, with lateral diffusion.
 
-        In deep air further light spreads sideways relative to the light that there is: moments are
-        interpolated as ratios, so that what falls e-fold from one sun to the next stays where it
-        is. Of the first order there is little in the dusk, where light comes from the side; what
-        follows it spreads as it is, as far as light goes, and then relative to the light with it.
-        In other air all of it spreads as it is, as far as light goes and interpolation spreads it.
+        The sum of further sweeps is multiplied by ``lateral_diffusion_matrix``. In optically deep
+        air its ratio to the light is diffused instead, since sweeps interpolate ratios there: light
+        that falls e-fold from one sun elevation to the next is not spread. The first order has
+        little light at dusk, where lateral transport dominates; its further orders are diffused
+        over the physical length first, then as a ratio by the numerical diffusion.
         The result is overwritten by the next call.
 
         Parameters
         ----------
         field : array, shape (r, s, k, 8)
-            Change of the moments by the last sweep, or the first order.
+            Residual of the moments, or the first order.
         sky : array, shape (r, s, 8)
-            Change of the irradiances.
+            Residual of the irradiances.
         light : two arrays, shapes (r, s, 8), optional
-            Mean radiances and irradiances with that change; without, it is the first order.
+            Mean radiances and irradiances after the sweep; omitted for the first order.
+
+        Returns
+        -------
+        two arrays, shapes (r, s, k, 8), (r, s, 8)
+            Accelerated residual of moments and irradiances.
         """
         radii, suns = field.shape[:2]
         more = [np.empty((size, suns, LANES), np.float32) for size in self.sizes]
@@ -155,21 +162,21 @@ class Wandering:
         mean, received = np.ones_like(sky), np.ones_like(sky)
         if self.block.deep:
             if light is None:
-                more, more_sky = [self.wide @ one for one in more], self.wide @ more_sky
-                light, spread = (field[:, :, 0], sky), self.leak
+                more, more_sky = [self.diffusion @ one for one in more], self.diffusion @ more_sky
+                light, spread = (field[:, :, 0], sky), self.grid_diffusion
             # A change cannot be larger than the light and it together.
             added = more[0][: radii * (self.degree + 1) : self.degree + 1]
             mean = positive(np.maximum(light[0], 0.0) + np.abs(added))
             received = positive(np.maximum(light[1], 0.0) + np.abs(more_sky))
-        if self.finished is None:
-            self.finished = np.empty_like(field), np.empty_like(sky)
-        np.copyto(self.finished[0], field)
-        np.copyto(self.finished[1], sky)
-        field, sky = self.finished
+        if self.accelerated is None:
+            self.accelerated = np.empty_like(field), np.empty_like(sky)
+        np.copyto(self.accelerated[0], field)
+        np.copyto(self.accelerated[1], sky)
+        field, sky = self.accelerated
 
         def move(i: int) -> None:
             for m in range(self.order + 1):
-                # With the star in the zenith or the nadir the light is the same in all azimuths.
+                # With the star in the zenith or the nadir no light depends on azimuth.
                 width, inner = self.degree + 1 - m, int(m > 0)
                 shares = (more[m][i * width : (i + 1) * width] / mean[i]).reshape(-1)
                 terms = _indices(m, self.degree)
@@ -216,13 +223,13 @@ def spread_onto(matrix, values, terms, inner, scale, out):
     Parameters
     ----------
     matrix : array, shape (s, s)
-        Matrix from ``sideways``. [1]
+        Matrix from ``lateral_diffusion_matrix``. [1]
     values : array, shape (n·s·8,)
         Values by term and sun.
     terms : array, shape (n,)
         Indices of their terms in ``out``.
     inner : int
-        1 if the first and the last sun are left out, else 0.
+        1 if the first and the last sun elevation are left out, else 0.
     scale : array, shape (s, 8)
         Factors of the sums at each sun.
     out : array, shape (s, k, 8)
@@ -276,41 +283,43 @@ def multiply(matrix, values, suns, out):
             store(flat, LANES * (r * suns + s), total)
 
 
-def sideways(sun_cosines: FloatArray, reach: float, leak: float) -> Float32Array:
+def lateral_diffusion_matrix(
+    sun_cosines: FloatArray, diffusion_length: float, grid_diffusion: float
+) -> Float32Array:
     """Matrix of (1 - Λ²∇²)⁻¹ on the sphere, between sun elevations, shape (s, s). [1]
 
-    Light that is scattered many times in a layer also spreads sideways, about as far as the layer
-    is thick. Without that spread, a pattern of sun elevations finer than it would be counted
-    several times over, and the iteration would diverge at the terminator of a vast planet.
-    Interpolation between sun elevations h apart spreads it too: where a ray of length ℓ should see
-    δ²M (ℓ/h)²/2 it sees δ²M ℓ/(2h), so that Λ² = reach² + leak·h/2 with leak = ℓ over the loss by
+    Multiple scattering in a layer diffuses light laterally, about as far as the layer is thick:
+    the diffusion length L. Without it, variations over sun elevation on a smaller scale would be
+    amplified too much, and the iteration would diverge at the terminator of a vast planet.
+    Interpolation between sun elevations h apart adds numerical diffusion: where a ray of length ℓ
+    should see δ²M (ℓ/h)²/2 it sees δ²M ℓ/(2h), so that Λ² = L² + λh/2 with λ = ℓ over the loss by
     one scattering.
 
     Parameters
     ----------
     sun_cosines : array, shape (s,)
         Sun cosines, ascending from -1 to 1. [1]
-    reach, leak : float
-        Lengths over the planet's radius. [rad]
+    diffusion_length, grid_diffusion : float
+        L and λ over the planet's radius. [rad]
     """
     suns = sun_cosines.size
     spread, measure = np.zeros(suns * suns), np.empty(suns)
-    sideways_equations(sun_cosines, reach, leak, spread, measure)
+    lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, spread, measure)
     matrix = np.linalg.solve(spread.reshape(suns, suns), np.diag(measure))
     return np.asarray(matrix, np.float32)
 
 
-def sideways_equations(sun_cosines, reach, leak, spread, measure):
-    """Equations of ``sideways``: the matrix is spread⁻¹ times the measure of each elevation.
+def lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, spread, measure):
+    """Finite-volume equations of ``lateral_diffusion_matrix``, which is spread⁻¹ diag(measure).
 
     Parameters
     ----------
-    sun_cosines, reach, leak :
-        As in ``sideways``.
+    sun_cosines, diffusion_length, grid_diffusion :
+        As in ``lateral_diffusion_matrix``.
     spread : array, shape (s·s,)
-        Receives the measure less the flux to and from the neighbours; 0 before. [1]
+        Receives the matrix of 1 - Λ²∇² times the cells' measure; 0 before. [1]
     measure : array, shape (s,)
-        Receives the part of the sphere's cosines that belongs to each elevation. [1]
+        Receives the interval of cosines of each elevation's cell. [1]
     """
     suns = sun_cosines.size
     below = -1.0
@@ -322,7 +331,11 @@ def sideways_equations(sun_cosines, reach, leak, spread, measure):
             angle, further = acos(sun_cosines[j]), acos(sun_cosines[j + 1])
             between, step = 0.5 * (angle + further), angle - further
             below = cos(between)
-            flux = (reach * reach + 0.5 * leak * step) * sin(between) / step
+            flux = (
+                (diffusion_length * diffusion_length + 0.5 * grid_diffusion * step)
+                * sin(between)
+                / step
+            )
             spread[j * suns + j] += flux
             spread[j * suns + j + 1] -= flux
             spread[(j + 1) * suns + j] -= flux
