@@ -26,7 +26,7 @@ LARGEST_PICTURE: Final = 16_000_000_000
 
 
 def check_input(path: str | Path, largest: int) -> None:
-    """Reject what is no regular file, or a too large one, without reading it.
+    """Reject what is not a regular file, or a too large one, without reading it.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def check_input(path: str | Path, largest: int) -> None:
     >>> check_input("/dev/null", LARGEST_TEXT)
     Traceback (most recent call last):
     ...
-    airlight.errors.FileError: /dev/null: is no regular file, so it cannot be read
+    airlight.errors.FileError: /dev/null: is not a regular file, so it cannot be read
     """
     try:
         about = Path(path).stat()
@@ -96,16 +96,14 @@ def read_text(path: str | Path, largest: int = LARGEST_TEXT) -> str:
     try:
         return read_bytes(path, largest).decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise FileError(
-            path, f"is no text in UTF-8: {error.reason} at byte {error.start}"
-        ) from error
+        raise FileError(path, f"is not UTF-8 text: {error.reason} at byte {error.start}") from error
 
 
 def _check(path: str | Path, about: os.stat_result, largest: int) -> None:
     if stat.S_ISDIR(about.st_mode):
         raise FileError(path, "is a folder, not a file")
     if not stat.S_ISREG(about.st_mode):
-        raise FileError(path, "is no regular file, so it cannot be read")
+        raise FileError(path, "is not a regular file, so it cannot be read")
     if about.st_size > largest:
         size = _size(about.st_size)
         raise FileError(path, f"is too large, {size}; allowed: at most {_size(largest)}")

@@ -206,7 +206,7 @@ def values_in(
     Raises
     ------
     ParameterError
-        If a value is no number, or its unit is unknown or of another dimension. A plain number
+        If a value is not a number, or its unit is unknown or of another dimension. A plain number
         counts for no angle: quantities without dimension are refused in degrees.
 
     Examples
@@ -288,7 +288,7 @@ def _values_of_quantity(
     import numpy as np
 
     if given in _UNITLESS and unit == "deg":
-        raise ParameterError(field, value, f"{allowed}; {given!r} is no unit of an angle")
+        raise ParameterError(field, value, f"{allowed}; {given!r} is not a unit of an angle")
     if _has_attributes(value):
         if _unit_of(value.data) is not None:
             return values_in(value.data, unit, field, allowed=allowed)
@@ -367,7 +367,7 @@ def _parse(text: str, unit: str, field: str, allowed: str) -> tuple[float, bool]
         elif kind == "DimensionalityError":
             allowed = f"{allowed}; {given!r} is a unit of something else"
         else:  # a scale with an offset, such as degC
-            allowed = f"{allowed}; {given!r} is no multiple of it"
+            allowed = f"{allowed}; {given!r} is not a multiple of it"
         raise ParameterError(field, text, allowed) from error
 
 

@@ -64,7 +64,7 @@ def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> Non
         (["render", "earth", "-o", "a.png", "--set", "air.h=1"], "a key of constituents[0] is 'h'"),
         (["bake", "earth", "--layout", "bruneton", "-o", "a", "--set", "x.y=1"], "--set is 'x.y'"),
         (["render", "earth", "-o", "a.jpg"], "the name of a picture ends in .png, .exr, .hdr"),
-        (["render", "earth", "-o", "no/such/a.png"], "there is no folder"),
+        (["render", "earth", "-o", "no/such/a.png"], "there is not a folder"),
         (["render", "earth", "-o", "a.png", "--exposure", "bright"], "--exposure is 'bright'"),
         (["render", "earth", "-o", "a.png", "--exposure", "101"], "auto, or -100 to 100 EV"),
         (["render", "earth", "-o", "a.png", "--tone-map", "sepia"], "--tone-map is 'sepia'"),
@@ -211,7 +211,7 @@ def test_what_is_missing_is_said_in_words(capsys: pytest.CaptureFixture[str]) ->
 def test_a_picture_is_no_table(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_bytes(b"\x89PNG\r\n\x1a\n")
     assert main(["radiance", "earth", "--input", str(tmp_path / "a.csv")]) == 2
-    assert "is no text in UTF-8" in error_line(capsys)
+    assert "is not UTF-8 text" in error_line(capsys)
 
 
 def test_a_write_protected_picture_is_kept(

@@ -37,7 +37,7 @@ def test_other_files_are_not_overwritten(aerial: AerialPerspective, tmp_path: Pa
     with pytest.raises(FileError, match=r"holds .*, but no manifest"):
         write_aerial(tmp_path, aerial)
     (tmp_path / "manifest.json").write_text('{"format": "airlight tables 1"}')
-    with pytest.raises(FileError, match="is no manifest of the format 'airlight aerial"):
+    with pytest.raises(FileError, match="is not a manifest of the format 'airlight aerial"):
         write_aerial(tmp_path, aerial)
 
 

@@ -71,7 +71,7 @@ def test_the_file_has_the_rights_of_any_new_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("no/such/out.txt", "there is no folder"),
+        ("no/such/out.txt", "there is not a folder"),
         (".", "is a folder"),
         ("x" * 300, "too long"),
         ("zero\0byte", "null byte"),
@@ -85,7 +85,7 @@ def test_a_place_that_cannot_be_written_is_refused(tmp_path: Path, name: str, re
 
 @pytest.mark.skipif(not Path("/dev/null").exists(), reason="no device files")
 def test_a_device_is_never_replaced() -> None:
-    with pytest.raises(FileError, match="no regular file"):
+    with pytest.raises(FileError, match="not a regular file"):
         check_target("/dev/null")
 
 

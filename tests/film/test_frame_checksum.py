@@ -122,7 +122,7 @@ def test_damaged_frames_are_drawn_again(
 
 @pytest.mark.parametrize("kind", ["picture", "airlight's picture", "text", "link", "pipe"])
 def test_a_file_that_is_no_frame_is_left_alone(rock: Path, tmp_path: Path, kind: str) -> None:
-    # a picture of one's own, of another command, a text, and what is no file
+    # a picture of one's own, of another command, a text, and what is not a file
     folder = tmp_path / "frames"
     folder.mkdir()
     file, note = folder / "rock_00002.png", tmp_path / "note.txt"
@@ -137,7 +137,7 @@ def test_a_file_that_is_no_frame_is_left_alone(rock: Path, tmp_path: Path, kind:
         os.mkfifo(file)
     else:
         write_picture(file, np.ones((4, 4, 3), np.float32))
-    with pytest.raises(FileError, match=r"rock_00002\.png: is no ") as refusal:
+    with pytest.raises(FileError, match=r"rock_00002\.png: is not a ") as refusal:
         drawn(rock, folder)
     assert "name another folder" in str(refusal.value)
     assert [one.name for one in folder.iterdir()] == ["rock_00002.png"]

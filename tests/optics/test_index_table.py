@@ -48,8 +48,8 @@ def test_imaginary_part_is_interpolated_in_the_logarithm(tmp_path):
     [
         ("400,1.4,0\n", "the first line is wavelength_nm,real,imaginary"),
         ("wavelength_nm,real,imaginary\n400,1.4\n", "rows of three numbers"),
-        ("wavelength_nm,real,imaginary\n400,1.4,x\n", "is no table"),
-        ("wavelength_nm,real,imaginary\n500,1.4,0\n400,1.4,0\n", "ascending wavelengths"),
+        ("wavelength_nm,real,imaginary\n400,1.4,x\n", "is not a table"),
+        ("wavelength_nm,real,imaginary\n500,1.4,0\n400,1.4,0\n", "wavelengths must ascend"),
         ("wavelength_nm,real,imaginary\n500,1.4,-0.1\n", "imaginary is -0.1 at 500 nm; allowed: 0"),
         ("wavelength_nm,real,imaginary\n", "rows of three numbers"),
     ],
@@ -66,7 +66,7 @@ def test_a_table_that_does_not_exist_is_refused(tmp_path):
     # A name gets the list of names, a path the system's reason.
     with pytest.raises(ParameterError, match=r"^index is 'watre'; allowed: .*water"):
         read_index("watre")
-    with pytest.raises(FileError, match="no such file"):
+    with pytest.raises(FileError, match="No such file"):
         read_index(str(tmp_path / "none.csv"))
 
 

@@ -86,16 +86,16 @@ def test_a_table_beside_the_planet_file_is_read(composed, tmp_path):
 @pytest.mark.parametrize(
     ("content", "reason"),
     [
-        (None, "is no file"),
-        ("", "no table"),
+        (None, "is not a file"),
+        ("", "not a table"),
         (TABLE.replace("# unit: cm^2\n", ""), "no line '# unit"),
         (TABLE.replace("# source: made up for this test\n", ""), "no line '# source"),
-        (TABLE.replace("2e-25", "much"), "no table"),
-        (TABLE.replace("2e-25", "nan"), "no finite number"),
+        (TABLE.replace("2e-25", "much"), "not a table"),
+        (TABLE.replace("2e-25", "nan"), "not finite"),
         (TABLE.replace("600,", "800,"), "do not ascend"),
         (TABLE.replace("cm^2", "m"), "unit of"),
         (TABLE.replace("e-25", "e-25,1"), "one column"),
-        ("\xff", "no table"),
+        ("\xff", "not a table"),
         ("x" * 4_000_001, "larger than"),
     ],
 )

@@ -87,7 +87,7 @@ def test_a_table_beside_the_planet_file_is_found(tmp_path):
     planet = load_planet(file)
     assert planet.wavelength_limits == (390.0, 810.0)
     file.write_text(TOP + f'[constituents.particles]\nindex = "other.csv"\n{SMALL}')
-    with pytest.raises(FileError, match=r"other\.csv: no such file"):
+    with pytest.raises(FileError, match=r"other\.csv: cannot be read: No such file"):
         load_planet(file)
 
 

@@ -403,7 +403,7 @@ def test_missing_files_folders_and_devices_give_one_line(tmp_path):
             load_planet(path)
     if hasattr(os, "mkfifo"):
         os.mkfifo(tmp_path / "pipe.toml")
-        with pytest.raises(FileError, match="no ordinary file"):
+        with pytest.raises(FileError, match="not a regular file"):
             load_planet(tmp_path / "pipe.toml")
 
 

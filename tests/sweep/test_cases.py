@@ -80,7 +80,7 @@ def test_the_line_is_the_editor_s_line(tmp_path: Path) -> None:
         ("# only a note\n", "has no column altitude_m"),
         ("altitude_m,azimuth_deg\n", "has no column sun_zenith_deg, view_zenith_deg"),
         (f"{HEADER},azimuth_deg\n", "has the column azimuth_deg more than once"),
-        (f"{HEADER}\n0,0,\0,0\n", "is no text"),
+        (f"{HEADER}\n0,0,\0,0\n", "is not text"),
     ],
 )
 def test_a_file_that_is_no_table_of_observers_is_refused(

@@ -164,7 +164,7 @@ def test_unusable_axes_are_refused(changes: dict, line: str) -> None:
         (["--sun-zenith", "0", "--vary", "ground.albdo=0.1,0.2"], "a key of ground is 'albdo'"),
         (["--sun-zenith", "0", "--vary", "grund.albedo=0.1,0.2"], "--vary is 'grund.albedo'"),
         (["--sun-zenith", "0", "--vary", "ground.albedo"], "--vary is 'ground.albedo'"),
-        (["--sun-zenith", "0", "-o", "."], ".: is no sweep"),
+        (["--sun-zenith", "0", "-o", "."], ".: is not a sweep"),
     ],
 )
 def test_wrong_options_are_one_line(

@@ -136,14 +136,14 @@ def test_what_is_no_folder_of_the_demo_is_refused(earth: Path, tmp_path: Path) -
     with pytest.raises(FileError, match=r"planet\.json: cannot be read"):
         read_tables(tmp_path)
     (tmp_path / "planet.json").write_text("{}", encoding="utf-8")
-    with pytest.raises(FileError, match="no folder of --layout bruneton-demo"):
+    with pytest.raises(FileError, match="not a folder of --layout bruneton-demo"):
         read_tables(tmp_path)
     for name in ("planet.json", *BYTES):
         shutil.copy(earth / name, tmp_path / name)
     read_tables(tmp_path)
     with (tmp_path / "scattering.dat").open("ab") as file:
         file.write(bytes(16))
-    with pytest.raises(FileError, match="no folder of --layout bruneton-demo"):
+    with pytest.raises(FileError, match="not a folder of --layout bruneton-demo"):
         read_tables(tmp_path)
 
 

@@ -137,6 +137,6 @@ def test_what_cannot_be_written_is_refused_in_one_line(
         TARGET.write(solution, tmp_path / "a", mie="both")
     with pytest.raises(ParameterError, match="--lowest-sun is 80"):
         TARGET.write(solution, tmp_path / "a", lowest_sun=80.0)
-    with pytest.raises(FileError, match="no folder of --layout takram"):
+    with pytest.raises(FileError, match="not a folder of --layout takram"):
         read_tables(tmp_path)
     assert list(tmp_path.iterdir()) == []

@@ -291,7 +291,7 @@ def test_damaged_scans_are_refused_in_one_line(tmp_path: Path) -> None:
     for name, fault, said in (
         ("radiance", None, "lacks an array"),
         ("view_zenith_deg", np.zeros((1, 4)), "view_zenith is"),
-        ("radiance", np.full((1, 3, 2), np.nan), "radiance holds"),
+        ("radiance", np.full((1, 3, 2), np.nan), "radiance contains"),
     ):
         arrays = {key: value for key, value in whole.items() if key != name}
         np.savez(file, **arrays, **({} if fault is None else {name: fault}))
@@ -306,7 +306,7 @@ def test_damaged_phase_functions_are_refused_in_one_line(tmp_path: Path) -> None
         read_aeronet_phase(tmp_path, [500.0])
     file = tmp_path / kider_planets.FILE
     for body, said in (
-        ("0,1,x\n180,1,1\n", "no table of numbers"),
+        ("0,1,x\n180,1,1\n", "not a table of numbers"),
         ("0,1\n180,1\n", "rows of other lengths"),
         ("0,-1,1\n180,1,1\n", "not above 0"),
         ("0,1.2,1.2\n180,1.2,1.2\n", "integrates to 15.080"),

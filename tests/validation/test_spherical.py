@@ -96,8 +96,8 @@ def test_shared_scenes_are_the_planets_they_say(reference_data: Path) -> None:
     ("header", "row", "part"),
     [
         (HEADER.replace("azimuth_deg", "azimuth"), "rayleigh-only" + ",1" * 11, "azimuth_deg"),
-        (HEADER, "rayleigh-only" + ",1" * 10 + ",much", "no number"),
-        (HEADER, "rayleigh-only,0.0,1", "no number"),
+        (HEADER, "rayleigh-only" + ",1" * 10 + ",much", "not a number"),
+        (HEADER, "rayleigh-only,0.0,1", "not a number"),
         (HEADER, "", "no rows"),
     ],
 )

@@ -54,5 +54,5 @@ def test_what_cannot_be_joined_is_refused_by_name() -> None:
     star = {"a.js": 'import { b } from "./b.js";\n', "b.js": "export * from './c.js';\n"}
     with pytest.raises(FileError, match=r"b\.js: has a line that cannot be joined: export \*"):
         join_modules("a.js", star.__getitem__)
-    with pytest.raises(FileError, match="is no file of the viewer's web folder"):
+    with pytest.raises(FileError, match="is not a file of the viewer's web folder"):
         join_modules("nothing.js")

@@ -151,7 +151,7 @@ def close_all(page: Any) -> None:
             until(page, f"!({running})")
 
 
-#: Faults of the viewer: its message, a lost device, values or light that are no numbers.
+#: Faults of the viewer: its message, a lost device, values or light that are not numbers.
 _FAULTS = """async () => {
   const { parts, device, state, picture } = airlight;
   const faults = [];
@@ -162,7 +162,7 @@ _FAULTS = """async () => {
   }
   if (picture.program) {
     const light = await airlight.alone(() => picture.program.read("picture"));
-    if (!light.every(Number.isFinite)) faults.push("light that is no number");
+    if (!light.every(Number.isFinite)) faults.push("light that is not a number");
     if (!light.some((one) => one > 0)) faults.push("no light");
   }
   return faults;

@@ -226,7 +226,7 @@ def test_lateral_diffusion_is_python_s(calls: Callable[..., Any]) -> None:
 
 
 def test_elimination_in_javascript_solves_equations(calls: Callable[..., Any]) -> None:
-    # Second method: LAPACK. Rows of K sum to less than 1; the size is no multiple of a block.
+    # Second method: LAPACK. Rows of K sum to less than 1; the size is not a multiple of a block.
     size, columns = 19, 3
     matrix = np.eye(size) - RNG.uniform(size=(size, size)) / (size + 2)
     right = RNG.uniform(size=(size, columns))

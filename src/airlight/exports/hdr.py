@@ -118,7 +118,7 @@ def read_hdr_header(path: str | Path) -> dict[str, str]:
     head, _, rest = start.partition(b"\n\n")
     size = rest.partition(b"\n")[0].split()
     if not head.startswith(_MAGIC.rstrip()) or len(size) != 4 or size[0] != b"-Y":
-        raise FileError(path, "is no Radiance picture")
+        raise FileError(path, "is not a Radiance picture")
     before = len(head) + 2 + len(rest.partition(b"\n")[0]) + 1
     if Path(path).stat().st_size < before + 4 * int(size[1]) * int(size[3]):
         raise FileError(path, "ends before its last pixel")

@@ -93,7 +93,7 @@ def read_manifest(path: Path, form: str) -> dict[str, Any]:
     except (ValueError, RecursionError) as error:
         raise FileError(path, f"cannot be read as JSON: {error}") from error
     if not isinstance(content, dict) or content.get("format") != form:
-        raise FileError(path, f"is no manifest of the format {form!r}")
+        raise FileError(path, f"is not a manifest of the format {form!r}")
     for name in listed(content):
         if not _is_name(name):
             reason = f"lists {name[:60]!r}; allowed: names of files in its own folder"

@@ -270,7 +270,7 @@ def load_tables(manifest: str | Path) -> Baked:
         own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors", SEAL}
         about = {name: value for name, value in content.items() if name not in own}
     except _DAMAGE as error:
-        raise FileError(path, f"is no manifest of tables: {error}") from error
+        raise FileError(path, f"is not a manifest of tables: {error}") from error
     return Baked(light=light, tables=tables, about=about, errors=errors)
 
 
@@ -283,7 +283,7 @@ def load_table(manifest: str | Path, name: str = "scattering") -> Table:
     try:
         return _table(path, content, name)
     except _DAMAGE as error:
-        raise FileError(path, f"is no manifest of tables: {error}") from error
+        raise FileError(path, f"is not a manifest of tables: {error}") from error
 
 
 def _manifest_path(manifest: str | Path) -> Path:
@@ -294,7 +294,7 @@ def _manifest_path(manifest: str | Path) -> Path:
 def _read_manifest(path: Path) -> dict[str, Any]:
     content = read_manifest(path, FORMAT)
     if not isinstance(content.get("tables"), dict) or not isinstance(content.get("light"), dict):
-        raise FileError(path, "is no manifest of tables: tables or light are missing")
+        raise FileError(path, "is not a manifest of tables: tables or light are missing")
     return content
 
 

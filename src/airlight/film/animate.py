@@ -122,7 +122,7 @@ def animate(
         If a key of the film is wrong, or an option.
     FileError
         If the folder or the MP4 cannot be written to, the disk becomes full, another film is being
-        written to the folder, or it holds a file of a frame's name that is no frame.
+        written to the folder, or it holds a file of a frame's name that is not a frame.
     WorkerError
         If workers or their scheduler are lost.
     """

@@ -84,7 +84,7 @@ class FramesFolder:
         Raises
         ------
         FileError
-            If a file of this name is no frame of a film, or a link.
+            If a file of this name is not a frame of a film, or a link.
         """
         there = {entry.name for entry in os.scandir(self.folder)}
         numbers = [n for n, path in enumerate(self.paths) if path.name in there]
@@ -98,7 +98,7 @@ class FramesFolder:
             elif is_whole(content):
                 fingerprints[number] = read_picture_metadata(path).get(PREFIX + FINGERPRINT, "")
             elif _is_foreign(path, content):
-                reason = "is no frame of a film; move it, or name another folder"
+                reason = "is not a frame of a film; move it, or name another folder"
                 raise FileError(path, reason)
             elif has_checksum(content) or not _is_picture(path):
                 damaged.add(number)
@@ -144,7 +144,7 @@ class FramesFolder:
 def _content(path: Path) -> bytes | None:
     """Content of a frame's file; None if it cannot be read, or is too large for one."""
     if path.is_symlink() or not path.is_file():
-        raise FileError(path, "is no regular file; remove it, or name another folder")
+        raise FileError(path, "is not a regular file; remove it, or name another folder")
     try:
         return path.read_bytes() if path.stat().st_size <= _LARGEST else None
     except OSError:

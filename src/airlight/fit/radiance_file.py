@@ -110,7 +110,7 @@ def read_radiance_file(path: str | Path) -> Measurements:
     FileError
         If the file cannot be read, lacks a column, or holds no radiance.
     ParameterError
-        For the first cell that is no number in its range, with line and column.
+        For the first cell that is not a number in its range, with line and column.
     """
     text = io.StringIO(read_text(path, LARGEST_DATA), newline="")
     lines = [(n, line) for n, line in enumerate(text, 1) if line.strip()]
@@ -120,7 +120,7 @@ def read_radiance_file(path: str | Path) -> Measurements:
     try:
         cells = [next(csv.reader([line], strict=True)) for _, line in lines]
     except csv.Error as error:
-        raise FileError(path, f"is no CSV: {error}") from error
+        raise FileError(path, f"is not valid CSV: {error}") from error
     places = _places(cells[0], path)
     rows = list(_rows(places, cells, [n for n, _ in lines], path))
     if not rows:

@@ -162,5 +162,5 @@ def read_scan_file(file: Path) -> Scans:
             raise FileError(file, f"{name} is {arrays[name].shape}, not {expected}")
     for name, values in arrays.items():
         if not np.isfinite(values).all():
-            raise FileError(file, f"{name} holds what is no number")
+            raise FileError(file, f"{name} contains a value that is not a number")
     return scans

@@ -124,16 +124,18 @@ def _parsed(text: str, name: str) -> IndexTable:
     )
     body = [line for line in lines if not line.startswith("#")]
     if not body or body[0].replace(" ", "") != _COLUMNS:
-        raise FileError(name, f"is no table of refractive indices: the first line is {_COLUMNS}")
+        raise FileError(name, f"is not a table of refractive indices: the first line is {_COLUMNS}")
     try:
         rows = np.array([line.split(",") for line in body[1:]], dtype=np.float64)
     except ValueError as error:
-        raise FileError(name, f"is no table of refractive indices: {error}") from None
+        raise FileError(name, f"is not a table of refractive indices: {error}") from None
     if rows.ndim != 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
-        raise FileError(name, "is no table of refractive indices; allowed: rows of three numbers")
+        raise FileError(
+            name, "is not a table of refractive indices: it needs rows of three numbers"
+        )
     nm, _, imaginary = rows.T
     if not (np.diff(nm) > 0.0).all() or not nm[0] > 0.0:
-        raise FileError(name, "is no table of refractive indices; allowed: ascending wavelengths")
+        raise FileError(name, "is not a table of refractive indices: wavelengths must ascend")
     if not (imaginary >= 0.0).all():
         row = int(np.argmax(imaginary < 0.0))
         bad = f"{imaginary[row]:g} at {nm[row]:g} nm"

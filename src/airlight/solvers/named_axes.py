@@ -70,7 +70,7 @@ class Argument:
         Raises
         ------
         ParameterError
-            If a value is no number, has a unit of another kind, or is out of its range.
+            If a value is not a number, has a unit of another kind, or is out of its range.
         """
         allowed = f"{self.low:g} to {self.high:g} {self.unit}"
         array = values_in(self.value, self.unit, field, allowed=f"numbers from {allowed}")

@@ -161,13 +161,13 @@ def read_spectrum_file(path: Path) -> Spectrum:
     """
     try:
         if not path.is_file():
-            raise FileError(path, "is no file; allowed: a table in CSV")
+            raise FileError(path, "is not a file; allowed: a table in CSV")
         with path.open("rb") as stream:
             content = stream.read(LARGEST_FILE + 1)
     except OSError as error:
         raise FileError(path, (error.strerror or type(error).__name__).lower()) from None
     except ValueError:  # a null character in the name
-        raise FileError(repr(str(path)), "is no file name") from None
+        raise FileError(repr(str(path)), "is not a file name") from None
     if len(content) > LARGEST_FILE:
         raise FileError(path, f"is larger than {LARGEST_FILE} bytes; allowed: a table in CSV")
     try:
@@ -175,10 +175,10 @@ def read_spectrum_file(path: Path) -> Spectrum:
     except KeyError as error:
         raise FileError(path, f"has no line '# {error.args[0]}: …' before the table") from None
     except (ValueError, IndexError):
-        raise FileError(path, "is no table of wavelengths and values in CSV") from None
+        raise FileError(path, "is not a table of wavelengths and values in CSV") from None
     nm = spectrum.wavelengths
     if not (np.all(np.isfinite(spectrum.values)) and np.all(np.isfinite(nm))):
-        raise FileError(path, "has a value that is no finite number")
+        raise FileError(path, "has a value that is not finite")
     if not np.all(np.diff(nm) > 0.0):
         raise FileError(path, "has wavelengths that do not ascend")
     return spectrum

@@ -153,7 +153,7 @@ def _explained(name: str) -> Iterator[None]:
     try:
         yield
     except UnicodeDecodeError as error:
-        raise FileError(name, "is no text in UTF-8") from error
+        raise FileError(name, "is not UTF-8 text") from error
     except (OSError, csv.Error) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise FileError(name, f"cannot be read: {reason}") from error
@@ -225,7 +225,7 @@ def _rows(
 def _without_nulls(stream: TextIO, name: str) -> Iterator[str]:
     for line in stream:
         if "\0" in line:
-            raise FileError(name, "is no text")
+            raise FileError(name, "is not text")
         yield line
 
 

@@ -66,11 +66,11 @@ def check_store(path: Path, field: str) -> None:
         parent = path.resolve().parent
         there = parent.is_dir()
         if path.exists() and not (path / ".zgroup").is_file() and any(_inside(path)):
-            raise FileError(path, "is no sweep; allowed: a new folder, or the sweep to go on with")
+            raise FileError(path, "is not a sweep; allowed: a new folder, or a sweep to resume")
     except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
         raise FileError(path, str(error)) from error
     if not there:
-        raise FileError(path, f"there is no folder {parent}")
+        raise FileError(path, f"there is not a folder {parent}")
     for folder in (path, parent) if path.exists() else (parent,):
         if not os.access(folder, os.W_OK | os.X_OK):
             raise FileError(path, f"the folder {folder} cannot be written to")
@@ -326,7 +326,7 @@ class SweepStore:
             folder = not name and entry.is_dir(follow_symlinks=False)
             if entry.name != "zarr.json" and (folder or entry.is_file(follow_symlinks=False)):
                 continue
-            what = "a link" if entry.is_symlink() else "no file of a sweep"
+            what = "a link" if entry.is_symlink() else "not a file of a sweep"
             raise self._damaged(f"{name}/{entry.name} is {what}".lstrip("/"))
 
     def _read(self, name: str) -> dict[str, Any]:
@@ -338,9 +338,9 @@ class SweepStore:
         except OSError as error:
             raise self._damaged(f"{name} cannot be read: {error.strerror}") from None
         except (ValueError, RecursionError):
-            raise self._damaged(f"{name} is no JSON") from None
+            raise self._damaged(f"{name} is not valid JSON") from None
         if not isinstance(found, dict):
-            raise self._damaged(f"{name} is no JSON object")
+            raise self._damaged(f"{name} is not a JSON object")
         return found
 
     def _compare(self, name: str, expected: Mapping[str, Any], found: Mapping[str, Any]) -> None:

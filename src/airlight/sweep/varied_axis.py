@@ -38,7 +38,7 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
     Returns
     -------
     values : array, shape (n,)
-        Numbers in the unit; texts if one of the values is no number.
+        Numbers in the unit; texts if one of the values is not a number.
     unit : str
         Unit that all values name, or else that of the key in SI, written as in the CF conventions;
         empty for texts.

@@ -202,7 +202,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             mie_colours=np.array(said["MIE_COLOURS"]),
         )
     except (FileError, ValueError, KeyError, TypeError) as error:
-        raise FileError(path, f"is no folder of --layout bruneton-demo: {error}") from error
+        raise FileError(path, f"is not a folder of --layout bruneton-demo: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:

@@ -86,7 +86,7 @@ def read_texture(path: Path) -> FloatArray:
         raise FileError(path, f"cannot be read: {error}") from error
     shapes = {page.shape for page in pages}
     if len(shapes) != 1 or len(pages[0].shape) != 3 or pages[0].shape[-1] != 3:
-        raise FileError(path, "is no texture: pages of three channels and one size are needed")
+        raise FileError(path, "is not texture: pages of three channels and one size are needed")
     return np.asarray(np.stack(pages), np.float64)
 
 
@@ -145,7 +145,7 @@ class CosmoScoutTables:
             bottom = radius + float(atmosphere["bottomAltitude"])
             top = radius + float(atmosphere["topAltitude"])
         except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
-            raise FileError(root, f"is no folder for CosmoScout: {error}") from error
+            raise FileError(root, f"is not a folder for CosmoScout: {error}") from error
         return cls(
             bottom_radius=bottom,
             top_radius=top,

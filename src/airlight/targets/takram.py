@@ -205,7 +205,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             darkest=_DARKEST,
         )
     except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
-        raise FileError(path, f"is no folder of --layout takram: {error}") from error
+        raise FileError(path, f"is not a folder of --layout takram: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:

@@ -286,7 +286,7 @@ def read_export(folder: str | Path, target: Target) -> Export:
     Raises
     ------
     FileError
-        If there is no manifest, or one of another format.
+        If there is not a manifest, or one of another format.
     """
     path = Path(folder) / MANIFEST
     content = read_manifest(path, target.form)
@@ -299,4 +299,4 @@ def read_export(folder: str | Path, target: Target) -> Export:
             notes=tuple(content["notes"]),
         )
     except (KeyError, TypeError, AttributeError) as error:
-        raise FileError(path, f"is no manifest of {target.program}: {error}") from error
+        raise FileError(path, f"is not a manifest of {target.program}: {error}") from error

@@ -152,7 +152,7 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
         if name not in (*SUITES, "all"):
             raise ParameterError("--suite", name, ", ".join((*SUITES, "all")))
     if data is not None and not data.is_dir():
-        raise FileError(data, "is no folder")
+        raise FileError(data, "is not a folder")
     out = {}
     for name, entry in SUITES.items():
         if name not in names and "all" not in names:

@@ -38,7 +38,7 @@ def exponential_air(depth: float) -> Depths:
 
 def test_elimination_solves_each_lane_as_lapack_does() -> None:
     # Second method: numpy.linalg.solve, lane by lane, in double precision. The matrices are
-    # 1 - K with rows of K that sum to less than 1, of a size that is no multiple of a block.
+    # 1 - K with rows of K that sum to less than 1, of a size that is not a multiple of a block.
     rng = np.random.default_rng(1)
     size, columns = 37, 5
     matrix = np.eye(size)[..., None] - rng.random((size, size, LANES)) / (size + 2)

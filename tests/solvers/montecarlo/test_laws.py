@@ -132,7 +132,7 @@ def test_places_drawn_in_light_change_the_noise_only(
     where = {"altitude": 0.0, "sun_zenith": [93.0, 95.0], "view_zenith": [80.0, 20.0]}
     results = []
     for share in (0.0, 0.5):
-        monkeypatch.setattr(estimate, "_LIT_SHARE", share)
+        monkeypatch.setattr(estimate, "_SUN_SAMPLING_FRACTION", share)
         results.append(
             solve(planet, [440.0], settings, solver="montecarlo").estimate(**where, azimuth=150.0)
         )

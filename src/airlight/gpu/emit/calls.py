@@ -58,7 +58,7 @@ class Calls(Names, ABC):
             kind = run_time(found)
             if isinstance(kind, Scalar):
                 return kind
-        raise self.refuse(node, "is no number")
+        raise self.refuse(node, "is not a number")
 
     def room(self, node: ast.expr) -> str:
         """Array as written before its index."""
@@ -76,7 +76,7 @@ class Calls(Names, ABC):
             return self.spelled(f"{owner}_{node.attr}"), self.is_parameter(owner)
         if isinstance(node, ast.Name):
             return self.spelled(node.id), self.is_parameter(node.id)
-        raise self.refuse(node, "is no name of an array")
+        raise self.refuse(node, "is not a name of an array")
 
     def array_argument(self, node: ast.expr) -> str:
         """Array as an argument of a call."""

@@ -155,7 +155,7 @@ class Names:
         if isinstance(value, (int, np.integer)):
             return str(int(value))
         if not math.isfinite(value) or abs(value) > self.dialect.largest:
-            raise self.refuse(node, "is no number of single precision")
+            raise self.refuse(node, "is not a number of single precision")
         if 0.0 < abs(value) < 1.2e-38:
             return "0.0"
         text = repr(float(value))
@@ -164,7 +164,7 @@ class Names:
     def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
         """Convert text to another type where Python would do so implicitly."""
         if found is None or isinstance(found, (Table, Bundle, LocalArray, TupleType)):
-            raise SubsetError(f"{self.function.__qualname__}: {text} is no number")
+            raise SubsetError(f"{self.function.__qualname__}: {text} is not a number")
         kind = run_time(found)
         if kind == wanted:
             return text

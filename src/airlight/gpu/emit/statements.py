@@ -210,7 +210,7 @@ class FunctionBody:
         """Condition of ``if`` and ``while``."""
         text, value = self.expressions.write(test)
         if value is None or not isinstance(value, (Scalar, Uniform, Constant)):
-            raise self.refuse(test, "is no condition")
+            raise self.refuse(test, "is not a condition")
         return text if run_time(value) == BOOL else f"{text} != 0"
 
     def branch(self, node: ast.If, depth: int) -> None:

@@ -167,13 +167,13 @@ def file_text(path: Path) -> str:
         if path.is_dir():
             raise FileError(path, "is a folder; allowed: a TOML file")
         if path.exists() and not path.is_file():
-            raise FileError(path, "is no ordinary file; allowed: a TOML file")
+            raise FileError(path, "is not a regular file; allowed: a TOML file")
         with path.open("rb") as stream:
             content = stream.read(LARGEST_FILE + 1)
     except OSError as error:
         raise FileError(path, (error.strerror or type(error).__name__).lower()) from None
     except ValueError:  # a null character within the name
-        raise FileError(repr(str(path)), "is no file name") from None
+        raise FileError(repr(str(path)), "is not a file name") from None
     if len(content) > LARGEST_FILE:
         raise FileError(path, f"is larger than {LARGEST_FILE} bytes; allowed: a planet file")
     try:

@@ -320,7 +320,7 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
     except (OSError, UnicodeDecodeError) as error:
         raise FileError(file, f"cannot be read: {error}") from error
     except ValueError as error:
-        raise FileError(file, f"is no table of numbers by wavelength: {error}") from error
+        raise FileError(file, f"is not a table of numbers by wavelength: {error}") from error
     if table.ndim != 2 or table.shape[1] != len(known) + 1 or len(known) < 2:
         raise FileError(file, f"has rows of other lengths than its {len(known)} wavelengths")
     if not (table[:, 1:] > 0.0).all() or not min(known) > 0.0:

@@ -91,7 +91,7 @@ def read_scenes(folder: Path) -> list[Scene]:
     except KeyError as error:
         raise FileError(file, f"has no column {error}") from error
     except (TypeError, ValueError) as error:
-        raise FileError(file, f"holds what is no number: {error}") from error
+        raise FileError(file, f"contains a value that is not a number: {error}") from error
     if not scenes:
         raise FileError(file, "holds no rows")
     return scenes
@@ -140,7 +140,7 @@ def read_bruneton(folder: Path) -> tuple[FloatArray, FloatArray]:
     except (OSError, UnicodeDecodeError) as error:
         raise FileError(file, f"cannot be read: {error}") from error
     except ValueError as error:
-        raise FileError(file, f"holds what is no number: {error}") from error
+        raise FileError(file, f"contains a value that is not a number: {error}") from error
     if table.ndim != 2 or table.shape[1] != 6:
-        raise FileError(file, "is no table of six columns")
+        raise FileError(file, "is not a table of six columns")
     return table[:, :3], table[:, 3:]

@@ -78,7 +78,7 @@ def web_file(name: str) -> str:
         return GENERATED[name]()
     file = resources.files("airlight.viewer") / "web" / name
     if not file.is_file():
-        raise FileError(name, "is no file of the viewer's web folder")
+        raise FileError(name, "is not a file of the viewer's web folder")
     return file.read_text(encoding="utf-8")
 
 
