@@ -48,7 +48,7 @@ def test_fit_writes_planet_and_report(
     if page.endswith(".html"):
         ElementTree.fromstring(text.replace("<!DOCTYPE html>", ""))
     else:
-        pictures = sorted(file.name for file in (tmp_path / "fit-pictures").iterdir())
+        pictures = sorted(file.name for file in (tmp_path / "fit-pictures").glob("*.png"))
         assert "residuals.png" in pictures
         assert all(name in text for name in pictures)
     assert "ground.albedo" in text

@@ -97,7 +97,6 @@ class FirstCompilation(event.Listener):
         with self._lock:
             if self._said:
                 return
-            self._said = True
             loops, finished = list(self._loops.values()), frozenset(self._finished)
             clock, processor = self._spent, self._processor
             if self._depth:
@@ -105,6 +104,9 @@ class FirstCompilation(event.Listener):
                 processor += time.process_time() - self._began[1]
         busy = max(clock / processor, 1.0) if processor > 0.0 else 1.0
         work = max(work_left(loops, finished), work_left(self._elsewhere, ()))
+        if busy * _SECONDS * work < PATIENCE:  # nearly over
+            return
+        self._said = True
         seconds = max(busy * _SECONDS * work, 1.0)
         kept = "; the code is kept for later runs" if all(map(is_kept, loops)) else ""
         line = f"compiling, about {duration(seconds)}{kept}"
