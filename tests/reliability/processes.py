@@ -284,7 +284,9 @@ def _emptied(file: Path, _: random.Random) -> None:
 
 
 def _replaced(file: Path, chance: random.Random) -> None:
-    others = sorted(one for one in file.parent.iterdir() if one.suffix == file.suffix)
+    others = sorted(
+        one for one in file.parent.iterdir() if one.is_file() and one.suffix == file.suffix
+    )
     file.write_bytes(chance.choice(others).read_bytes())
 
 
