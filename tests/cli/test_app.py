@@ -64,7 +64,7 @@ def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> Non
         (["render", "earth", "-o", "a.png", "--set", "air.h=1"], "a key of constituents[0] is 'h'"),
         (["bake", "earth", "--layout", "bruneton", "-o", "a", "--set", "x.y=1"], "--set is 'x.y'"),
         (["render", "earth", "-o", "a.jpg"], "the name of a picture ends in .png, .exr, .hdr"),
-        (["render", "earth", "-o", "no/such/a.png"], "there is not a folder"),
+        (["render", "earth", "-o", "no/such/a.png"], "there is no folder"),
         (["render", "earth", "-o", "a.png", "--exposure", "bright"], "--exposure is 'bright'"),
         (["render", "earth", "-o", "a.png", "--exposure", "101"], "auto, or -100 to 100 EV"),
         (["render", "earth", "-o", "a.png", "--tone-map", "sepia"], "--tone-map is 'sepia'"),

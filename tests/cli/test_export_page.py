@@ -36,7 +36,7 @@ def test_page_is_one_file_below_3_mb_with_the_view_that_was_asked_for(
         (["-o", "p.html", "--view", "height=3"], "--view is 'height=3'; allowed: NAME=VALUE, with"),
         (["-o", "p.html", "--view", "altitude=up"], "allowed: a number, in m"),
         (["-o", "p.html", "--view", "altitude=-5"], "view.altitude is -5"),
-        (["-o", "no/p.html"], "no/p.html: there is not a folder"),
+        (["-o", "no/p.html"], "no/p.html: there is no folder"),
         (["-o", "p.html", "--set", "ground.albed=1"], "a key of ground is 'albed'"),
     ],
 )

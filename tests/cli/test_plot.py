@@ -37,7 +37,7 @@ def test_list_and_help_say_every_kind_with_its_sentence(capsys: pytest.CaptureFi
     [
         (["histogram", "-o", "a.png"], "KIND is 'histogram'; allowed: solar-spectrum, "),
         (["density", "-o", "a.jpg"], "a.jpg: the name of a plot ends in .png, .svg, .pdf"),
-        (["density", "-o", "no/such/a.png"], "there is not a folder"),
+        (["density", "-o", "no/such/a.png"], "there is no folder"),
         (["density"], "--output"),
         (["density", "-o", "a.png", "--dpi", "5"], "--dpi is 5.0; allowed: 20 to 1200"),
         (["density", "-o", "a.png", "--sun-zenith", "4"], "--sun-zenith is 4.0; allowed: none"),

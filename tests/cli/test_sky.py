@@ -86,7 +86,7 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
         (["-o", "a.exr"], "Missing option '--for'"),
         (["--for", "maya", "-o", "a.exr"], "'maya' is not one of 'blender'"),
         (["--for", "usd", "-o", "a.tif"], r"ends in .png, .exr, .hdr"),
-        (["--for", "usd", "-o", "no/a.exr"], "there is not a folder"),
+        (["--for", "usd", "-o", "no/a.exr"], "there is no folder"),
         (["--for", "usd", "-o", "a.exr", "--front", "90"], "--front is '90'"),
         (["--for", "dome", "-o", "a.exr", "--front", "up"], "--front is 'up'"),
         (["--for", "dome", "-o", "a.exr", "--front", "S/30"], "--front is 'S/30'"),

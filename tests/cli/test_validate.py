@@ -107,7 +107,7 @@ def test_pictures_in_a_folder_of_ones_own_bring_the_markdown_too(
     [
         (["validate"], "--output"),
         (["validate", "-o", "report.pdf"], ".html or .md"),
-        (["validate", "-o", "missing/report.html"], "there is not a folder"),
+        (["validate", "-o", "missing/report.html"], "there is no folder"),
         (["validate", "--suite", "gold", "-o", "a.html"], "--suite is 'gold'; allowed: golden"),
         (["validate", "--suite", "spherical", "-o", "a.html"], "--data is 'missing'"),
         (["validate", "--suite", "measured", "-o", "a.html"], "kider2013-05-27.npz"),

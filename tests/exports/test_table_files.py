@@ -178,7 +178,7 @@ def test_a_folder_of_other_files_is_left_alone(all_baked: dict[str, Baked], tmp_
     assert (tmp_path / "scattering.npz").read_text() == "mine"
     with pytest.raises(FileError, match="is a file"):
         check_folder(tmp_path / "scattering.npz", FORMAT)
-    with pytest.raises(FileError, match="there is not a folder"):
+    with pytest.raises(FileError, match="there is no folder"):
         check_folder(tmp_path / "a" / "b", FORMAT)
 
 

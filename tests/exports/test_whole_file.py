@@ -71,7 +71,7 @@ def test_the_file_has_the_rights_of_any_new_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("no/such/out.txt", "there is not a folder"),
+        ("no/such/out.txt", "there is no folder"),
         (".", "is a folder"),
         ("x" * 300, "too long"),
         ("zero\0byte", "null byte"),

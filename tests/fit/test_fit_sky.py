@@ -268,7 +268,7 @@ def test_photograph_without_sky_is_refused(tmp_path: Path) -> None:
 
 
 def test_pixels_of_a_photograph_that_are_no_numbers_are_left_out_and_counted(tmp_path):
-    # a saturated half is infinite, a masked pixel no number; neither has light to be fitted
+    # a saturated half is infinite, a masked pixel NaN; neither has light to be fitted
     import OpenEXR
 
     from airlight.errors import AirlightWarning

@@ -86,7 +86,7 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
     Returns
     -------
     x, y : array, shape (n,)
-        Distances from the left and the top edge; not a number where a fisheye does not reach.
+        Distances from the left and the top edge; NaN where a fisheye does not reach.
         [pixel]
 
     Raises

@@ -45,7 +45,7 @@ def check_target(path: str | Path) -> Path:
         if target.exists() and not os.access(target, os.W_OK):
             raise FileError(path, "is write-protected")
         if not target.parent.is_dir():
-            raise FileError(path, f"there is not a folder {target.parent}")
+            raise FileError(path, f"there is no folder {target.parent}")
         if not os.access(target.parent, os.W_OK | os.X_OK):
             raise FileError(path, f"the folder {target.parent} cannot be written to")
     except (

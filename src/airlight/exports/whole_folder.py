@@ -71,7 +71,7 @@ def check_folder(
         if target.exists() and not target.is_dir():
             raise FileError(folder, "is a file, not a folder")
         if not target.parent.is_dir():
-            raise FileError(folder, f"there is not a folder {target.parent}")
+            raise FileError(folder, f"there is no folder {target.parent}")
         there = sorted(target.iterdir()) if target.is_dir() else []
         if there and not (target / MANIFEST).is_file() and not overwrite:
             reason = f"holds {there[0].name}, but no {MANIFEST}: name a new or empty folder"
@@ -107,7 +107,7 @@ def whole_folder(
     """
     target = Path(folder).resolve()
     if not target.parent.is_dir():
-        raise FileError(folder, f"there is not a folder {target.parent}")
+        raise FileError(folder, f"there is no folder {target.parent}")
     part = hidden_file(target, "part")
     with output_lock(target, wait=WAIT), begun(part):
         check_folder(folder, form, files, overwrite=overwrite)  # no one replaces its files now

@@ -59,7 +59,7 @@ class EclipsedDrawing(Drawing):
         self._colors = color_weights(eclipsed.solution)
 
     def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
-        """Do nothing: there is not a table of the sky."""
+        """Do nothing: there is no sky-view LUT."""
 
     def draw_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None

@@ -94,7 +94,7 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     array, shape (n, nc, nl)
         Light per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
     """
-    require_no_refraction(medium, "a table of light scattered once")
+    require_no_refraction(medium, "a table of single scattering")
     bottom, top = medium.bottom_radius, medium.top_radius
     radii = column_radii(medium, TABLE_SHAPE[0])
     columns = ColumnTable.build(bottom, top, medium.density, TABLE_SHAPE, radii)

@@ -70,7 +70,7 @@ def check_store(path: Path, field: str) -> None:
     except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links
         raise FileError(path, str(error)) from error
     if not there:
-        raise FileError(path, f"there is not a folder {parent}")
+        raise FileError(path, f"there is no folder {parent}")
     for folder in (path, parent) if path.exists() else (parent,):
         if not os.access(folder, os.W_OK | os.X_OK):
             raise FileError(path, f"the folder {folder} cannot be written to")

@@ -151,7 +151,7 @@ def fill_tables(
     solution : Solution
         Solution at ``WAVELENGTHS``.
     combined : bool
-        Whether there is not a table of M: S is then chosen so that the look-up, which restores the
+        Whether there is no table of M: S is then chosen so that the look-up, which restores the
         colours of M, gives the same light at the texels.
     lowest_sun : float, optional
         Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]

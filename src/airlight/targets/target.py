@@ -286,7 +286,7 @@ def read_export(folder: str | Path, target: Target) -> Export:
     Raises
     ------
     FileError
-        If there is not a manifest, or one of another format.
+        If there is no manifest, or one of another format.
     """
     path = Path(folder) / MANIFEST
     content = read_manifest(path, target.form)
