@@ -14,7 +14,7 @@ import pytest
 from airlight.cli import app, main
 from airlight.errors import Cancelled
 
-COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate", "errata"]
+COMMANDS = ["planets", "show", "render", "radiance", "plot", "bake", "validate"]
 
 
 def error_line(capsys: pytest.CaptureFixture[str]) -> str:

@@ -49,7 +49,6 @@ COMMANDS: Final = {
     "bake": "Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.",
     "export-page": "Write a page to fly round a planet: one file that opens from disk, below 5 MB.",
     "validate": "Check airlight against published numbers, independent codes and measured skies.",
-    "errata": "List what the source documents print otherwise, and compute what it changes.",
 }
 
 

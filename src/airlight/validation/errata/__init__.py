@@ -1,1 +1,0 @@
-"""Errata of the source documents, computed."""
