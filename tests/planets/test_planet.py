@@ -130,7 +130,6 @@ def test_replace_changes_one_field_and_the_fingerprint():
         {"bottom_radius": 6.361e6},
         {"top_radius": 6.461e6},
         {"ground": Ground(albedo=0.2)},
-        {"ground": Ground(map="earth")},
         {"star": Star(irradiance=2.0, angular_radius=0.27)},
         {"star": Star(irradiance=1.0, angular_radius=0.28)},
         {"constituents": (replace(AIR, absorption=1e-9),)},
@@ -140,6 +139,17 @@ def test_replace_changes_one_field_and_the_fingerprint():
 def test_every_change_of_the_planet_changes_the_fingerprint(change):
     before = Medium.from_planet(EARTH, [550.0]).fingerprint()
     assert Medium.from_planet(replace(EARTH, **change), [550.0]).fingerprint() != before
+
+
+def test_appearance_is_no_input_of_a_solution():
+    # town lights are seen and light no air
+    ground = Ground(albedo=0.1, map="earth", lights="earth")
+    media = [
+        Medium.from_planet(replace(EARTH, ground=one), [550.0])
+        for one in (ground, replace(ground, lights=None))
+    ]
+    assert len({medium.fingerprint() for medium in media}) == 1
+    assert [medium.surface.lights for medium in media] == ["earth", None]
 
 
 def test_a_fingerprint_outlives_the_process():

@@ -196,7 +196,7 @@ def test_pictures_of_two_sizes_cover_the_same_places(cloudy: Cloudy) -> None:
     Image.new("L", (64, 32), 0).save("lights.png")
     row, column = np.mgrid[0:8, 0:16]
     coarse = 0.5 + 0.4 * np.sin(np.pi * column / 8.0) * np.sin(np.pi * (row + 0.5) / 8.0)
-    name = cloudy(coarse, albedo=0.1).medium.ground_clouds
+    name = cloudy(coarse, albedo=0.1).medium.surface.clouds
     alone, both = ground_overlay(None, name), ground_overlay("./lights.png", name)
     assert alone is not None
     assert both is not None

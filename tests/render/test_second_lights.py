@@ -69,7 +69,7 @@ def test_half_moon_lights_an_eleventh_of_full(earth: MomentsSolution) -> None:
 def test_lamps_shine_once_beside_the_moon(earth: MomentsSolution) -> None:
     # What the Moon adds is the same with the lamps of towns and without them.
     dark = copy.copy(earth)
-    dark.medium = replace(earth.medium, ground_lights=None)
+    dark.medium = replace(earth.medium, surface=replace(earth.medium.surface, lights=None))
     camera = Camera(width=48, height=27, look_zenith=150.0, field_of_view=50.0)
     scene = Scene(camera=camera, altitude=4e5, sun_zenith=180.0, latitude=45.4, longitude=9.2)
     moonlit = replace(scene, others=(MoonLight(zenith=60.0, azimuth=30.0),))

@@ -19,6 +19,7 @@ from test_pictures import FIXED, HEIGHT, SKY, WAVELENGTHS, WIDTH, drawn
 from airlight.gpu.picture.pictures import Pictures
 from airlight.planets import load_planet
 from airlight.planets.medium import Medium
+from airlight.planets.surface import PLAIN
 from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.solve import solve
@@ -59,7 +60,7 @@ def solution_of(name: str, amounts: dict[int, float], ground: float, settings: A
         scattering=factors * medium.scattering,
         absorption=factors * medium.absorption,
         ground_albedo=ground * medium.ground_albedo,
-        ground_map=None,
+        surface=PLAIN,
     )
     solution = solve(edited, settings, cache=False)
     solution.planet = planet

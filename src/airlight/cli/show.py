@@ -110,12 +110,12 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
         table.add_row("but", line)
     table.add_row("wavelengths", f"{_spectral(medium.wavelengths)} nm")
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
-    if medium.ground_map is not None:
-        table.add_row("ground map", medium.ground_map)
-    if medium.ground_map is not None or medium.ground_clouds is not None:
+    if medium.surface.map is not None:
+        table.add_row("ground map", medium.surface.map)
+    if medium.surface.map is not None or medium.surface.clouds is not None:
         table.add_row("ground below the air", "as given" if given else _ground_below(planet))
-    if medium.ground_clouds is not None:
-        table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
+    if medium.surface.clouds is not None:
+        table.add_row("clouds", f"{medium.surface.clouds}, mean cover {medium.ground.cover:.4g}")
     for left_out in bands_left_out(planet, medium.wavelengths):
         table.add_row("left out", str(left_out))
     table.add_row("star", _parameters(planet.star))

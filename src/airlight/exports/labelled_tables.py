@@ -81,7 +81,7 @@ def facts(solution: Solution, orders: str) -> dict[str, Any]:
         "wavelengths_nm": medium.wavelengths.tolist(),
         "solar_irradiance_W_m-2_nm-1": medium.lights[0].irradiance.tolist(),
         "ground_albedo": medium.ground_albedo.tolist(),
-        **(clouds if medium.ground_clouds is not None else {}),
+        **(clouds if medium.surface.clouds is not None else {}),
         "star_angular_radius_rad": medium.lights[0].angular_radius,
         "bottom_radius_m": medium.bottom_radius,
         "top_radius_m": medium.top_radius,

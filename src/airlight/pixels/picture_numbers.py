@@ -100,7 +100,7 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     numbers |= shading_numbers(source.phase, source.limb, sun_level, float(sun[2]))
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
         numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
-    ground = solution.medium.ground_map
+    ground = solution.medium.surface.map
     rows = NOMINAL_ROWS if ground is None else surface_map(ground).rows
     cell = finest_cell(bottom, rows)
     numbers |= {"detailed": float(scene.ground == "detailed"), "detail_cell": cell}
@@ -222,10 +222,10 @@ def overlay_numbers(solution: MomentsSolution) -> dict[str, float]:
     solution : MomentsSolution
         Solution, lit by one of the lights.
     """
-    medium, altitude = solution.medium, solution.medium.cloud_altitude
+    medium, altitude = solution.medium, solution.medium.surface.cloud_altitude
     radius = solution.paths.optical_radius(np.array(medium.bottom_radius + altitude))
     return lamp_numbers(solution) | {
-        "clouded": float(medium.ground_clouds is not None),
+        "clouded": float(medium.surface.clouds is not None),
         "cloud_altitude": altitude,
         "cloud_radius": float(radius),
     }
@@ -249,7 +249,7 @@ def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
     eye = np.arange(360.0, 831.0)
     color = np.maximum(sun_color(planck_radiance(eye, LAMP_TEMPERATURE)), 0.0)
     color *= TOWN_LUMINANCE / LUMINOUS_EFFICACY / luminance(color)
-    white = star.colors().sum(axis=0) * solution.medium.map_brightness
+    white = star.colors().sum(axis=0) * solution.medium.surface.brightness
     return {name: float(x) for name, x in zip(names, color / np.maximum(white, 1e-30), strict=True)}
 
 

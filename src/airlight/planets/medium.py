@@ -29,6 +29,7 @@ from airlight.planets.matter.profiles import Uniform
 from airlight.planets.planet import Planet
 from airlight.planets.relative_densities import relative_densities
 from airlight.planets.spectral import check_wavelength_list
+from airlight.planets.surface import PLAIN, Surface
 from airlight.units import values_in
 
 FloatArray = npt.NDArray[np.float64]
@@ -70,8 +71,6 @@ class Medium:
         constituent that does not scatter. [sr⁻¹]
     ground_albedo : array, shape (nl,)
         Albedo of the ground, without its clouds. [1]
-    ground_map : str or None
-        Name of a picture of the ground.
     solar_irradiance : array, shape (nl,)
         Irradiance at the planet, on a plane that faces the star. [W m⁻² nm⁻¹]
     star_angular_radius : float
@@ -82,14 +81,8 @@ class Medium:
         by 3 % over the visible. [1]
     constituents : tuple of Constituent
         Constituents from which the arrays were sampled.
-    map_brightness : float
-        Factor of the picture of the ground. [1]
-    ground_lights : str or None
-        Name of a picture of the lights of towns.
-    ground_clouds : str or None
-        Path of a picture of clouds.
-    cloud_altitude : float
-        Altitude of their layer. [m]
+    surface : Surface
+        Appearance of the ground in pictures, without effect on a solution or the fingerprint.
     resolve_layers : bool
         Whether grids follow layers aloft of any width as they follow thin ones.
     reflection : Reflection
@@ -112,15 +105,11 @@ class Medium:
     density: DensitySegments
     phase_table: FloatArray
     ground_albedo: FloatArray
-    ground_map: str | None
     solar_irradiance: FloatArray
     star_angular_radius: float
     refractivity: FloatArray
     constituents: tuple[Constituent, ...] = field(repr=False)
-    map_brightness: float = 1.0
-    ground_lights: str | None = None
-    ground_clouds: str | None = None
-    cloud_altitude: float = 0.0
+    surface: Surface = PLAIN
     resolve_layers: bool = False
     reflection: Reflection = WHITE
 
@@ -236,15 +225,11 @@ class Medium:
             density=density,
             phase_table=np.stack([one.phase_values(nu, nm).T for one in constituents]),
             ground_albedo=planet.ground.albedos(nm),
-            ground_map=planet.ground.map,
             solar_irradiance=light.irradiance,
             star_angular_radius=light.angular_radius,
             refractivity=_refractivity(planet),
             constituents=constituents,
-            map_brightness=planet.ground.brightness,
-            ground_lights=planet.ground.lights,
-            ground_clouds=planet.ground.clouds,
-            cloud_altitude=planet.ground.cloud_altitude if planet.ground.clouds else 0.0,
+            surface=Surface.of(planet.ground),
             reflection=planet.ground.reflection,
         )
         medium._check()
@@ -254,7 +239,7 @@ class Medium:
     @property
     def map_basis(self) -> FloatArray:
         """Reflectances of red, green and blue of the ground's picture, shape (nl, 3). [1]"""
-        return self.map_brightness * reflectance_basis(self.wavelengths)
+        return self.surface.brightness * reflectance_basis(self.wavelengths)
 
     @property
     def thickness(self) -> float:
@@ -395,11 +380,9 @@ class Medium:
         >>> red == green
         False
         """
-        digest = hashlib.sha256(b"airlight medium 2\n")
+        digest = hashlib.sha256(b"airlight medium 3\n")
         scalars = (self.bottom_radius, self.top_radius, self.star_angular_radius)
-        ground = (self.ground_map, self.ground_lights, self.reflection)
-        clouds = (self.ground_clouds, self.cloud_altitude) if self.ground_clouds else ()
-        digest.update(repr((scalars, self.names, *ground, *clouds)).encode())
+        digest.update(repr((scalars, self.names, self.reflection)).encode())
         for name, array in self._arrays().items():
             digest.update(f"{name} {array.shape}\n".encode())
             digest.update(np.ascontiguousarray(array, dtype="<f8").tobytes())

@@ -84,10 +84,10 @@ class Drawing:
             solution, peaks=self.window is not None, points=resolution.points,
             panels=resolution.panels,
         )  # fmt: skip
-        name = solution.medium.ground_map
+        name = solution.medium.surface.map
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
-        self._overlay = ground_overlay(medium.ground_lights, medium.ground_clouds)
+        self._overlay = ground_overlay(medium.surface.lights, medium.surface.clouds)
         self._screen = screen_from(numbers, camera, self._ground, self._overlay, SkyLayers.none())
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius

@@ -126,7 +126,7 @@ class SolutionTextures:
         for one, contents in made.textures.items():
             if one not in textures:
                 textures[one] = flat_texture(device, _uneven(contents), one)
-        name = medium.ground_map if maps else None
+        name = medium.surface.map if maps else None
         found = None if name is None else surface_map(name)
         if before is not None and before.textures.get("map of") == name:
             textures["ground"] = before.textures["ground"]
@@ -135,7 +135,7 @@ class SolutionTextures:
             textures["ground"] = packed_texture(device, texels, "ground")
             release(texels)
         textures["map of"] = name
-        over = (medium.ground_lights, medium.ground_clouds) if maps else (None, None)
+        over = (medium.surface.lights, medium.surface.clouds) if maps else (None, None)
         overlay = ground_overlay(*over)
         if before is not None and before.textures.get("overlay of") == over:
             textures["overlay"] = before.textures["overlay"]

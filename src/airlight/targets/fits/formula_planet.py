@@ -319,11 +319,11 @@ def _note_color(
 
 def _left_out(medium: Medium) -> list[str]:
     notes = []
-    if medium.ground_map is not None:
+    if medium.surface.map is not None:
         notes.append("the map of the ground is left out: give the program its own")
-    if medium.ground_lights is not None:
+    if medium.surface.lights is not None:
         notes.append("lights of towns are left out")
-    if medium.ground_clouds is not None:
+    if medium.surface.clouds is not None:
         notes.append(
             f"clouds are part of the ground's albedo: cover {medium.ground.cover:.2g}, no layer"
         )

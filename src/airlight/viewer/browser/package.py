@@ -218,7 +218,7 @@ def solution_package(
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
     uniforms |= overlay_numbers(solution)
-    star, mapped = solution.lights[0], medium.ground_map
+    star, mapped = solution.lights[0], medium.surface.map
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: solution.wavelengths.size] = star.colors(weights)
     for channel, column in zip(("red", "green", "blue"), shown.T, strict=True):
@@ -233,7 +233,7 @@ def solution_package(
         "body": None if solution.planet is None else solution.planet.body,
         "second": second_light_data(solution),
         "overlay": ground_map(
-            ground_overlay(medium.ground_lights, medium.ground_clouds), lossless=True
+            ground_overlay(medium.surface.lights, medium.surface.clouds), lossless=True
         ),
         "viewpoints": viewpoints(medium.bottom_radius, medium.top_radius),
     }

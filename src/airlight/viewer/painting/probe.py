@@ -351,8 +351,8 @@ def _ground(
     spot = scene.ground_frame @ place
     latitude = math.degrees(math.atan2(spot[2], math.hypot(spot[0], spot[1])))
     longitude = math.degrees(math.atan2(spot[1], spot[0]))
-    if medium.ground_map is not None:
-        image = surface_map(medium.ground_map)
+    if medium.surface.map is not None:
+        image = surface_map(medium.surface.map)
         slant = max(-float(direction @ place) / bottom, 0.05)
         footprint = scene.camera.pixel_angle * distance / (bottom * math.sqrt(slant))
         level = math.log2(max(footprint * image.rows / math.pi, 1.0))

@@ -44,9 +44,9 @@ def probed_clouds(
         Cover on the line of sight, and on the light. None without clouds. [1]
     """
     medium, bottom = solution.medium, solution.medium.bottom_radius
-    if medium.ground_clouds is None or not np.isfinite(distance):
+    if medium.surface.clouds is None or not np.isfinite(distance):
         return None
-    overlay = ground_overlay(medium.ground_lights, medium.ground_clouds)
+    overlay = ground_overlay(medium.surface.lights, medium.surface.clouds)
     assert overlay is not None
     place = distance * direction + np.array([0.0, 0.0, bottom + scene.altitude])
     cosine = -float(direction @ place) / bottom
@@ -54,7 +54,7 @@ def probed_clouds(
     covers = []
     for towards in (-direction, position.direction):
         mu = float(towards @ place) / bottom
-        away = layer_distance(mu, bottom, medium.cloud_altitude)
+        away = layer_distance(mu, bottom, medium.surface.cloud_altitude)
         spot = scene.ground_frame @ (place + away * towards)
         texel = np.empty(CHANNELS)
         map_color(
@@ -62,5 +62,5 @@ def probed_clouds(
             *latitude_longitude(*spot), level, texel, 0,
         )  # fmt: skip
         covers.append(float(texel[CHANNELS - 1]))
-    above = scene.altitude > medium.cloud_altitude
+    above = scene.altitude > medium.surface.cloud_altitude
     return covers[0] if above else 0.0, covers[1]

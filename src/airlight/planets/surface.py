@@ -1,0 +1,45 @@
+"""Appearance of the ground in pictures: maps of colour, town lights and clouds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from airlight.planets.ground import Ground
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surface:
+    """Maps that pictures of the ground are made of; no input of a solver.
+
+    Parameters
+    ----------
+    map, lights, clouds : str or None
+        Names or paths of the maps of colour, of town lights and of clouds.
+    brightness : float
+        Factor of the map of colour. [1]
+    cloud_altitude : float
+        Altitude of the clouds; 0 without a map of them. [m]
+    """
+
+    map: str | None = None
+    lights: str | None = None
+    clouds: str | None = None
+    brightness: float = 1.0
+    cloud_altitude: float = 0.0
+
+    @classmethod
+    def of(cls, ground: Ground) -> Surface:
+        """Surface of a planet's ground."""
+        return cls(
+            map=ground.map,
+            lights=ground.lights,
+            clouds=ground.clouds,
+            brightness=ground.brightness,
+            cloud_altitude=ground.cloud_altitude if ground.clouds else 0.0,
+        )
+
+
+#: Surface without any map.
+PLAIN: Final = Surface()
