@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from xml.etree import ElementTree
 
@@ -93,8 +94,17 @@ def test_the_worst_case_and_the_missed_bar_are_shown_not_folded_away(report: Rep
     assert re.search(r"largest error</td><td>4.87 %</td><td>≤ 2 %</td><td class=\"missed\">", page)
     text = markdown(report, "pictures")
     assert "**4.87**" in text
-    assert "<details>" not in text
+    assert "### The worst case: 1 of 2 rows that fail" in text
+    assert "noon" not in text
     assert "**missed**" in text
+
+
+def test_markdown_leaves_long_tables_that_are_met_to_the_page(report: Report) -> None:
+    met = replace(WORST, marks=["pass", "pass"], note="Known to 1 %.")
+    suite = Suite(name="x", title="X", summary="", parts=[met])
+    text = markdown(replace(report, suites=[suite]), "pictures")
+    assert "The worst case (2 rows): see the HTML report. Known to 1 %." in text
+    assert "noon" in html(replace(report, suites=[suite]))
 
 
 def test_a_bar_is_met_up_to_it_and_not_by_nothing() -> None:

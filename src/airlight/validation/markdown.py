@@ -1,10 +1,15 @@
-"""The report as Markdown with its pictures as files, for a repository's documentation."""
+"""The report as Markdown with its pictures as files, for a repository's documentation.
+
+Of long tables it has the rows that fail; the HTML report has all of them.
+"""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from airlight.reports.markdown import escaped, files_of, part_lines, row_lines, strong
 from airlight.validation.report import Report, result_word
-from airlight.validation.suite import Suite
+from airlight.validation.suite import Part, ReportTable, Suite, Text
 
 
 def markdown(report: Report, pictures: str) -> str:
@@ -71,5 +76,17 @@ def _section(suite: Suite, pictures: str) -> list[str]:
     if suite.settings:
         lines += ["", f"*{escaped('; '.join(suite.settings))}*"]
     for part in suite.parts:
-        lines += ["", *part_lines(part, pictures)]
+        lines += ["", *part_lines(_shortened(part), pictures)]
     return lines
+
+
+def _shortened(part: Part) -> Part:
+    """Part with only those rows of a folded table that fail."""
+    if not isinstance(part, ReportTable) or not part.folded:
+        return part
+    count = len(part.rows)
+    failed = [row for row, mark in zip(part.rows, part.marks, strict=False) if mark == "fail"]
+    if not failed:
+        return Text(text=f"{part.title} ({count} rows): see the HTML report. {part.note}".strip())
+    title = f"{part.title}: {len(failed)} of {count} rows that fail"
+    return replace(part, title=title, rows=failed, marks=["fail"] * len(failed), folded=False)
