@@ -129,7 +129,8 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
         running_depths(r, mu, chosen, new_trace(chosen), distances, got)
         exact = columns(r[:, None], mu[:, None], distances, medium.bottom_radius, density)
         lost = np.maximum(-np.expm1(-whole), 1e-300)[:, None]
-        light = np.exp(-got) - np.exp(-(exact @ coefficients))
+        # A rule that is too coarse for a layer may give a depth far below 0: it is rejected.
+        light = np.exp(-np.maximum(got, -1.0)) - np.exp(-(exact @ coefficients))
         error = np.where(whole[:, None] > 0.0, light / lost, 0.0)
         if np.abs(error).max() <= LARGEST_ERROR and np.sqrt(np.mean(error**2)) <= MEAN_ERROR:
             break
