@@ -217,8 +217,16 @@ def test_thick_air_is_left_to_the_cpu(device):
     # Light is scattered in it for hundreds of orders: refused before any computation, in one line.
     with pytest.raises(ThickAir) as refused:
         solve_on(device, medium_of("titan"), PREVIEW)
+    assert "too thick" in str(refused.value)
     assert "CPU" in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_a_solution_that_makes_light_is_left_to_the_cpu(device, monkeypatch):
+    # The balance of energy is judged by the same function as on the CPU: only its answer is needed.
+    monkeypatch.setattr("airlight.gpu.solver.solver.makes_light", lambda energy, tolerance: True)
+    with pytest.raises(ThickAir, match="not resolved by the GPU's grid; the CPU solves it"):
+        solve_on(device, medium_of("earth"), PREVIEW)
 
 
 def test_more_wavelengths_than_a_texel_holds_are_refused(device):

@@ -43,10 +43,10 @@ _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDiction
 
 
 class ThickAir(AirlightError):
-    """Air so thick that only the CPU solves it: light is scattered up and down in it many times."""
+    """Atmosphere that only the CPU solves: too many orders of scattering, or layers to resolve."""
 
-    def __str__(self) -> str:
-        return "the air is too thick for the GPU's orders of scattering; the CPU solves it"
+    def __init__(self, reason: str = "too thick for the GPU's orders of scattering") -> None:
+        super().__init__(f"the atmosphere is {reason}; the CPU solves it")
 
 
 def solve_on(
@@ -109,7 +109,7 @@ def solve_on(
         energy=energy_error(plan.setup, field[..., :count]),
     )
     if makes_light(moments.energy, settings.energy_tolerance):
-        raise ThickAir
+        raise ThickAir("not resolved by the GPU's grid")
     solution = MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
     _fields[solution] = device, fields
     return solution
