@@ -1,7 +1,8 @@
-"""Sizes of what is shipped: the wheel with its maps, and a page."""
+"""Sizes: the wheel with its maps, a page, and the figures of ``scripts/sizes``."""
 
 from __future__ import annotations
 
+import runpy
 from pathlib import Path
 
 import airlight
@@ -25,3 +26,22 @@ def test_a_page_with_the_earth_s_maps_is_below_4_megabytes(tmp_path: Path) -> No
     page = export_page("earth", tmp_path / "earth.html", quality="preview")
     assert page.size == (tmp_path / "earth.html").stat().st_size
     assert page.size <= 4e6 < LARGEST <= 5e6
+
+
+def test_the_figures_of_the_code_count_what_they_name() -> None:
+    script = Path(__file__).parents[1] / "scripts" / "sizes"
+    source = """'''Two lines
+    of docstring.'''
+
+# a comment
+class A:
+    def f(self, a, b, c, d, e, f, g, h, i):  # fmt: skip
+        '''One more.'''
+        return a
+class A:
+    pass
+"""
+    figures = runpy.run_path(str(script))["sizes"](
+        {"src/airlight/a.py": source, "docs/a.md": "three short words", "docs/generated/b.md": "x"}
+    )
+    assert list(figures.values()) == [1, 5, 3, 0, 1, 1, 1, "10 a.py", 3]
