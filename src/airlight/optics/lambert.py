@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from airlight.kernel import kernel
 
-#: Largest albedo that conserves energy.
-LARGEST_ALBEDO = 1.0
+
+def largest_albedo(ground: Any) -> float:
+    """Largest albedo that conserves energy, of a ``Reflection``. [1]"""
+    return 1.0
 
 
 @kernel

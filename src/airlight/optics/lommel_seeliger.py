@@ -9,15 +9,19 @@ the fraction ``albedo``.
 from __future__ import annotations
 
 from math import log
+from typing import Any
 
 from airlight.kernel import kernel
 
 #: 3/(8 (1 - ln 2)): the hemispherical mean of c (1 - μ ln((1 + μ)/μ)), doubled, is then 1.
 _SCALE = 3.0 / (8.0 * (1.0 - log(2.0)))
-#: Albedo above which the ground would send back more of a level beam than arrives: 0.409.
-LARGEST_ALBEDO = 0.5 / _SCALE
 #: Smallest sum of the cosines, for lines that graze the ground while the star sets.
 _LEVEL = 1e-4
+
+
+def largest_albedo(ground: Any) -> float:
+    """Largest albedo that conserves the energy of a level beam, of a ``Reflection``: 0.409. [1]"""
+    return 0.5 / _SCALE
 
 
 @kernel
@@ -62,7 +66,7 @@ def sky_share(ground, leaving):
     Examples
     --------
     >>> matte, gloss = sky_share(None, 0.0)
-    >>> round(matte * LARGEST_ALBEDO, 6), gloss
+    >>> round(matte * largest_albedo(None), 6), gloss
     (1.0, 0.0)
     """
     cosine = max(leaving, 1e-9)

@@ -10,9 +10,9 @@ that the matter below the surface has coloured, and light that the surface itsel
 Clouds hide the same share of the ground everywhere from solvers, which know nothing of places; a
 picture looks their cover up.
 
-A new law is a file of its own with its two kernels, ``star_share`` and ``sky_share``, and a line in
-``LAWS``; its parameters other than the albedo are fields of ``Reflection``, numbers with a default,
-which every solver, table and shader passes on.
+A new law is a file of its own with two kernels, ``star_share`` and ``sky_share``, and a function
+``largest_albedo``, and a line in ``LAWS``; its parameters other than the albedo are fields of
+``Reflection``, numbers with a default, which every solver, table and shader passes on.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from airlight.optics import lambert, lommel_seeliger, water
 
 FloatArray = NDArray[np.float64]
 
-#: Laws of reflection by name: modules with their kernels and largest albedos.
+#: Laws of reflection by name: modules with their kernels and ``largest_albedo``.
 LAWS: Final[dict[str, Any]] = {
     "lambert": lambert,
     "lommel-seeliger": lommel_seeliger,
@@ -78,6 +78,17 @@ class Reflection(NamedTuple):
     wind: float = 5.0
     cover: float = 0.0
     cloud_albedo: float = 0.0
+
+
+def largest_albedo(ground: Reflection) -> float:
+    """Largest albedo with which a ground conserves energy, by its law and parameters. [1]
+
+    Examples
+    --------
+    >>> round(largest_albedo(Reflection(1.0, law_number("lommel-seeliger"))), 3)
+    0.409
+    """
+    return list(LAWS.values())[ground.law].largest_albedo(ground)  # type: ignore[no-any-return]
 
 
 #: White ground by Lambert's law.

@@ -9,13 +9,18 @@ fraction ``albedo`` of all light comes back, through the surface both ways.
 
 from __future__ import annotations
 
+from typing import Any
+
 from airlight.kernel import kernel
 from airlight.optics.cox_munk import glint_factor, mean_mirrored, mirrored_fraction
 
-#: Largest albedo that conserves energy: what the surface lets through at all winds.
-LARGEST_ALBEDO = 0.93
 #: Reflectance of foam. [1]
 FOAM = 0.22
+
+
+def largest_albedo(ground: Any) -> float:
+    """Largest albedo that conserves energy, of a ``Reflection``, at all winds. [1]"""
+    return 0.93
 
 
 @kernel

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.optics.reflection import LAWS, Reflection, law_number
+from airlight.optics.reflection import LAWS, Reflection, largest_albedo, law_number
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.local_ground import LocalGround
 from airlight.planets.parameters import instance_of, parameters, replace
@@ -237,7 +237,7 @@ class Ground(Record):
         if self.local is not None:
             mirrors = self.map is not None and self.law != "water"
             known = known * self.local.ratio(wavelengths, self.wind if mirrors else None)
-        return np.clip(self.brightness * known, 0.0, LAWS[self.law].LARGEST_ALBEDO)
+        return np.clip(self.brightness * known, 0.0, largest_albedo(self._clear))
 
     @property
     def reflection(self) -> Reflection:
@@ -248,13 +248,17 @@ class Ground(Record):
         FileError
             If the picture of clouds cannot be read.
         """
-        wet = self.law == "water" or (self.map is not None and self.wind is not None)
-        law, plain = law_number(self.law), Reflection(1.0)
-        wind = plain.wind if self.wind is None else self.wind
         if self.clouds is None:
-            return Reflection(1.0, law, wet, wind)
+            return self._clear
         cover = mean_cover(self.clouds) if self.local is None else self.local.here.cover
-        return Reflection(1.0, law, wet, wind, cover, self.cloud_albedo)
+        return self._clear._replace(cover=cover, cloud_albedo=self.cloud_albedo)
+
+    @property
+    def _clear(self) -> Reflection:
+        """Reflection without clouds."""
+        wet = self.law == "water" or (self.map is not None and self.wind is not None)
+        clear = Reflection(1.0, law_number(self.law), wet)
+        return clear if self.wind is None else clear._replace(wind=self.wind)
 
     def local_line(self, wavelength: float) -> str:
         """Line of a report about the local ground; empty if it is that of the whole planet.

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import THICKEST
-from airlight.optics.reflection import LAWS
+from airlight.optics.reflection import largest_albedo
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.moments import convergence
@@ -103,7 +103,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
             "columns": _table(drawn.columns),
             "degree": optics.degree,
             "albedo": _four(drawn.ground_albedo).tolist(),
-            "brightest": tuple(LAWS.values())[drawn.reflection.law].LARGEST_ALBEDO,
+            "brightest": largest_albedo(drawn.reflection),
             "day": [float(x) for x in plan.setup.day_weight],
             "thickest": max(THICKEST, _HEADROOM * own),
         },

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 
 from airlight.errors import AirlightError
 from airlight.optics.gas_absorption import dobson_from_column
-from airlight.optics.reflection import LAWS
+from airlight.optics.reflection import largest_albedo
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.matter.absorbers import OzoneAbsorption
@@ -215,7 +215,7 @@ def _ground(ground: Ground, factor: float) -> tuple[Amount, ...]:
     present = float(ground.albedos([nm])[0])
     if not present > 0.0:
         return ()
-    most = min(LAWS[ground.law].LARGEST_ALBEDO, factor * present)
+    most = min(largest_albedo(ground.reflection), factor * present)
     return (
         Amount(
             path=GROUND, label="ground albedo", group=AMOUNTS,
