@@ -10,6 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.solvers.moments.acceleration import mixing_weights
+from airlight.viewer.browser import formulas
 from airlight.viewer.browser.formulas import emitted_formulas
 
 COUNT = 60
@@ -169,6 +170,15 @@ def in_javascript(argument: Any) -> Any:
 def test_every_formula_of_a_page_is_compared() -> None:
     # A new formula of the page needs a case here.
     assert set(functions()) == set(CASES) | FILLING
+
+
+def test_a_projection_s_name_may_have_a_hyphen(monkeypatch: pytest.MonkeyPatch) -> None:
+    forms = {"equal-area": formulas.PROJECTIONS["fisheye"]}
+    monkeypatch.setattr(formulas, "PROJECTIONS", forms)
+    monkeypatch.setattr(formulas, "emitted_formulas", formulas.emitted_formulas.__wrapped__)
+    text = formulas.formulas_text.__wrapped__()
+    assert "function pixel_angle_equal_area(" in text
+    assert 'PIXEL_ANGLES = { "equal-area": pixel_angle_equal_area }' in text
 
 
 @pytest.fixture(scope="module")

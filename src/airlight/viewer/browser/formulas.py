@@ -118,14 +118,19 @@ def emitted_formulas() -> Emitter:
         plain = getattr(function, "py_func", function)
         emitter.add(function, *(given or (F32,) * plain.__code__.co_argcount))
     for name, form in PROJECTIONS.items():
-        emitter.add(form.pixel_angle, F32, F32, F32, name=f"pixel_angle_{name}")
+        emitter.add(form.pixel_angle, F32, F32, F32, name=_pixel_angle(name))
     return emitter
+
+
+def _pixel_angle(projection: str) -> str:
+    """Name in JavaScript of a projection's function; its own may have hyphens."""
+    return f"pixel_angle_{projection.replace('-', '_')}"
 
 
 @cache
 def formulas_text() -> str:
     """Text of ``generated/formulas.js``: formulas, and facts of projections."""
-    angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
+    angles = ", ".join(f"{json.dumps(name)}: {_pixel_angle(name)}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     connected = [name for name, form in PROJECTIONS.items() if form.connected]
     circular = [name for name, form in PROJECTIONS.items() if form.circular]
