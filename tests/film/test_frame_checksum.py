@@ -190,7 +190,7 @@ def test_a_movie_has_one_writer_and_is_whole(
     hidden_file(movie, "part").write_text("of a killed run")
     drawn(rock, tmp_path / "frames", movie=movie)
     before = movie.read_bytes()
-    monkeypatch.setattr("airlight.exports.whole_file.WAIT", 0.1)
+    monkeypatch.setattr("airlight.exports.atomic_file.WAIT", 0.1)
     with output_lock(movie), pytest.raises(FileError, match="is being written by another"):
         drawn(rock, tmp_path / "frames", movie=movie)
     monkeypatch.setattr("airlight.film.movie._frame_count", lambda file: 3)

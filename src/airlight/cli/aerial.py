@@ -71,7 +71,7 @@ def aerial(
     started = time.perf_counter()
     from airlight.composition.aerial_perspective import AerialPerspective, check_request
     from airlight.exports.aerial_files import FILES, FORMAT, write_aerial
-    from airlight.exports.whole_folder import check_folder
+    from airlight.exports.atomic_folder import check_folder
     from airlight.paint.solve_planet import solve_planet
     from airlight.scene import Scene
     from airlight.scene.local_ground import local_ground

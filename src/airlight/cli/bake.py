@@ -154,9 +154,9 @@ def bake(
         )
         return
     started = time.perf_counter()
+    from airlight.exports.atomic_folder import check_folder
     from airlight.exports.bake import bake as fill
     from airlight.exports.table_files import FILES, FORMAT, write_tables
-    from airlight.exports.whole_folder import check_folder
     from airlight.planets import replace
 
     chosen = _packing(layout, packing, mie)

@@ -53,7 +53,7 @@ def bake_target(
         For an option that the program does not have.
     """
     started = time.perf_counter()
-    from airlight.exports.whole_folder import check_folder
+    from airlight.exports.atomic_folder import check_folder
     from airlight.planets import replace
     from airlight.targets import target_of
 

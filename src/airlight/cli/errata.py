@@ -44,7 +44,7 @@ def errata(
     Each row: the source, the text as printed, what stands here, and a quantity both ways. The first
     run compiles a solver, which takes half a minute.
     """
-    from airlight.exports.whole_file import check_target, whole_file
+    from airlight.exports.atomic_file import atomic_file, check_target
     from airlight.validation.errata.errata import errata as table
     from airlight.validation.errata.errata import markdown
 
@@ -60,7 +60,7 @@ def errata(
     if output is None:
         _print(rows)
         return
-    with whole_file(output) as part:
+    with atomic_file(output) as part:
         part.write_text(markdown(rows), encoding="utf-8")
     say(f"{output}  {len(rows)} rows")
 

@@ -136,7 +136,7 @@ def fit(
 
     An interrupted fit goes on where it was if it is started again.
     """
-    from airlight.exports.whole_file import check_target, whole_file
+    from airlight.exports.atomic_file import atomic_file, check_target
 
     check_target(output)
     if output.suffix.lower() != ".toml":
@@ -164,7 +164,7 @@ def fit(
     from airlight.fit.fitted_file import fitted_file
     from airlight.fit.report import result_lines, warnings_of
 
-    with whole_file(output) as part:
+    with atomic_file(output) as part:
         part.write_text(fitted_file(sky), encoding="utf-8")
     for line in result_lines(sky):
         say(line)
@@ -309,8 +309,8 @@ def _prior(name: str, text: str) -> Prior:
 
 
 def _check_report(report: Path, overwrite: bool) -> None:
+    from airlight.exports.atomic_file import check_target
     from airlight.exports.report_pictures import check_pictures
-    from airlight.exports.whole_file import check_target
     from airlight.plots.figure import require_matplotlib
 
     check_target(report)
@@ -327,17 +327,17 @@ def _pictures(report: Path) -> Path:
 
 
 def _write_report(sky: SkyFit, report: Path, overwrite: bool) -> None:
+    from airlight.exports.atomic_file import atomic_file
     from airlight.exports.report_pictures import write_pictures
-    from airlight.exports.whole_file import whole_file
     from airlight.fit.report import html, markdown, parts_of
     from airlight.reports.markdown import files_of
 
     if report.suffix.lower() != ".md":
-        with whole_file(report) as part:
+        with atomic_file(report) as part:
             part.write_text(html(sky), encoding="utf-8")
         return
     parts = parts_of(sky)
     folder = _pictures(report)
     write_pictures(folder, files_of(parts), overwrite=overwrite)
-    with whole_file(report) as part:
+    with atomic_file(report) as part:
         part.write_text(markdown(sky, parts, folder.name), encoding="utf-8")

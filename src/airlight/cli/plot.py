@@ -88,7 +88,7 @@ def plot(
 
     An option that the kind does not use is refused.
     """
-    from airlight.exports.whole_file import check_target, whole_file
+    from airlight.exports.atomic_file import atomic_file, check_target
     from airlight.plots.figure import require_matplotlib, write_figure
 
     kind_named(kind)
@@ -116,6 +116,6 @@ def plot(
         raise ParameterError(option, error.value, error.allowed) from None
     with shown_progress() as report:
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
-    with whole_file(output) as part, part.open("wb") as file:
+    with atomic_file(output) as part, part.open("wb") as file:
         write_figure(figure, file, suffix.removeprefix("."), dpi)
     say(f"{output}  {kind} of {world.name}")

@@ -146,8 +146,8 @@ def spectrum(
 
 def _checked(files: list[Path]) -> list[Path]:
     """Refuse files that cannot be written, before the work."""
+    from airlight.exports.atomic_file import check_target
     from airlight.exports.spectrum_files import SUFFIXES
-    from airlight.exports.whole_file import check_target
 
     for path in files:
         if path.suffix.lower() not in (*SUFFIXES, *_FIGURES):
@@ -175,11 +175,11 @@ def _write(path: Path, data: xarray.Dataset) -> None:
 
         write_spectrum(path, data)
         return
-    from airlight.exports.whole_file import whole_file
+    from airlight.exports.atomic_file import atomic_file
     from airlight.plots.figure import write_figure
     from airlight.plots.spectrum import spectrum as drawn
 
-    with whole_file(path) as part, part.open("wb") as file:
+    with atomic_file(path) as part, part.open("wb") as file:
         write_figure(drawn(data), file, suffix.removeprefix("."), 150.0)
 
 

@@ -63,8 +63,8 @@ def validate(
     The exit status is 0 if every bar is met, 1 if one is missed, 2 after an error.
     """
     started = time.perf_counter()
+    from airlight.exports.atomic_file import check_target
     from airlight.exports.report_pictures import check_pictures
-    from airlight.exports.whole_file import check_target
     from airlight.validation.run import chosen, run
 
     check_target(output)
@@ -117,8 +117,8 @@ def _page(output: Path) -> Path | None:
 def _write(report: object, output: Path, pictures: Path | None, overwrite: bool) -> None:
     import os
 
+    from airlight.exports.atomic_file import atomic_file
     from airlight.exports.report_pictures import write_pictures
-    from airlight.exports.whole_file import whole_file
     from airlight.validation.markdown import markdown, picture_files
     from airlight.validation.report import Report, html
 
@@ -128,8 +128,8 @@ def _write(report: object, output: Path, pictures: Path | None, overwrite: bool)
         beside = Path(os.path.relpath(pictures, page.parent)).as_posix()
         text = markdown(report, beside)
         write_pictures(pictures, picture_files(report), _page(output), text, overwrite=overwrite)
-        with whole_file(page) as part:
+        with atomic_file(page) as part:
             part.write_text(text, encoding="utf-8")
     if output.suffix.lower() != ".md":
-        with whole_file(output) as part:
+        with atomic_file(output) as part:
             part.write_text(html(report), encoding="utf-8")

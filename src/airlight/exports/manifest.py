@@ -63,7 +63,7 @@ def write_manifest(folder: Path, manifest: dict[str, Any]) -> None:
     Parameters
     ----------
     folder : Path
-        Folder from ``whole_folder``.
+        Folder from ``atomic_folder``.
     manifest : dict
         Its content; ``files`` anywhere in it are names of files with their ``fingerprint``.
     """

@@ -45,7 +45,7 @@ BENDING_WAVELENGTH: Final = 550.0
 MOST_WAVELENGTHS: Final = 2000
 #: Number of media that a planet keeps, since reader, solver and pictures request the same, and
 #: their largest number of wavelengths.
-MOST_KEPT: Final = 2
+CACHE_SIZE: Final = 2
 MOST_KEPT_WAVELENGTHS: Final = 64
 
 
@@ -200,7 +200,7 @@ class Medium:
             return kept[nm.tobytes()]
         medium = cls._sampled(planet, nm, progress=progress, cancel=cancel)
         if nm.size <= MOST_KEPT_WAVELENGTHS:
-            while len(kept) >= MOST_KEPT:
+            while len(kept) >= CACHE_SIZE:
                 kept.pop(next(iter(kept)), None)
             kept[nm.tobytes()] = medium
         return medium

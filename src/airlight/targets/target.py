@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from airlight.errors import FileError, ParameterError
+from airlight.exports.atomic_folder import atomic_folder
 from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
-from airlight.exports.whole_folder import whole_folder
 from airlight.kernel.threads import Progress
 from airlight.solvers.provenance import version
 from airlight.solvers.refracted_geometry import require_no_refraction
@@ -227,7 +227,7 @@ class Target:
             require_no_refraction(
                 solution.medium, f"files for {self.program}, which draws straight lines"
             )
-        with whole_folder(folder, self.form, self.files, overwrite=overwrite) as part:
+        with atomic_folder(folder, self.form, self.files, overwrite=overwrite) as part:
             found = self.fill(solution, part, progress=progress, **options)
             files = {file.name: fingerprint(file) for file in sorted(part.iterdir())}
             write_manifest(part, self._manifest(solution, found, files))

@@ -12,9 +12,9 @@ from typing import Final
 import numpy as np
 
 from airlight.errors import FileError
-from airlight.exports.whole_file import check_target
+from airlight.exports.atomic_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
-from airlight.kernel.ahead import CompiledAhead
+from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.paint.drawing_device import Choice, live_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import live_solver
@@ -199,7 +199,7 @@ def _session_of(planet: str) -> Session:
 
 
 def painter_by(
-    choice: Choice, device: Device, ahead: CompiledAhead | None = None
+    choice: Choice, device: Device, ahead: BackgroundCompiler | None = None
 ) -> Callable[[], Painter]:
     """Factory of painters for the graphics device or the processor, which waits for its loops."""
 

@@ -32,7 +32,7 @@ _DIGITS: Final = 6
 #: Points between two angles of a table in the integrals of its polarisation.
 _STEPS_A_CELL: Final = 4
 #: Number of formulas and parameters whose polarising elements are kept: edits change few of them.
-_KEPT: Final = 512
+_CACHE_SIZE: Final = 512
 
 
 class PhaseRow(NamedTuple):
@@ -221,7 +221,7 @@ def _formula_rows(formula: Any, *given: float) -> tuple[PhaseRow, ...]:
     return (PhaseRow(1.0, angles, at(angles)),)
 
 
-@lru_cache(maxsize=_KEPT)
+@lru_cache(maxsize=_CACHE_SIZE)
 def _formula_moments(formula: Any, *given: float) -> tuple[float, float, float, float]:
     """``polarising_moments_of`` a formula with the given parameters. [1]"""
     return polarising_moments_of(_formula_rows(formula, *given))

@@ -8,23 +8,23 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-_begun: Final[set[Path]] = set()
+_partial: Final[set[Path]] = set()
 
 
 @contextlib.contextmanager
-def begun(path: Path) -> Iterator[None]:
+def partial_output(path: Path) -> Iterator[None]:
     """Note a path while it is written, and remove what is left of it at the end."""
-    _begun.add(path)
+    _partial.add(path)
     try:
         yield
     finally:
         remove(path)
-        _begun.discard(path)
+        _partial.discard(path)
 
 
 def remove_all() -> None:
     """Remove all that is being written, before the process ends without its ``finally`` blocks."""
-    for path in tuple(_begun):
+    for path in tuple(_partial):
         remove(path)
 
 

@@ -25,7 +25,9 @@ _FOLDER: Final = "maps"
 SMALLEST: Final = 1 << 22
 
 
-def kept_levels(source: Path, files: Sequence[Path | None], decode: Callable[[], Levels]) -> Levels:
+def cached_levels(
+    source: Path, files: Sequence[Path | None], decode: Callable[[], Levels]
+) -> Levels:
     """Load the levels of a map from disk, or decode its pictures and keep what results.
 
     Parameters
@@ -51,17 +53,17 @@ def kept_levels(source: Path, files: Sequence[Path | None], decode: Callable[[],
         key = _key(source, files)
     except OSError:  # the reader finds words for it
         return decode()
-    kept = _kept(key)
+    kept = _load(key)
     if kept is None:
         made = decode()
         if made.flat.nbytes < SMALLEST:
             return made
         disk.save(key, {"size": np.array(made[:2]), "flat": made.flat}, _FOLDER)
-        kept = _kept(key)
+        kept = _load(key)
     return made if kept is None else kept
 
 
-def _kept(key: str) -> Levels | None:
+def _load(key: str) -> Levels | None:
     arrays = disk.load(key, _FOLDER, in_place=True)
     if arrays is None or not {"size", "flat"} <= set(arrays):
         return None

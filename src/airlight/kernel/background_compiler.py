@@ -19,7 +19,7 @@ from airlight.kernel.compiling import CompileListener, Compiling, is_kept, on_di
 _POLL: Final = 0.05
 
 
-class CompiledAhead:
+class BackgroundCompiler:
     """Process that compiles loops in their order, unless they are on disk.
 
     Parameters

@@ -57,12 +57,12 @@ def _exchange(bits, kept):
     return _exchanged(bits, kept)
 
 
-def count_as_zero() -> int:
+def flush_denormals() -> int:
     """Count subnormal numbers as zero in this thread from now on; returns its mode before."""
     return 0 if config.DISABLE_JIT else int(_exchange(_AS_ZERO, -1))
 
 
 def restore(mode: int) -> None:
-    """Give this thread the mode back that ``count_as_zero`` returned."""
+    """Give this thread the mode back that ``flush_denormals`` returned."""
     if not config.DISABLE_JIT:
         _exchange(mode, 0)
