@@ -196,7 +196,7 @@ def _metres(value: float) -> str:
 
 def _parameters(thing: Any) -> str:
     """Describe a parameter object: its kind, as in planet files, and its values."""
-    from airlight.planets.schema.record import fields_of
+    from airlight.planets.schema.toml_model import fields_of
 
     words = [thing.keyword or type(thing).__name__.lower()]
     declared = fields_of(type(thing))

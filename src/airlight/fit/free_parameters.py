@@ -23,7 +23,7 @@ from airlight.planets.planet import Planet
 from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import Tables, get, joined, put
 from airlight.planets.reading.shell_edit import BOTTOM, lifted
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 from airlight.planets.schema.measures import number_in, text_of
 from airlight.spectra.power_law import power_law
 from airlight.units import quantities
@@ -183,7 +183,7 @@ def _number(name: str, path: str, tables: Tables) -> Free:
     return Free(parameter=parameter, write=write)
 
 
-def _limits(key: Key, start: float) -> tuple[float, float]:
+def _limits(key: Field, start: float) -> tuple[float, float]:
     low, high = key.limits
     reach = 1e3 * max(abs(start), 1e-6)
     low = low if math.isfinite(low) else start - reach
@@ -192,7 +192,7 @@ def _limits(key: Key, start: float) -> tuple[float, float]:
     return min(low + inside, start), max(high - inside, start)
 
 
-def _least_step(key: Key, start: float) -> float:
+def _least_step(key: Field, start: float) -> float:
     low, high = key.ends
     if key.scale == "log" or not math.isfinite(high - low):
         return 5e-3 * abs(start) if start else 1e-3 * (low if math.isfinite(low) and low else 1.0)

@@ -14,7 +14,7 @@ from airlight.planets.constituent import Constituent
 from airlight.planets.medium import Medium
 from airlight.planets.parameter_values import parameter_values
 from airlight.planets.planet import RED_GREEN_BLUE, Planet
-from airlight.planets.schema.record import fields_of
+from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.spectral import narrowest
 
 FloatArray = npt.NDArray[np.float64]

@@ -211,7 +211,7 @@ class Medium:
     ) -> Medium:
         for i, one in enumerate(planet.constituents):
             if one.matter is not None:
-                with _blamed(f"constituents[{i}]"):
+                with _prefix_errors(f"constituents[{i}]"):
                     one.matter.prepare(nm, progress=progress, cancel=cancel)
         density = relative_densities(planet)
         height = effective_top(density)
@@ -462,7 +462,7 @@ def _refractivity(planet: Planet) -> FloatArray:
 
 
 @contextlib.contextmanager
-def _blamed(where: str) -> Iterator[None]:
+def _prefix_errors(where: str) -> Iterator[None]:
     """Put a constituent before the field of an error."""
     try:
         yield

@@ -14,16 +14,16 @@ from airlight.planets.reading.coefficient_reader import (
     read_coefficients,
 )
 from airlight.planets.reading.tables import MATTER
-from airlight.planets.schema.key import Wavelengths
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Wavelengths
+from airlight.planets.schema.toml_table import TomlTable
 
 
-def read_constituent(section: Section, thickness: float) -> Constituent:
+def read_constituent(section: TomlTable, thickness: float) -> Constituent:
     """Read a constituent from its table.
 
     Parameters
     ----------
-    section : Section
+    section : TomlTable
     thickness : float
         Thickness of the shell, over which optical depths are spread. [m]
     """
@@ -42,7 +42,7 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
         scattering, absorption = 0.0, read_absorption(section, wavelengths)
     amount = section.number("amount", "1", "2") if "amount" in section else 1.0
     section.finish()
-    with section.blamed():
+    with section.prefix_errors():
         return Constituent(
             name=name,
             amount=amount,
@@ -54,7 +54,7 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
         )
 
 
-def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
+def _matter(section: TomlTable, wavelengths: Wavelengths) -> Matter | None:
     """Matter of the constituent, if given; beside it only absorption is given."""
     given = [kind for kind in MATTER if kind.keyword in section]
     if not given:
@@ -76,10 +76,13 @@ def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
     return matter
 
 
-def _profile_of(section: Section, matter: Matter | None) -> Profile:
+def _profile_of(section: TomlTable, matter: Matter | None) -> Profile:
     """Profile given, or the exponential that temperature and gravity give to a gas."""
     if matter is not None and "profile" not in section:
-        with section.blamed(), Section({}, section.name_of(matter.keyword)).blamed():
+        with (
+            section.prefix_errors(),
+            TomlTable({}, section.name_of(matter.keyword)).prefix_errors(),
+        ):
             height = matter.own_scale_height()
             if height is not None:
                 return Exponential(scale_height=height)

@@ -18,8 +18,8 @@ from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.constituent_reader import read_constituent
 from airlight.planets.reading.overrides import overridden, with_hint
-from airlight.planets.schema.record import fields_of
-from airlight.planets.schema.section import Section, suggestion
+from airlight.planets.schema.toml_model import fields_of
+from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.planets.star import Star
 
 #: Largest size of a planet file. [byte]
@@ -258,7 +258,7 @@ def read_tables(
     """
     try:
         changed = tables if overrides is None else overridden(tables, overrides)
-        planet = _planet(Section(changed, folder=folder))
+        planet = _planet(TomlTable(changed, folder=folder))
         # Refuse here, where the file is known.
         Medium.from_planet(planet, wavelengths(planet), progress=progress, cancel=cancel)
         return planet
@@ -276,7 +276,7 @@ def declared_planet(tables: Mapping[str, Any], folder: Path | None = None) -> Pl
     ParameterError
         If a table or a value is invalid.
     """
-    return _planet(Section(tables, folder=folder))
+    return _planet(TomlTable(tables, folder=folder))
 
 
 def nested_tables(text: str, file: str) -> dict[str, Any]:
@@ -302,7 +302,7 @@ def nested_tables(text: str, file: str) -> dict[str, Any]:
         raise FileError(file, f"is not TOML: {error}") from None
 
 
-def _planet(root: Section) -> Planet:
+def _planet(root: TomlTable) -> Planet:
     keys = fields_of(Planet)
     collector = Collector()
     own: dict[str, Any] = {}
@@ -325,7 +325,7 @@ def _planet(root: Section) -> Planet:
     with collector:
         allowed = "a table [star] with a spectrum and an angular_radius"
         own["star"] = Star.read(root.section("star", allowed))
-    sections: list[Section] = []
+    sections: list[TomlTable] = []
     with collector:
         sections = root.sections("constituents", "a list of tables [[constituents]]")
     if {"bottom_radius", "top_radius"} <= set(own):
