@@ -145,8 +145,8 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
     """
     from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
-    from airlight.planets.cut_air import cut_air
     from airlight.planets.reading.overrides import FIELD, parsed
+    from airlight.planets.truncated_constituents import truncated_constituents
 
     try:
         paths = dict(parsed(change) for change in changes or [])
@@ -160,7 +160,7 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
             return ParameterError("--set", one.value, one.allowed, one.file)
 
         raise changed(error, of_the_option) from None
-    for line in cut_air(loaded):
+    for line in truncated_constituents(loaded):
         note(line)
     return loaded
 

@@ -95,8 +95,8 @@ def _spectral(values: Any) -> str:
 def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     import numpy as np
 
-    from airlight.planets.gas_bands import bands_left_out
-    from airlight.planets.missing_bands import missing_bands
+    from airlight.planets.gas_bands import omitted_bands
+    from airlight.planets.omitted_absorption_bands import omitted_absorption_bands
 
     table = _table(planet.name, "")
     if planet.description:
@@ -106,7 +106,9 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     table.add_row("top of the air", f"{planet.top_radius / 1e3:.8g} km ({height:.6g} km up)")
     low, high = planet.wavelength_limits
     table.add_row("known from", f"{low:.5g} to {high:.5g} nm")
-    for line in missing_bands(planet, np.arange(max(low, _SHORTEST), min(high, _LONGEST), 10.0)):
+    for line in omitted_absorption_bands(
+        planet, np.arange(max(low, _SHORTEST), min(high, _LONGEST), 10.0)
+    ):
         table.add_row("but", line)
     table.add_row("wavelengths", f"{_spectral(medium.wavelengths)} nm")
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
@@ -116,8 +118,8 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
         table.add_row("ground below the air", "as given" if given else _ground_below(planet))
     if medium.ground_clouds is not None:
         table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
-    for left_out in bands_left_out(planet, medium.wavelengths):
-        table.add_row("left out", str(left_out))
+    for omitted in omitted_bands(planet, medium.wavelengths):
+        table.add_row("left out", str(omitted))
     table.add_row("star", _parameters(planet.star))
     table.add_row("starlight", f"{_spectral(medium.solar_irradiance)} W m⁻² nm⁻¹")
     degrees = planet.star.angular_radius_degrees

@@ -178,7 +178,7 @@ def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Di
 #: Fields that are compared by quantities that follow from them, or that describe the planet.
 _TREATED: Final = (
     "name", "description", "bottom_radius", "top_radius", "ground", "star", "constituents",
-    "own_wavelengths", "albedo", "spectrum", "irradiance", "temperature", "distance", "radius",
+    "default_wavelengths", "albedo", "spectrum", "irradiance", "temperature", "distance", "radius",
     "angular_radius",
 )  # fmt: skip
 

@@ -57,7 +57,7 @@ class Planet(TomlModel):
     star : Star
     constituents : tuple of Constituent
         Constituents, 1 to 64.
-    own_wavelengths : tuple of float, optional
+    default_wavelengths : tuple of float, optional
         Default wavelengths of the planet. [nm]
     description : str, optional
         Nature and sources of the numbers, in a sentence or two.
@@ -101,7 +101,7 @@ class Planet(TomlModel):
             offered=always,
         ),
     ] = ""
-    own_wavelengths: (
+    default_wavelengths: (
         Annotated[
             tuple[float, ...],
             dataclasses.replace(
@@ -228,9 +228,9 @@ class Planet(TomlModel):
                 self._limits_by_part(),
                 "parts that are known at a common wavelength",
             )
-        if self.own_wavelengths is not None:
-            check_wavelength_list(self.own_wavelengths)
-            self.check_wavelengths(self.own_wavelengths)
+        if self.default_wavelengths is not None:
+            check_wavelength_list(self.default_wavelengths)
+            self.check_wavelengths(self.default_wavelengths)
 
     @property
     def thickness(self) -> float:
@@ -312,11 +312,11 @@ class Planet(TomlModel):
     def wavelengths(self) -> tuple[float, ...]:
         """Own wavelengths of the planet. [nm]
 
-        ``own_wavelengths`` if given; otherwise 680, 550 and 440 if every part is known there;
+        ``default_wavelengths`` if given; otherwise 680, 550 and 440 if every part is known there;
         otherwise those of the first part that names any.
         """
-        if self.own_wavelengths is not None:
-            return self.own_wavelengths
+        if self.default_wavelengths is not None:
+            return self.default_wavelengths
         low, high = self.wavelength_limits
         if low <= min(RED_GREEN_BLUE) and max(RED_GREEN_BLUE) <= high:
             return RED_GREEN_BLUE

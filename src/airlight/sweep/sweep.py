@@ -18,7 +18,7 @@ from airlight.errors import ParameterError
 from airlight.exports.output_lock import output_lock
 from airlight.kernel.cost import LINES, announce_all
 from airlight.kernel.memory import check_memory
-from airlight.planets.missing_bands import warn_of_missing_bands
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.solve import solve_work
@@ -249,7 +249,7 @@ def _announce(
     """Announce the work, and warn of what planets are not known for: nobody sees a worker's."""
     quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
-        warn_of_missing_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
+        warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
     lines = sum(_lines(grid, block) for block in missing)
     amounts = [
         ("solve", len(variants) * solve_work(quality, len(grid.nm))),

@@ -216,7 +216,7 @@ def planet_from_celestia(
         ground=Ground(albedo=albedo),
         star=star,
         constituents=tuple(constituents),
-        own_wavelengths=RED_GREEN_BLUE,
+        default_wavelengths=RED_GREEN_BLUE,
     )
 
 

@@ -178,7 +178,7 @@ def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) 
         ground=Ground(albedo=albedo),
         star=star,
         constituents=tuple(constituents),
-        own_wavelengths=RED_GREEN_BLUE,
+        default_wavelengths=RED_GREEN_BLUE,
     )
 
 

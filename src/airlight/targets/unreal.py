@@ -187,7 +187,7 @@ def planet_from_unreal(properties: Mapping[str, Any], star: Star, name: str) -> 
             )
             for label, profile, scatters, absorbs, phase in made
         ),
-        own_wavelengths=RED_GREEN_BLUE,
+        default_wavelengths=RED_GREEN_BLUE,
     )  # fmt: skip
 
 

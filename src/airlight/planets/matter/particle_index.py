@@ -42,7 +42,7 @@ class ParticleIndex(TomlModel, ABC):
 
     @property
     @abstractmethod
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Wavelengths of the given values, few enough to compute at each. [nm]"""
 
     @abstractmethod
@@ -126,7 +126,7 @@ class GivenIndex(ParticleIndex):
         return spectral_limits(self.real, self.imaginary)
 
     @property
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Wavelengths of the given values. [nm]"""
         own: set[float] = set()
         for value in (self.real, self.imaginary):
@@ -161,7 +161,7 @@ class TableIndex(ParticleIndex):
         return read_index(self.table).limits
 
     @property
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Empty: tables have many rows."""
         return ()
 
@@ -211,9 +211,9 @@ class MixedIndex(ParticleIndex):
         return narrowest([self.matrix.limits, self.inclusions.limits])
 
     @property
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Wavelengths of the given values of both. [nm]"""
-        own = {*self.matrix.own_wavelengths, *self.inclusions.own_wavelengths}
+        own = {*self.matrix.tabulated_wavelengths, *self.inclusions.tabulated_wavelengths}
         low, high = self.limits
         return tuple(sorted(nm for nm in own if low <= nm <= high))
 

@@ -207,7 +207,7 @@ class Particles(Matter):
     @property
     def _nodes(self) -> tuple[float, ...]:
         spacing = NARROW_SPACING if nearly_one_size(self.sizes) else SPACING
-        return node_wavelengths(self.limits, self.index.own_wavelengths, spacing)
+        return node_wavelengths(self.limits, self.index.tabulated_wavelengths, spacing)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Extinction and scattering cross-section of the mean particle, each shape (nl,). [m²]

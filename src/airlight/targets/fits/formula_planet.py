@@ -150,7 +150,7 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
             angular_radius=math.degrees(medium.star_angular_radius),
         ),
         constituents=tuple(constituents),
-        own_wavelengths=tuple(medium.wavelengths.tolist()),
+        default_wavelengths=tuple(medium.wavelengths.tolist()),
     )
     return FormulaPlanet(planet=planet, fitted=tuple(fitted), notes=tuple(notes), g=g)
 

@@ -13,7 +13,7 @@ import airlight
 from airlight import AirlightWarning, load_planet
 from airlight.cli.app import main
 from airlight.planets import replace
-from airlight.planets.missing_bands import warn_of_missing_bands
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.spectra.tables import read_spectrum
 from airlight.sweep import Grid, sweep
@@ -57,7 +57,7 @@ def test_gas_wavelength_and_size_of_a_band_are_named(
     # The tables by Beer's law.
     words = re.escape(f"bands of {gas} are left out: up to {size} %") + f".*at {nm:g} nm"
     with pytest.warns(AirlightWarning, match=words) as caught:
-        warn_of_missing_bands(load_planet(name), [550.0, nm])
+        warn_of_omitted_bands(load_planet(name), [550.0, nm])
     assert len(caught) == 1
     assert caught[0].filename == __file__
 
@@ -67,7 +67,7 @@ def test_air_by_its_name_has_oxygen(tmp_path: Path) -> None:
     file = tmp_path / "named.toml"
     file.write_text(NAMED, encoding="utf-8")
     with pytest.warns(AirlightWarning, match=r"Named: bands of O2 .* 37 % .* at 761 nm"):
-        warn_of_missing_bands(load_planet(file), [761.0])
+        warn_of_omitted_bands(load_planet(file), [761.0])
 
 
 def test_solve_warns_before_it_computes() -> None:
@@ -104,7 +104,7 @@ def test_pictures_of_every_preset_are_silent(name: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for nm in [*sets, sets[1][::-1]]:
-            warn_of_missing_bands(planet, nm)
+            warn_of_omitted_bands(planet, nm)
 
 
 def test_wavelengths_between_the_bands_and_planets_with_them_are_silent(tmp_path: Path) -> None:
@@ -120,6 +120,6 @@ def test_wavelengths_between_the_bands_and_planets_with_them_are_silent(tmp_path
     )
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        warn_of_missing_bands(load_planet("earth"), [360.0, 440.0, 500.0, 670.0, 780.0, 870.0])
+        warn_of_omitted_bands(load_planet("earth"), [360.0, 440.0, 500.0, 670.0, 780.0, 870.0])
         for one in (planet, replace(planet, constituents=(*planet.constituents[:-1], own))):
-            warn_of_missing_bands(one, [577.0, 689.0, 720.0, 761.0, 820.0, 940.0])
+            warn_of_omitted_bands(one, [577.0, 689.0, 720.0, 761.0, 820.0, 940.0])

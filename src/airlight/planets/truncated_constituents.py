@@ -16,7 +16,7 @@ ENOUGH: Final = 8.0
 _STEP: Final = 1e-3
 
 
-def cut_air(planet: Planet) -> list[str]:
+def truncated_constituents(planet: Planet) -> list[str]:
     """Name the constituents that end at the top of the shell rather than by themselves.
 
     Above the top each is taken to go on with the scale height that it has there, H, so that the
@@ -34,10 +34,10 @@ def cut_air(planet: Planet) -> list[str]:
     Examples
     --------
     >>> from airlight.planets import load_planet
-    >>> cut_air(load_planet("earth"))
+    >>> truncated_constituents(load_planet("earth"))
     []
     >>> low = load_planet("earth-bruneton", {"shell.top_radius": "6400 km"})
-    >>> print(cut_air(low)[0])
+    >>> print(truncated_constituents(low)[0])
     air ends at 40 km, 5 of its scale heights up: 0.67 % of its column is cut off
     """
     thickness = planet.thickness
