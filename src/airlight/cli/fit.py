@@ -15,7 +15,7 @@ from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
 if TYPE_CHECKING:
-    from airlight.fit.fit_sky import Request, SkyFit
+    from airlight.fit.fit_sky import FitSettings, SkyFit
     from airlight.fit.measurements import Measurements
     from airlight.fit.parameter import Prior
 
@@ -146,7 +146,7 @@ def fit(
     if (data is None) == (photo is None):
         shown = "missing" if data is None else f"{data} beside --photo {photo}"
         raise ParameterError("--data", shown, "--data FILE or --photo FILE, one of them")
-    request = _request(
+    settings = _settings(
         free, each_scan, bounds, prior, start, uncertainty, loss, quality, set_, not no_cache
     )
     shot: dict[str, str | None] = {
@@ -156,11 +156,11 @@ def fit(
     with shown_progress() as progress, _named_options():
         if photo is not None:
             sky = _photograph(
-                planet, photo, shot, projection, encoding, tone_map, request, progress
+                planet, photo, shot, projection, encoding, tone_map, settings, progress
             )
         else:
             assert data is not None
-            sky = _radiances(planet, data, exclude_sun, request, progress)
+            sky = _radiances(planet, data, exclude_sun, settings, progress)
     from airlight.fit.fitted_file import fitted_file
     from airlight.fit.report import result_lines, warnings_of
 
@@ -177,7 +177,7 @@ def fit(
 
 
 class _named_options:
-    """Errors of the library's request with the names of the options."""
+    """Errors of the library's settings with the names of the options."""
 
     def __enter__(self) -> None:
         return None
@@ -193,7 +193,7 @@ class _named_options:
 
 
 def _radiances(
-    planet: str, file: Path, exclude_sun: str | None, request: Request, progress: Any
+    planet: str, file: Path, exclude_sun: str | None, settings: FitSettings, progress: Any
 ) -> SkyFit:
     from airlight.fit.fit_sky import fit_radiances
 
@@ -202,7 +202,7 @@ def _radiances(
         measured = measured.where(
             measured.angle_from_sun >= options.angle(exclude_sun, "--exclude-sun")
         )
-    return fit_radiances(planet, measured, request, progress=progress)
+    return fit_radiances(planet, measured, settings, progress=progress)
 
 
 def _measurements(file: Path) -> Measurements:
@@ -217,7 +217,7 @@ def _measurements(file: Path) -> Measurements:
 
 def _photograph(
     planet: str, file: Path, shot: dict[str, str | None], projection: str, encoding: str,
-    tone_map: str | None, request: Request, progress: Any,
+    tone_map: str | None, settings: FitSettings, progress: Any,
 ) -> SkyFit:  # fmt: skip
     from airlight.fit.fit_sky import fit_photograph
     from airlight.fit.photograph import Shot, read_photograph
@@ -240,14 +240,14 @@ def _photograph(
         above=options.angle(shot["above"] or "5", "--above"),
         exclude_sun=options.angle(shot["exclude_sun"] or "15", "--exclude-sun"),
     )
-    return fit_photograph(planet, read_photograph(file, given), request, progress=progress)
+    return fit_photograph(planet, read_photograph(file, given), settings, progress=progress)
 
 
-def _request(
+def _settings(
     free: str, each_scan: str, bounds: str, prior: str, start: str, uncertainty: str | None,
     loss: str, quality: str, set_: list[str] | None, keep: bool,
-) -> Request:  # fmt: skip
-    from airlight.fit.fit_sky import Request
+) -> FitSettings:  # fmt: skip
+    from airlight.fit.fit_sky import FitSettings
     from airlight.fit.loss import LOSSES
     from airlight.planets.reading.overrides import parsed
     from airlight.units import quantity
@@ -262,9 +262,9 @@ def _request(
         share = quantity(uncertainty, "1", "--uncertainty")
         if not 0.0 < share < 10.0:
             raise ParameterError("--uncertainty", uncertainty, "a share such as 3% or 0.03")
-    return Request(
+    return FitSettings(
         free=names,
-        each_scan=_listed(each_scan),
+        per_scan=_listed(each_scan),
         bounds={name: _bound(name, text) for name, text in _pairs(bounds, "--bounds")},
         priors={name: _prior(name, text) for name, text in _pairs(prior, "--prior")},
         starts={

@@ -7,8 +7,8 @@ from typing import Final
 
 import numpy as np
 
-from airlight.fit.pictures import dome_pictures, rest_curves
-from airlight.fit.rests import Rests
+from airlight.fit.pictures import dome_pictures, residual_curves
+from airlight.fit.residuals import Residuals
 from airlight.validation.kider.day import Day, Row, compute_day, day_files
 from airlight.validation.kider.planets import EVERYBODYS, Load
 from airlight.validation.kider.scans import MILLI, symmetric_part, total_rmse
@@ -88,7 +88,7 @@ def _score(day: Day, row: Row) -> float:
 def _parts(day: Day) -> list[Part]:
     rests = _rests(day)
     dome = dome_pictures(rests, f"{day.scans.date}: where the rest sits in the sky")
-    curves = rest_curves(rests, f"{day.scans.date}: residuals of the row that counts")
+    curves = residual_curves(rests, f"{day.scans.date}: residuals of the row that counts")
     return [_inputs(day), _scores(day), curves, *([] if dome is None else [dome]), _places(day)]
 
 
@@ -147,12 +147,12 @@ def _scores(day: Day) -> ReportTable:
     )
 
 
-def _rests(day: Day) -> Rests:
+def _rests(day: Day) -> Residuals:
     """Residuals of the row that counts."""
     values = day.scans.measurements(day.file.name)
     predicted, known = day.row.predicted.ravel(), day.rows[1].predicted.ravel()
     spread = float(np.sqrt(np.square(predicted - values.radiance).mean()))
-    return Rests(
+    return Residuals(
         measured=values.radiance, predicted=predicted, first=known,
         sigma=np.full(predicted.size, spread), wavelength=values.wavelength,
         view_zenith=values.view_zenith, azimuth=values.azimuth, from_sun=values.angle_from_sun,

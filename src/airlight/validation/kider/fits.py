@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.fit.least_squares import Data, Fitted, fit
-from airlight.fit.parameter import Parameter
+from airlight.fit.parameter import FitParameter
 from airlight.fit.scans import Scans
 from airlight.fit.sky_model import Directions, Nuisance, SkyModel
 from airlight.fit.smooth_settings import smooth, smooth_near
@@ -83,16 +83,16 @@ class LoadModel:
             scan=np.repeat(np.arange(shape[0]), shape[1]),
         )
         every, all_scans = np.ones(scans.radiance.size, bool), np.ones(shape[0], bool)
-        scale = Parameter(name="scale", start=1.0, low=0.2, high=5.0, least_step=0.01)
+        scale = FitParameter(name="scale", start=1.0, low=0.2, high=5.0, least_step=0.01)
         nuisances = [Nuisance(parameter=scale, kind="factor", values=every, scans=all_scans)]
         self.model = SkyModel(
             planet_of=lambda values: planet_of(_load_of(values)),
             parameters=(
-                Parameter(
+                FitParameter(
                     name="aerosol.optical_depth", start=float(start.optical_depth(550.0)), low=0.0,
                     high=5.0, least_step=0.002,
                 ),
-                Parameter(
+                FitParameter(
                     name="aerosol.angstrom", start=start.alpha, low=-2.0, high=4.5, least_step=0.05
                 ),
             ),
