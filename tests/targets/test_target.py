@@ -15,12 +15,12 @@ from airlight import targets
 from airlight.cli import main
 from airlight.errors import ParameterError
 from airlight.planets import load_planet
-from airlight.targets.target import ErrorRow, Findings, Fitted, Target, read_export
+from airlight.targets.target import ErrorRow, ExportReport, FittedFormula, Target, read_export
 
 Solve = Callable[..., Any]
-FOUND = Findings(
+FOUND = ExportReport(
     fitted=(
-        Fitted(name="dust: phase function", form="Cornette-Shanks", parameters={"g": 0.7},
+        FittedFormula(name="dust: phase function", form="Cornette-Shanks", parameters={"g": 0.7},
                errors={"relative, mean": 0.2}, where="0 to 180 deg"),
     ),
     errors=(ErrorRow.of("sky", [0.01, -0.5], where="everywhere"),),
@@ -29,7 +29,7 @@ FOUND = Findings(
 )  # fmt: skip
 
 
-def fill(solution: Any, folder: Path, *, progress: Any, text: str = "some") -> Findings:
+def fill(solution: Any, folder: Path, *, progress: Any, text: str = "some") -> ExportReport:
     (folder / "light.txt").write_text(text, encoding="utf-8")
     if text == "broken":
         raise ParameterError("text", text, "anything else")

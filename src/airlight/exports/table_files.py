@@ -36,7 +36,7 @@ from airlight.exports.look_up_code import (
     vectors_of,
 )
 from airlight.exports.manifest import MANIFEST, SEAL, fingerprint, read_manifest, write_manifest
-from airlight.exports.table_errors import Errors
+from airlight.exports.table_errors import TableErrors
 from airlight.input_files import read_bytes
 from airlight.kernel.threads import run_blocks
 from airlight.solvers.provenance import version
@@ -266,7 +266,7 @@ def load_tables(manifest: str | Path) -> Baked:
             colours=np.array(content["light"]["colours"], float),
             reference=int(content["light"]["reference"]),
         )
-        errors = {name: Errors(**fields) for name, fields in content["errors"].items()}
+        errors = {name: TableErrors(**fields) for name, fields in content["errors"].items()}
         own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors", SEAL}
         about = {name: value for name, value in content.items() if name not in own}
     except _DAMAGE as error:

@@ -35,7 +35,7 @@ from airlight.targets.fits.formula_planet import (
 )
 from airlight.targets.fits.lobe import CORNETTE_SHANKS
 from airlight.targets.kilometres import per_km, per_metre, rounded, scale_height_km
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 FILE: Final = "atmosphere.asset"
 #: Factor of the shader by which ozone's ``Extinction`` becomes km⁻¹.
@@ -237,7 +237,7 @@ def asset_of(renderable: Mapping[str, Any], planet: Planet | None) -> str:
     )
 
 
-def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> Findings:
+def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> ExportReport:
     """Write the asset; see ``Target``."""
     own = name_of(solution.planet)
     fit = formula_planet(

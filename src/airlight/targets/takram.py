@@ -41,7 +41,7 @@ from airlight.targets.bruneton_tables import (
 )
 from airlight.targets.fits.sky_colour import SkyColour, fit_sky_colour
 from airlight.targets.sky_errors import half_losses, level_errors, sky_errors
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 #: Red of S below which the shader drops the particles of the combined texture.
 _DARKEST: Final = 1e-5
@@ -56,7 +56,7 @@ def fill(
     progress: Progress | None = None,
     mie: str = "separate",
     lowest_sun: float | None = None,
-) -> Findings:
+) -> ExportReport:
     """Write the files.
 
     Parameters
@@ -101,7 +101,7 @@ def fill(
     tables = read_tables(folder)
     errors = sky_errors(solution, tables.radiance)
     errors += level_errors(solution, tables.irradiance_at, tables.transmittance_at)
-    return Findings(
+    return ExportReport(
         fitted=(*filled.lobe.fitted, *colour.fitted),
         errors=tuple(errors),
         notes=(*half_losses(textures), *_notes(mie)),

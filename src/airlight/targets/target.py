@@ -19,11 +19,11 @@ from airlight.solvers.refracted_geometry import require_no_refraction
 from airlight.solvers.solution import Solution
 
 #: Keys of the account in a manifest.
-_ACCOUNT: Final = ("fitted", "errors", "notes")
+_REPORT: Final = ("fitted", "errors", "notes")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fitted:
+class FittedFormula:
     """Quantity of the planet that the program takes as a formula only.
 
     Attributes
@@ -102,12 +102,12 @@ class ErrorRow:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Findings:
+class ExportReport:
     """Account of files that were filled: fits, errors, and what the program cannot hold.
 
     Attributes
     ----------
-    fitted : tuple of Fitted
+    fitted : tuple of FittedFormula
         Quantities that were fitted.
     errors : tuple of ErrorRow
         Errors against the solution, all fits included.
@@ -117,7 +117,7 @@ class Findings:
         Further facts for the manifest.
     """
 
-    fitted: tuple[Fitted, ...] = ()
+    fitted: tuple[FittedFormula, ...] = ()
     errors: tuple[ErrorRow, ...] = ()
     notes: tuple[str, ...] = ()
     about: Mapping[str, Any] = field(default_factory=dict)
@@ -134,12 +134,12 @@ class Export:
     files : mapping of str to int
         Sizes of its files by name, without the manifest. [byte]
     fitted, errors, notes
-        See ``Findings``.
+        See ``ExportReport``.
     """
 
     folder: Path
     files: Mapping[str, int]
-    fitted: tuple[Fitted, ...]
+    fitted: tuple[FittedFormula, ...]
     errors: tuple[ErrorRow, ...]
     notes: tuple[str, ...]
 
@@ -155,7 +155,7 @@ class Target:
     program, version : str
         Program, and the version whose formats are written.
     fill : callable
-        Writes the files: ``fill(solution, folder, progress=…, **options) -> Findings``, into an
+        Writes the files: ``fill(solution, folder, progress=…, **options) -> ExportReport``, into an
         empty folder, without subfolders.
     files : tuple of str
         Names of the files that ``fill`` may write, or patterns of them such as ``*.exr``.
@@ -172,7 +172,7 @@ class Target:
     name: str
     program: str
     version: str
-    fill: Callable[..., Findings]
+    fill: Callable[..., ExportReport]
     files: tuple[str, ...]
     wavelengths: tuple[float, ...] | None = None
     options: tuple[str, ...] = ()
@@ -255,7 +255,7 @@ class Target:
             raise ParameterError("wavelengths", nm.tolist(), f"{fixed} nm for {self.program}")
 
     def _manifest(
-        self, solution: Solution, found: Findings, files: dict[str, Any]
+        self, solution: Solution, found: ExportReport, files: dict[str, Any]
     ) -> dict[str, Any]:
         content = asdict(found)
         return {
@@ -268,7 +268,7 @@ class Target:
             "solver": solution.report.provenance,
             "wavelengths_nm": solution.wavelengths.tolist(),
             **content["about"],
-            **{name: content[name] for name in _ACCOUNT},
+            **{name: content[name] for name in _REPORT},
             "files": files,
         }
 
@@ -294,7 +294,7 @@ def read_export(folder: str | Path, target: Target) -> Export:
         return Export(
             folder=Path(folder),
             files={name: said["bytes"] for name, said in content["files"].items()},
-            fitted=tuple(Fitted(**one) for one in content["fitted"]),
+            fitted=tuple(FittedFormula(**one) for one in content["fitted"]),
             errors=tuple(ErrorRow(**one) for one in content["errors"]),
             notes=tuple(content["notes"]),
         )

@@ -39,7 +39,7 @@ from airlight.targets.fits.formula_planet import (
 )
 from airlight.targets.fits.lobe import HENYEY_GREENSTEIN
 from airlight.targets.kilometres import per_km, per_metre, rounded, scale_height_km
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 FILE: Final = "sky_atmosphere.py"
 
@@ -231,7 +231,7 @@ with unreal.ScopedEditorTransaction("Sky of {name}"):
 '''
 
 
-def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> Findings:
+def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> ExportReport:
     """Write the script; see ``Target``."""
     own = name_of(solution.planet)
     fit = formula_planet(solution.medium, own, Formulas(lobe=HENYEY_GREENSTEIN, absorber="tent"))
