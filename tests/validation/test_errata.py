@@ -197,7 +197,7 @@ def test_the_page_is_a_table_that_markdown_can_read():
     page = markdown(table())
     rows = [line for line in page.splitlines() if line.startswith("|")]
     assert len(rows) == len(table()) + 2
-    # a bar within a cell is escaped: each line has four cells
+    # a threshold within a cell is escaped: each line has four cells
     assert all(len(re.findall(r"(?<!\\)\|", line)) == 5 for line in rows)
 
 

@@ -23,7 +23,7 @@ EPILOG = examples(
     "airlight validate --data reference-data -o docs/validation/report.md",
 )
 
-#: Exit status if a bar is missed.
+#: Exit status if a threshold is missed.
 MISSED = 1
 
 
@@ -60,7 +60,7 @@ def validate(
 ) -> None:
     """Check airlight against published numbers, independent codes and measured skies.
 
-    The exit status is 0 if every bar is met, 1 if one is missed, 2 after an error.
+    The exit status is 0 if every threshold is met, 1 if one is missed, 2 after an error.
     """
     started = time.perf_counter()
     from airlight.exports.atomic_file import check_target
@@ -80,22 +80,26 @@ def validate(
     _check_matplotlib()
 
     from airlight.validation.provenance import provenance
-    from airlight.validation.report import Report, result_word
+    from airlight.validation.report import ValidationReport, result_word
 
     suites = []
     with shown_progress() as report:
         for one in run(names, data, progress=report):
             suites.append(one)
-            met = sum(bar.passed for bar in one.bars)
+            met = sum(threshold.passed for threshold in one.thresholds)
             say(
-                f"{one.name:10s} {result_word(one):20s} {met} of {len(one.bars)} bars  "
+                f"{one.name:10s} {result_word(one):20s} {met} of {len(one.thresholds)} thresholds  "
                 f"{one.seconds:.1f} s",
                 flush=True,
             )
-            for bar in one.bars:
-                if not bar.passed:
-                    say(f"  missed: {bar.name}: {bar.got:.4g}, allowed {bar.allowed:.4g}")
-    whole = Report(suites=suites, provenance=provenance(), seconds=time.perf_counter() - started)
+            for threshold in one.thresholds:
+                if not threshold.passed:
+                    say(
+                        f"  missed: {threshold.name}: {threshold.got:.4g}, allowed {threshold.allowed:.4g}"
+                    )
+    whole = ValidationReport(
+        suites=suites, provenance=provenance(), seconds=time.perf_counter() - started
+    )
     _write(whole, output, pictures, overwrite)
     say(f"{output}  {output.stat().st_size / 1e3:.0f} kB  {whole.verdict}")
     if not whole.passed:
@@ -120,9 +124,9 @@ def _write(report: object, output: Path, pictures: Path | None, overwrite: bool)
     from airlight.exports.atomic_file import atomic_file
     from airlight.exports.report_pictures import write_pictures
     from airlight.validation.markdown import markdown, picture_files
-    from airlight.validation.report import Report, html
+    from airlight.validation.report import ValidationReport, html
 
-    assert isinstance(report, Report)
+    assert isinstance(report, ValidationReport)
     page = output.with_suffix(".md")
     if pictures is not None:
         beside = Path(os.path.relpath(pictures, page.parent)).as_posix()

@@ -34,7 +34,7 @@ _DOME: Final = (40, 36)
 _FIT: Final = (
     "The CIE sky is a statistical fit: the mean of many measured clear skies, in five numbers that "
     "depend on no sun height and no aerosol. It is no truth about any one sky. A difference is "
-    "therefore reported and judged by no bar; what the solvers get right is judged by the other "
+    "therefore reported and judged by no threshold; what the solvers get right is judged by the other "
     "suites."
 )
 

@@ -16,7 +16,16 @@ from airlight.validation.energy_planets import VAST, flat_earth, furnace, round_
 from airlight.validation.fluxes import absorbed_by_air, level_fluxes, pieces, star_through
 from airlight.validation.order_convergence import ORDER_SOLVERS, order_convergence
 from airlight.validation.reference_earth import WAVELENGTHS
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Picture, Progress, ReportTable, Suite
+from airlight.validation.suite import (
+    Cancel,
+    Mark,
+    Part,
+    Picture,
+    Progress,
+    ReportTable,
+    Suite,
+    Threshold,
+)
 
 FloatArray = NDArray[np.float64]
 
@@ -52,7 +61,7 @@ def energy(
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
-    bars: list[Bar] = []
+    thresholds: list[Threshold] = []
     parts: list[Part] = []
     steps = (
         ("white furnace", white_furnace),
@@ -66,7 +75,7 @@ def energy(
         if progress is not None:
             progress(done, len(steps) + 1, name)
         more, shown = step(quality, cancel)
-        bars += more
+        thresholds += more
         parts += shown
     parts += order_convergence(order_solvers, progress=progress, cancel=cancel)
     return Suite(
@@ -80,7 +89,7 @@ def energy(
             "sun and observer can change places. The orders of scattering fall by a nearly "
             "constant factor."
         ),
-        bars=bars,
+        thresholds=thresholds,
         parts=parts,
         settings=[f"moments, {quality} quality, 680, 550, 440 nm, point star"],
     )
@@ -90,9 +99,9 @@ def _solved(planet: Planet, quality: str, cancel: Cancel | None) -> Solution:
     return solve(planet, WAVELENGTHS, quality, cache=False, cancel=cancel)
 
 
-def _largest(name: str, errors: FloatArray, bar: float, source: str) -> Bar:
-    return Bar(
-        name=name, got=100.0 * float(np.abs(errors).max()), allowed=100.0 * bar, unit="%",
+def _largest(name: str, errors: FloatArray, threshold: float, source: str) -> Threshold:
+    return Threshold(
+        name=name, got=100.0 * float(np.abs(errors).max()), allowed=100.0 * threshold, unit="%",
         source=source,
     )  # fmt: skip
 
@@ -101,8 +110,8 @@ def _percent(errors: FloatArray) -> list[str]:
     return [f"{100.0 * error:+.3f}" for error in errors]
 
 
-def _marks(errors: FloatArray, bar: float) -> list[Mark]:
-    return ["pass" if bool((np.abs(row) <= bar).all()) else "fail" for row in errors]
+def _marks(errors: FloatArray, threshold: float) -> list[Mark]:
+    return ["pass" if bool((np.abs(row) <= threshold).all()) else "fail" for row in errors]
 
 
 def net_gain(solution: Solution, altitude: float) -> FloatArray:
@@ -114,7 +123,7 @@ def net_gain(solution: Solution, altitude: float) -> FloatArray:
     return np.asarray(2.0 * weight @ (flux.up - flux.down - direct))
 
 
-def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """White furnace: nothing absorbs, the ground returns everything."""
     solution = _solved(furnace(1.0), quality, cancel)
     gain = np.stack([net_gain(solution, level) for level in LEVELS])
@@ -128,11 +137,11 @@ def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
         note="(leaving - entering) over the starlight on the sphere's disc; 0 is right. Gas and "
         "haze of albedo 1 over a ground of albedo 1, by quadrature of the radiance at every level.",
     )
-    bar = _largest(
+    threshold = _largest(
         "white furnace: largest gain or loss of a sphere", gain, FURNACE_BAR,
         "accuracy that counts as done, energy",
     )  # fmt: skip
-    return [bar], [table]
+    return [threshold], [table]
 
 
 def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
@@ -146,7 +155,7 @@ def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
     return entered, (1.0 - medium.ground_albedo) * 2.0 * (weight @ received) * share
 
 
-def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """Grey furnaces: the air absorbs nothing, the ground what it does not reflect."""
     albedos = (0.0, 0.3, 0.8)
     rows, errors = [], []
@@ -171,7 +180,7 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
     return [_largest(name, gain, BALANCE_BAR, "conservation of energy")], [table]
 
 
-def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """Balance of a whole Earth with absorbing air, day and night sides together."""
     solution = _solved(round_earth(), quality, cancel)
     medium = solution.medium
@@ -198,7 +207,7 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
     return [_largest(name, error, BALANCE_BAR, "conservation of energy")], [table]
 
 
-def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """Balance of an Earth without curvature at each sun height, and reciprocity of its paths."""
     solution = _solved(flat_earth(), quality, cancel)
     medium = solution.medium
@@ -230,11 +239,11 @@ def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[P
         note=f"The Earth above with {VAST:g} times its radius, so that no light moves sideways.",
     )  # fmt: skip
     off, reversed_paths = _reversed(solution)
-    bars = [
+    thresholds = [
         _largest("flat Earth: largest difference", error, BALANCE_BAR, "conservation of energy"),
         _largest("reversed paths: largest difference", off, RECIPROCITY_BAR, "reciprocity"),
     ]
-    return bars, [table, _shares(mu_s, out, air, kept), reversed_paths]
+    return thresholds, [table, _shares(mu_s, out, air, kept), reversed_paths]
 
 
 def _triple(values: FloatArray) -> str:

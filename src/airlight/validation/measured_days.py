@@ -9,10 +9,10 @@ import numpy as np
 
 from airlight.fit.pictures import dome_pictures, residual_curves
 from airlight.fit.residuals import Residuals
-from airlight.validation.kider.day import Day, Row, compute_day, day_files
-from airlight.validation.kider.planets import EVERYBODYS, Load
+from airlight.validation.kider.day import Day, DayRow, compute_day, day_files
+from airlight.validation.kider.planets import PUBLISHED_INPUTS, AngstromLaw
 from airlight.validation.kider.scans import MILLI, symmetric_part, total_rmse
-from airlight.validation.suite import Bar, Cancel, Part, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Part, Progress, ReportTable, Suite, Threshold
 
 #: Largest allowed score of the row that counts. [mW m⁻² sr⁻¹ nm⁻¹]
 BEST_BAR: Final = 8.0
@@ -64,8 +64,8 @@ def suite_of(days: list[Day]) -> Suite:
         name="kider",
         title="Measured days, load fitted",
         summary=" ".join(_summary(day) for day in days),
-        bars=[
-            Bar(
+        thresholds=[
+            Threshold(
                 name=f"{day.scans.date}: load fitted, each scan by the fit to the others",
                 got=_score(day, day.row), allowed=BEST_BAR, unit=_UNIT,
                 source="the aim for the best physics",
@@ -81,7 +81,7 @@ def suite_of(days: list[Day]) -> Suite:
     )  # fmt: skip
 
 
-def _score(day: Day, row: Row) -> float:
+def _score(day: Day, row: DayRow) -> float:
     return total_rmse(row.predicted, day.scans.radiance)
 
 
@@ -92,7 +92,7 @@ def _parts(day: Day) -> list[Part]:
     return [_inputs(day), _scores(day), curves, *([] if dome is None else [dome]), _places(day)]
 
 
-def _load_text(load: Load) -> tuple[str, str]:
+def _load_text(load: AngstromLaw) -> tuple[str, str]:
     return f"{float(load.optical_depth(550.0)):.4f}", f"{load.alpha:.3f}"
 
 
@@ -203,7 +203,7 @@ def _summary(day: Day) -> str:
     everybody, known = day.rows[0], day.rows[1]
     found = day.row.fit
     assert found is not None
-    assert everybody.inputs == EVERYBODYS
+    assert everybody.inputs == PUBLISHED_INPUTS
     depth, exponent = _load_text(found.load)
     first, second, counted = (_score(day, row) for row in (everybody, known, day.row))
     return (
