@@ -14,7 +14,7 @@ import pytest
 from airlight.cli import main
 from airlight.validation import golden as golden_suite
 from airlight.validation import run as suites
-from airlight.validation.suite import Picture, ReportTable, Suite, Threshold
+from airlight.validation.suite import ReportPicture, ReportTable, Suite, Threshold
 
 pytest.importorskip("matplotlib")
 
@@ -48,7 +48,7 @@ def test_golden_numbers_make_a_page_and_status_0(
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> Suite:
     """Every suite but golden replaced by one with a picture; golden misses a threshold."""
-    picture = Picture(title="Some picture", png=ONE_PIXEL)
+    picture = ReportPicture(title="Some picture", png=ONE_PIXEL)
     table = ReportTable(title="Worst", columns=["case"], rows=[("the worst of all",)])
     made = Suite(
         name="golden", title="Golden numbers", summary="Numbers.", parts=[table, picture],

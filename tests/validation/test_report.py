@@ -14,7 +14,7 @@ from PIL import Image
 from airlight.validation.markdown import markdown, picture_files
 from airlight.validation.provenance import provenance
 from airlight.validation.report import ValidationReport, html
-from airlight.validation.suite import Picture, ReportTable, Suite, Text, Threshold
+from airlight.validation.suite import ReportPicture, ReportTable, Suite, Text, Threshold
 
 
 def png(colour: str) -> bytes:
@@ -42,7 +42,7 @@ def report() -> ValidationReport:
         suites=[
             Suite(
                 name="energy", title="Energy", summary="Balances.", thresholds=[met], seconds=1.5,
-                parts=[Picture(title="Shares of light", png=png("red"), caption="One & all.")],
+                parts=[ReportPicture(title="Shares of light", png=png("red"), caption="One & all.")],
             ),
             Suite(
                 name="spherical", title="Spherical", summary="Compares.", thresholds=[met, missed],
@@ -139,7 +139,7 @@ def test_markdown_keeps_its_tables_in_shape(report: ValidationReport) -> None:
 
 
 def test_pictures_with_one_name_are_refused() -> None:
-    twice = [Picture(title="A b", png=b""), Picture(title="a B", png=b"")]
+    twice = [ReportPicture(title="A b", png=b""), ReportPicture(title="a B", png=b"")]
     suite = Suite(name="x", title="X", summary="", parts=twice)
     with pytest.raises(ValueError, match="same title"):
         picture_files(ValidationReport(suites=[suite], provenance={}, seconds=0.0))
@@ -159,7 +159,7 @@ def test_a_figure_becomes_a_small_picture_of_the_size_asked_for() -> None:
 
     figure = new_figure("Title", size=(5.0, 2.0))
     figure.add_subplot().plot([0, 1], [1, 0])
-    picture = Picture.from_figure(figure, title="Title", dpi=80)
+    picture = ReportPicture.from_figure(figure, title="Title", dpi=80)
     with Image.open(io.BytesIO(picture.png)) as image:
         assert image.size == (400, 160)
         assert len(image.convert("RGB").getcolors(100_000) or []) > 2

@@ -141,7 +141,7 @@ class Placement:
 
 
 @dataclass(frozen=True, eq=False)
-class Viewpoint:
+class PinholeView:
     """View of a pinhole camera on a planet.
 
     Attributes
@@ -162,7 +162,7 @@ class Viewpoint:
     axes: FloatArray
 
 
-def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpoint:
+def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> PinholeView:
     """View of a camera whose scene is placed on a planet.
 
     Positions are float64 and relative to the ground below the origin, so that millimetres are kept.
@@ -178,7 +178,7 @@ def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpo
 
     Returns
     -------
-    Viewpoint
+    PinholeView
         View, with the sun as it stands at the camera.
 
     Raises
@@ -222,7 +222,7 @@ def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpo
         sun_zenith=math.degrees(math.atan2(float(np.linalg.norm(np.cross(sun, up))), sun @ up)),
         latitude=latitude, longitude=longitude, sun_azimuth=bearing,
     )  # fmt: skip
-    return Viewpoint(
+    return PinholeView(
         scene=scene, left=0.5 * width - centre_x,
         top=0.5 * height - stretch * centre_y, stretch=stretch, axes=scene.camera.axes,
     )  # fmt: skip

@@ -36,7 +36,7 @@ from airlight.solvers.solution import Solution
 from airlight.solvers.solve import solution_of
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
-from airlight.tables.layout import Layout, Positions
+from airlight.tables.layout import Positions, TableLayout
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
 from airlight.tables.table import Table
 from airlight.units import Measure
@@ -226,7 +226,7 @@ def _layout(
     azimuth: float,
     size: tuple[int, ...] | None,
     mu_s_min: float | None,
-) -> Layout:
+) -> TableLayout:
     if layout not in LAYOUT_NAMES:
         raise ParameterError("layout", layout, ", ".join(LAYOUT_NAMES))
     wanted = 4 if layout == "bruneton" else 3
@@ -294,7 +294,7 @@ class _Steps:
 
 def _scattering(
     air: AirLight,
-    where: Layout,
+    where: TableLayout,
     groups: ScatteringGroups,
     phases: PhaseFunctions,
     rest_shape: FloatArray,

@@ -11,7 +11,7 @@ from airlight.fit.fit_sky import SkyFit
 from airlight.fit.least_squares import FitResult
 from airlight.fit.residuals import SUN_EDGES, ZENITH_EDGES, Binned, Residuals, binned
 from airlight.plots.figure import GREY, PALETTE, chosen, grid, new_figure, wavelength_ink
-from airlight.reports.parts import Picture
+from airlight.reports.parts import ReportPicture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,7 +26,7 @@ _MOST_DOMES: Final = 3
 _DOME: Final = 12
 
 
-def residual_curves(residuals: Residuals, title: str = "Residuals") -> Picture:
+def residual_curves(residuals: Residuals, title: str = "Residuals") -> ReportPicture:
     """Residuals by wavelength, by angle from the sun and by view zenith angle.
 
     Parameters
@@ -49,7 +49,7 @@ def residual_curves(residuals: Residuals, title: str = "Residuals") -> Picture:
         one.set_xlabel(label)
     axes[0].set_ylabel("fit over measured, less 1 [%]")
     axes[0].legend(fontsize=9, loc="upper left")
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Line: mean of the relative differences. Band: their root mean square about 0. "
         "Grey bars: share of the squared differences, of the axis's height.",
@@ -77,7 +77,7 @@ def _curve(axes: Axes, bins: Binned) -> None:
     share.set_axis_off()
 
 
-def value_plot(residuals: Residuals, title: str = "Measured and fitted values") -> Picture:
+def value_plot(residuals: Residuals, title: str = "Measured and fitted values") -> ReportPicture:
     """Fitted over measured values, by colour, and the distribution of the residuals.
 
     Parameters
@@ -113,7 +113,7 @@ def value_plot(residuals: Residuals, title: str = "Measured and fitted values") 
     right.set_ylabel("density")
     right.legend(fontsize=9)
     grid(right)
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Left: one point a value, on the line where both agree. Right: residuals in "
         "standard deviations; what is beyond 5 stands in the last bars.",
@@ -122,7 +122,7 @@ def value_plot(residuals: Residuals, title: str = "Measured and fitted values") 
 
 def dome_pictures(
     residuals: Residuals, title: str = "Where the residual sits in the sky"
-) -> Picture | None:
+) -> ReportPicture | None:
     """Measured values, fitted values and differences on the dome; None with few directions.
 
     Parameters
@@ -152,7 +152,7 @@ def dome_pictures(
         apart = last.scatter(x, y, c=residual, s=26, cmap="RdBu_r", vmin=-limit, vmax=limit)
         _frame(last, f"{residuals.scans[k]}, fitted over measured", sun)
         figure.colorbar(apart, ax=last, shrink=0.8, label="%")
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Mean over the wavelengths; one dot a direction. Zenith in the middle, rings at "
         "30°, 60° and 90° from it, sun (circle) below.",
@@ -184,7 +184,7 @@ def _frame(axes: Axes, title: str, sun: float) -> None:
     axes.set_axis_off()
 
 
-def correlation_picture(found: FitResult, title: str = "Correlations") -> Picture | None:
+def correlation_picture(found: FitResult, title: str = "Correlations") -> ReportPicture | None:
     """Correlations of the first parameters as a square of colours; None of a single one.
 
     Parameters
@@ -210,13 +210,13 @@ def correlation_picture(found: FitResult, title: str = "Correlations") -> Pictur
                 color="#ffffff" if dark else "#000000",
             )  # fmt: skip
     figure.colorbar(shown, ax=axes, shrink=0.8)
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Two parameters near ±1 can hardly be told apart by these data.",
     )  # fmt: skip
 
 
-def pictures_of(sky: SkyFit, residuals: Residuals) -> list[Picture]:
+def pictures_of(sky: SkyFit, residuals: Residuals) -> list[ReportPicture]:
     """All pictures of a fit, in the order of its report."""
     found = [
         residual_curves(residuals), dome_pictures(residuals), value_plot(residuals),

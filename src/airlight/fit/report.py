@@ -15,7 +15,7 @@ from airlight.fit.pictures import pictures_of
 from airlight.fit.residuals import SUN_EDGES, ZENITH_EDGES, Binned, Residuals, binned, residuals_of
 from airlight.reports.html import page_html, part_html
 from airlight.reports.markdown import escaped, part_lines
-from airlight.reports.parts import Part, Picture, ReportTable, Text
+from airlight.reports.parts import Part, ReportPicture, ReportTable, Text
 
 #: Correlation above which two parameters are named as hard to tell apart. [1]
 _CLOSE: Final = 0.95
@@ -116,7 +116,7 @@ def parts_of(sky: SkyFit, *, pictures: bool = True) -> list[Part]:
     """
     residuals = residuals_of(sky)
     parts: list[Part] = [Text(text=summary(sky)), _parameters(sky)]
-    drawn: list[Picture] = pictures_of(sky, residuals) if pictures else []
+    drawn: list[ReportPicture] = pictures_of(sky, residuals) if pictures else []
     return [*parts, *drawn, *_residual_tables(residuals)]
 
 

@@ -19,7 +19,7 @@ from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.system.body import Body
 from airlight.system.light import Light
 from airlight.system.system import System
-from airlight.system.viewpoint import Observer, View
+from airlight.system.viewpoint import SceneObserver, View
 
 
 @cache
@@ -220,7 +220,7 @@ def _read(file: TomlTable, changes: Mapping[str, Mapping[str, Any]]) -> System:
         lights.append(_placed_light(Light.read(one), time, one))
     values["stars"] = file.switch("stars")
     values |= {"bodies": tuple(bodies), "lights": tuple(lights), "time": time}
-    values["observer"] = Observer.read(file.section("observer", "a table [observer]"))
+    values["observer"] = SceneObserver.read(file.section("observer", "a table [observer]"))
     values["view"] = View.read(file.section("camera", "a table [camera]"))
     file.finish()
     return System(**values)

@@ -36,7 +36,7 @@ FIELD_OF_VIEW: Final = Field(
 
 
 @parameters
-class Observer(TomlModel):
+class SceneObserver(TomlModel):
     """Place of the observer: above a body, or anywhere.
 
     Parameters

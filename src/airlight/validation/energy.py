@@ -20,8 +20,8 @@ from airlight.validation.suite import (
     Cancel,
     Mark,
     Part,
-    Picture,
     Progress,
+    ReportPicture,
     ReportTable,
     Suite,
     Threshold,
@@ -250,7 +250,7 @@ def _triple(values: FloatArray) -> str:
     return " ".join(f"{100 * value:.3f}" for value in values)
 
 
-def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray) -> Picture:
+def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray) -> ReportPicture:
     title = "Where the light goes over a flat clear Earth"
     figure = new_figure(title, size=(9.0, 3.6))
     for k, axes in enumerate(figure.subplots(1, 3, sharey=True)):
@@ -271,7 +271,7 @@ def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray
             axes.set_ylabel("share of the incoming light [%]")
             axes.legend(loc="lower left", fontsize=8)
     caption = "The three shares are computed apart from each other; the line is 100 %."
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
 def _reversed(solution: Solution) -> tuple[FloatArray, ReportTable]:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from airlight.kernel.threads import Cancel, Progress
-from airlight.reports.parts import Cell, Mark, Part, Picture, ReportTable, Text
+from airlight.reports.parts import Cell, Mark, Part, ReportPicture, ReportTable, Text
 
 __all__ = [
     "Bar",
@@ -19,7 +19,7 @@ __all__ = [
     "Cell",
     "Mark",
     "Part",
-    "Picture",
+    "ReportPicture",
     "Progress",
     "Suite",
     "ReportTable",

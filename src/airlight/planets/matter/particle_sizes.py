@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Final
 
 from airlight.optics import size_distribution as distribution
-from airlight.optics.size_distribution import Sizes
+from airlight.optics.size_distribution import SizeNodes
 from airlight.planets.matter.state_keys import radius_key
 from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field
@@ -23,7 +23,7 @@ class ParticleSizes(TomlModel, ABC):
         """Mean of r^power. [m^power]"""
 
     @abstractmethod
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Nodes over the distribution."""
 
     @classmethod
@@ -73,7 +73,7 @@ class GammaSizes(ParticleSizes):
         """Mean of r^power. [m^power]"""
         return distribution.gamma_moment(power, self.effective_radius, self.effective_variance)
 
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Nodes over the distribution."""
         return distribution.gamma_sizes(self.effective_radius, self.effective_variance, count)
 
@@ -115,7 +115,7 @@ class LogNormalSizes(ParticleSizes):
             return float(self.median_radius**power)
         return distribution.log_normal_moment(power, self.median_radius, self.geometric_deviation)
 
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Nodes over the distribution."""
         if self.geometric_deviation == 1.0:
             return distribution.single_size(self.median_radius)
@@ -140,7 +140,7 @@ class SingleSize(ParticleSizes):
         """Mean of r^power. [m^power]"""
         return float(self.radius**power)
 
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Single radius, whatever the number of nodes."""
         return distribution.single_size(self.radius)
 

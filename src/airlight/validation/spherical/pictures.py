@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.plots.figure import GREY, PALETTE, grid, new_figure, wavelength_ink
 from airlight.validation.reference_earth import WAVELENGTHS
-from airlight.validation.suite import Picture
+from airlight.validation.suite import ReportPicture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,7 +24,7 @@ SUN_EDGES = (0.0, 30.0, 60.0, 75.0, 82.0, 87.0, 89.0, 91.0, 93.0, 95.0, 180.0)
 def error_scatter(
     quality: str, suns: FloatArray, errors: FloatArray, channels: NDArray[np.intp],
     thresholds: tuple[float, float, float],
-) -> Picture:  # fmt: skip
+) -> ReportPicture:  # fmt: skip
     """Plot every error over the sun's zenith angle, by wavelength.
 
     Parameters
@@ -64,13 +64,13 @@ def error_scatter(
         "Each point is one radiance. Linear within ±0.1 %, logarithmic beyond. Dashed: the threshold for "
         "95 % of the values; solid: the threshold for all, beyond the referee's noise."
     )
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
 def error_histograms(
     quality: str, suns: FloatArray, heights: FloatArray, errors: FloatArray,
     thresholds: tuple[float, float, float],
-) -> Picture:  # fmt: skip
+) -> ReportPicture:  # fmt: skip
     """Plot the median, 95 % quantile and largest error by sun zenith and by altitude.
 
     Parameters
@@ -97,7 +97,7 @@ def error_histograms(
     right.set_xlabel("altitude of the observer [km]")
     figure.legend(*right.get_legend_handles_labels(), loc="outside lower center", ncols=3)
     caption = "The errors as they are, the referee's noise included. Numbers: values per bin."
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
 def _grouped(
