@@ -33,7 +33,7 @@ def markdown(report: ValidationReport, pictures: str) -> str:
     )
     lines += ["", "## Thresholds", ""]
     lines += row_lines(
-        ["suite", "what", "got", "threshold", "", "whose threshold"],
+        ["suite", "what", "got", "threshold", "", "source"],
         [
             (
                 suite.name,

@@ -132,7 +132,7 @@ def _thresholds(report: ValidationReport) -> str:
             f"<td>≤ {threshold.allowed:.4g} {escape(threshold.unit)}</td>"
             f'<td class="{style}">{word}</td><td class="quiet">{escape(threshold.source)}</td></tr>'
         )
-    return table_html(["suite", "what", "got", "threshold", "", "whose threshold"], rows)
+    return table_html(["suite", "what", "got", "threshold", "", "source"], rows)
 
 
 def _section(suite: Suite) -> str:

@@ -140,7 +140,7 @@ def _times_table(rows: Sequence[Sequence[str | int]]) -> ReportTable:
         title="What the solvers took",
         columns=["planet", "solver", "time [s]", "standard error, median and largest [%]"],
         rows=rows,
-        note="To solve and to result all cases, without what was compiled before.",
+        note="To solve and to compute all cases, without what was compiled before.",
     )
 
 

@@ -14,7 +14,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.reports.parts import Cell, Mark, Part, ReportPicture, ReportTable, Text
 
 __all__ = [
-    "Bar",
+    "Threshold",
     "Cancel",
     "Cell",
     "Mark",

@@ -9,10 +9,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.least_squares import Data, Fitted, fit
+from airlight.fit.least_squares import Data, FitResult, fit
 from airlight.fit.parameter import FitParameter
 from airlight.fit.scans import Scans
-from airlight.fit.sky_model import Directions, Nuisance, SkyModel
+from airlight.fit.sky_model import Nuisance, ObservedDirections, SkyModel
 from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.kernel.threads import Cancel
 from airlight.planets.planet import Planet
@@ -35,7 +35,7 @@ class AerosolFit:
     load : AngstromLaw
     scale : float
         Factor of the model's radiances; 1 unless it was fitted. [1]
-    fitted : Fitted
+    fitted : FitResult
         Values, error bars and correlations.
     predicted : array, shape (ns, nd, nl)
         Radiance of the model. [W m⁻² sr⁻¹ nm⁻¹]
@@ -43,7 +43,7 @@ class AerosolFit:
 
     load: AngstromLaw
     scale: float
-    fitted: Fitted
+    fitted: FitResult
     predicted: FloatArray
 
 
@@ -75,7 +75,7 @@ class AerosolModel:
         self.scans, self.quality = scans, quality
         shape = scans.radiance.shape
         pairs = np.broadcast_to(scans.sun_zenith[:, None], shape[:2])
-        directions = Directions(
+        directions = ObservedDirections(
             altitude=np.zeros(pairs.size),
             sun_zenith=pairs.ravel(),
             view_zenith=scans.view_zenith.ravel(),

@@ -20,7 +20,7 @@ FloatArray = NDArray[np.float64]
 
 FILE: Final = "data/coulson-corrected.csv"
 #: Allowed difference of the radiance at fine quality [%], and of Q/I and U/I [1].
-RADIANCE_BAR, DEGREE_BAR = 0.1, 0.001
+RADIANCE_THRESHOLD, DEGREE_THRESHOLD = 0.1, 0.001
 #: Cosine of the star's zenith angle, and optical depth, of all values. [1]
 SUN, DEPTH = 0.2, 0.5
 _HEIGHT, _SCALE_HEIGHT = 100e3, 8e3
@@ -126,9 +126,9 @@ def flat_air(solve: Solve) -> tuple[list[Threshold], list[Part]]:
             source = "the aim; corrected Coulson tables"
             name = f"Rayleigh air on {times} radii, fine"
             thresholds += [
-                Threshold(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_BAR, unit="%",
+                Threshold(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_THRESHOLD, unit="%",
                     source=source),
-                Threshold(name=f"{name}: Q/I and U/I", got=float(max(degree)), allowed=DEGREE_BAR,
+                Threshold(name=f"{name}: Q/I and U/I", got=float(max(degree)), allowed=DEGREE_THRESHOLD,
                     source=source),
             ]  # fmt: skip
     return thresholds, [
