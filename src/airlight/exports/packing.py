@@ -122,21 +122,21 @@ class SeparatedLight(NamedTuple):
 
     Attributes
     ----------
-    gas : array, shape (n, nl)
+    rayleigh : array, shape (n, nl)
         Light scattered once by the gas, to be multiplied by its phase function. [1]
-    rest : array, shape (n, nl)
+    remainder : array, shape (n, nl)
         Radiance of the remainder. [sr⁻¹]
-    particles : array, shape (n, kinds, nl)
+    mie : array, shape (n, kinds, nl)
         Light scattered once by particles, to be multiplied by each kind's phase function, or by
         their mean (kinds = 1). [1]
-    higher : array, shape (n, nl)
+    multiple : array, shape (n, nl)
         Radiance of the orders from the second on, which the other parts hold as well. [sr⁻¹]
     """
 
-    gas: FloatArray
-    rest: FloatArray
-    particles: FloatArray
-    higher: FloatArray
+    rayleigh: FloatArray
+    remainder: FloatArray
+    mie: FloatArray
+    multiple: FloatArray
 
 
 def separate_orders(
@@ -157,14 +157,16 @@ def separate_orders(
         return SeparatedLight(np.zeros_like(light), light, nothing, light)
     own = medium.phase_function(positions.nu)
     gas, particles = list(groups.gas), list(groups.particles)
-    if air.by_constituent:
-        once, rest = air.single_and_multiple(sight)
+    if air.separates_ground:
+        once, multiple = air.single_and_multiple(sight)
         from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
         mie = once[:, particles]
         if kinds and not each:
             from_particles = (own[:, particles] * mie).sum(axis=1)
             mie = (from_particles / groups.phases.at("particles", positions.nu))[:, None]
-        return SeparatedLight(from_gas / groups.phases.at("gas", positions.nu), rest, mie, rest)
+        return SeparatedLight(
+            from_gas / groups.phases.at("gas", positions.nu), multiple, mie, multiple
+        )
     light, first = air.with_first(sight)
     once = scattered_once(medium, sight)
     if each:  # as in the look-up

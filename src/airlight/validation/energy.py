@@ -30,11 +30,11 @@ from airlight.validation.suite import (
 FloatArray = NDArray[np.float64]
 
 #: Allowed imbalance of the fluxes of a furnace, relative to the incoming light. [1]
-FURNACE_BAR: Final = 0.005
+FURNACE_THRESHOLD: Final = 0.005
 #: Allowed imbalance for absorbing air, and for reversed paths; the same as the furnace's, in the
 #: absence of another authority.
-BALANCE_BAR: Final = 0.005
-RECIPROCITY_BAR: Final = 0.005
+BALANCE_THRESHOLD: Final = 0.005
+RECIPROCITY_THRESHOLD: Final = 0.005
 #: Edges of the quadrature in the cosine of the star's zenith angle, dense around the terminator.
 _SUN_EDGES: Final = (-1.0, -0.4, -0.2, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
 #: Edges of the quadrature in altitude; three points each. [m]
@@ -133,12 +133,12 @@ def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
         rows=[
             (f"{level / 1e3:g}", *_percent(row)) for level, row in zip(LEVELS, gain, strict=True)
         ],
-        marks=_marks(gain, FURNACE_BAR),
+        marks=_marks(gain, FURNACE_THRESHOLD),
         note="(leaving - entering) over the starlight on the sphere's disc; 0 is right. Gas and "
         "haze of albedo 1 over a ground of albedo 1, by quadrature of the radiance at every level.",
     )
     threshold = _largest(
-        "white furnace: largest gain or loss of a sphere", gain, FURNACE_BAR,
+        "white furnace: largest gain or loss of a sphere", gain, FURNACE_THRESHOLD,
         "accuracy that counts as done, energy",
     )  # fmt: skip
     return [threshold], [table]
@@ -172,12 +172,12 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
             *(f"difference, {nm:g} nm [%]" for nm in WAVELENGTHS),
         ],
         rows=rows,
-        marks=_marks(gain, BALANCE_BAR),
+        marks=_marks(gain, BALANCE_THRESHOLD),
         note="Over the starlight on the shell's disc. What enters comes from radiances at the top, "
         "what the ground keeps from the irradiance.",
     )  # fmt: skip
     name = "grey furnaces: largest difference of entering and kept"
-    return [_largest(name, gain, BALANCE_BAR, "conservation of energy")], [table]
+    return [_largest(name, gain, BALANCE_THRESHOLD, "conservation of energy")], [table]
 
 
 def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
@@ -200,11 +200,11 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold],
             ("absorbed by the air", *(f"{100 * x:.3f}" for x in air)),
             ("difference", *_percent(error)),
         ],
-        marks=["", "", "", *_marks(error[None], BALANCE_BAR)],
+        marks=["", "", "", *_marks(error[None], BALANCE_THRESHOLD)],
         note="Over the starlight on the shell's disc.",
     )
     name = "round Earth: difference of entering and absorbed"
-    return [_largest(name, error, BALANCE_BAR, "conservation of energy")], [table]
+    return [_largest(name, error, BALANCE_THRESHOLD, "conservation of energy")], [table]
 
 
 def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
@@ -235,13 +235,15 @@ def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], 
             "kept by the ground [%]", "sum less incoming [%]",
         ],
         rows=rows,
-        marks=_marks(error, BALANCE_BAR),
+        marks=_marks(error, BALANCE_THRESHOLD),
         note=f"The Earth above with {VAST:g} times its radius, so that no light moves sideways.",
     )  # fmt: skip
     off, reversed_paths = _reversed(solution)
     thresholds = [
-        _largest("flat Earth: largest difference", error, BALANCE_BAR, "conservation of energy"),
-        _largest("reversed paths: largest difference", off, RECIPROCITY_BAR, "reciprocity"),
+        _largest(
+            "flat Earth: largest difference", error, BALANCE_THRESHOLD, "conservation of energy"
+        ),
+        _largest("reversed paths: largest difference", off, RECIPROCITY_THRESHOLD, "reciprocity"),
     ]
     return thresholds, [table, _shares(mu_s, out, air, kept), reversed_paths]
 

@@ -35,7 +35,7 @@ PUBLISHED: Final = {
 #: Lowest possible score of a sky symmetric about the sun's vertical, on our scans.
 FLOOR: Final = 3.4
 #: Largest allowed score of our best physics.
-BEST_BAR: Final = 8.0
+BEST_THRESHOLD: Final = 8.0
 #: Names of our rows.
 SAME, KNOWN, FITTED = (
     "airlight, same inputs as everybody",
@@ -126,7 +126,7 @@ def _thresholds(rows: Rows, scores: dict[str, float]) -> list[Threshold]:
         ),
         *(
             Threshold(
-                name=name.removeprefix("airlight, "), got=scores[name], allowed=BEST_BAR,
+                name=name.removeprefix("airlight, "), got=scores[name], allowed=BEST_THRESHOLD,
                 unit=_UNIT, source="the aim for the best physics",
             )
             for name in (KNOWN, FITTED)

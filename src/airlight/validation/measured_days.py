@@ -15,7 +15,7 @@ from airlight.validation.kider.scans import MILLI, symmetric_part, total_rmse
 from airlight.validation.suite import Cancel, Part, Progress, ReportTable, Suite, Threshold
 
 #: Largest allowed score of the row that counts. [mW m⁻² sr⁻¹ nm⁻¹]
-BEST_BAR: Final = 8.0
+BEST_THRESHOLD: Final = 8.0
 #: Directions nearer to the sun than this are scored separately. [deg]
 NEAR: Final = 8.0
 #: Zenith angles of the ring near the horizon. [deg]
@@ -67,7 +67,7 @@ def suite_of(days: list[Day]) -> Suite:
         thresholds=[
             Threshold(
                 name=f"{day.scans.date}: load fitted, each scan by the fit to the others",
-                got=_score(day, day.row), allowed=BEST_BAR, unit=_UNIT,
+                got=_score(day, day.row), allowed=BEST_THRESHOLD, unit=_UNIT,
                 source="the aim for the best physics",
             )
             for day in days

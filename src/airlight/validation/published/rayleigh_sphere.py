@@ -35,7 +35,7 @@ from airlight.validation.suite import Threshold
 FloatArray = NDArray[np.float64]
 
 #: Difference from the exact albedo that counts as done. [%]
-ALBEDO_BAR: Final = 0.5
+ALBEDO_THRESHOLD: Final = 0.5
 #: Optical depth of the gas. Below it, white ground reflects as more gas would, but for e^-16.
 DEPTH: Final = 8.0
 _SCALE_HEIGHT: Final = 8e3
@@ -176,7 +176,7 @@ def rayleigh_sphere(solve: Solve, quality: object = "default") -> PublishedSecti
         aims=[
             Threshold(
                 name="Rayleigh sphere: difference from the exact albedo", got=exact.percent,
-                allowed=ALBEDO_BAR, unit="%", source="accuracy that counts as done, energy",
+                allowed=ALBEDO_THRESHOLD, unit="%", source="accuracy that counts as done, energy",
             )
         ],
         note="Rayleigh's phase function without depolarisation, scalar transfer but in the last "
