@@ -16,7 +16,7 @@ import airlight
 from airlight.composition.placement import Placement
 from airlight.ephemeris.sky import Place
 from airlight.errors import ParameterError
-from airlight.fit.fit_sky import Request
+from airlight.fit.fit_sky import FitSettings
 from airlight.fit.measurements import Measurements
 from airlight.fit.parameter import FitParameter
 from airlight.solvers.moments.solution import MomentsSolution
@@ -164,7 +164,9 @@ def test_starts_and_bounds_of_a_fit_are_read_in_the_parameter_s_unit() -> None:
     assert height.number(1500.0 * UNIT.m, "start") == 1.5
     with pytest.raises(ParameterError, match=r"start of h is .* something else"):
         height.number(3.0 * UNIT.s, "start of h")
-    assert Request(free=["h"], uncertainty=3.0 * UNIT.percent).uncertainty == pytest.approx(0.03)
+    assert FitSettings(free=["h"], uncertainty=3.0 * UNIT.percent).uncertainty == pytest.approx(
+        0.03
+    )
 
 
 @pytest.mark.parametrize("of", ["rgb", "depth"])

@@ -182,8 +182,8 @@ def test_ground_that_gets_a_tenth_of_all_light_gets_a_tenth_in_the_mean(tenth: E
 
 
 def test_sunset_by_the_suite_is_within_the_published_range() -> None:
-    # One section from the planet to the threshold, cheap: three wavelengths, preview. The range of clear
-    # evenings is the source's; of sunlight at noon less than 15 % may be missing or too much.
+    # One section from the planet to the threshold, cheap: three wavelengths, preview. The range of
+    # clear evenings is the source's; of sunlight at noon less than 15 % may be missing or too much.
     average = load_planet("earth", average_aerosol())
     section = illuminances(solver(None, None)(average, (450.0, 550.0, 650.0), "preview"), (40.0,))
     by_name = {one.what: one for one in section.rows}
@@ -210,7 +210,7 @@ def test_progress_names_the_planet() -> None:
 def test_the_whole_suite_runs_and_meets_all_but_what_is_known(
     tell: Callable[[str], None],
 ) -> None:
-    # Which thresholds are missed is said in docs/planets.md and the changelog; a further one is news.
+    # docs/planets.md and the changelog name the thresholds that are missed.
     suite = published()
     for threshold in suite.thresholds:
         tell(f"{threshold.name}: {threshold.got:.4g}, allowed {threshold.allowed:.4g}")

@@ -42,7 +42,8 @@ def report() -> ValidationReport:
         suites=[
             Suite(
                 name="energy", title="Energy", summary="Balances.", thresholds=[met], seconds=1.5,
-                parts=[ReportPicture(title="Shares of light", png=png("red"), caption="One & all.")],
+                parts=[ReportPicture(title="Shares of light", png=png("red"),
+                                     caption="One & all.")],
             ),
             Suite(
                 name="spherical", title="Spherical", summary="Compares.", thresholds=[met, missed],

@@ -94,9 +94,8 @@ def validate(
             )
             for threshold in one.thresholds:
                 if not threshold.passed:
-                    say(
-                        f"  missed: {threshold.name}: {threshold.got:.4g}, allowed {threshold.allowed:.4g}"
-                    )
+                    got, allowed = threshold.got, threshold.allowed
+                    say(f"  missed: {threshold.name}: {got:.4g}, allowed {allowed:.4g}")
     whole = ValidationReport(
         suites=suites, provenance=provenance(), seconds=time.perf_counter() - started
     )

@@ -101,7 +101,8 @@ class Froxels:
         Returns
         -------
         radiance, transmittance, usable :
-            As from ``PathRadiance.before``, shape (n, nl), and whether all nodes around can be used, (n,).
+            As from ``PathRadiance.before``, shape (n, nl), and whether all nodes around are
+            usable, shape (n,).
         """
         count = self.values.shape[3] // 2
         out = np.empty((x.size, 2 * count), np.float32)

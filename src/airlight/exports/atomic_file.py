@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all: written beside their target, then renamed."""
+"""Atomic writes: files are written next to their target, then renamed."""
 
 from __future__ import annotations
 

@@ -118,19 +118,19 @@ def slugs(names: Iterable[str]) -> tuple[str, ...]:
 
 
 class SeparatedLight(NamedTuple):
-    """Light at points whose ν is known, in parts.
+    """Radiance at points whose ν is known, as Rayleigh, Mie and multiple scattering.
 
     Attributes
     ----------
     rayleigh : array, shape (n, nl)
-        Light scattered once by the gas, to be multiplied by its phase function. [1]
+        Single scattering by the gas over its phase function. [1]
     remainder : array, shape (n, nl)
         Radiance of the remainder. [sr⁻¹]
     mie : array, shape (n, kinds, nl)
-        Light scattered once by particles, to be multiplied by each kind's phase function, or by
-        their mean (kinds = 1). [1]
+        Single scattering by particles over each kind's phase function, or over their mean
+        (kinds = 1). [1]
     multiple : array, shape (n, nl)
-        Radiance of the orders from the second on, which the other parts hold as well. [sr⁻¹]
+        Radiance of the orders from the second on, which is contained in the others. [sr⁻¹]
     """
 
     rayleigh: FloatArray
@@ -142,11 +142,11 @@ class SeparatedLight(NamedTuple):
 def separate_orders(
     air: AirLight, positions: Positions, groups: ScatteringGroups, *, each: bool
 ) -> SeparatedLight:
-    """Split light into gas, particles and higher orders at points whose ν is known.
+    """Separate radiance into Rayleigh, Mie and multiple scattering at points whose ν is known.
 
-    The light scattered once is the solution's own by each constituent, where it keeps that apart
-    (``AirLight.single_and_multiple``). Otherwise it is found by quadrature, and the particles' is scaled
-    to the solution's first order where that is mostly theirs.
+    Single scattering is that of the solution, by constituent, where it has that
+    (``AirLight.single_and_multiple``). Otherwise it is a quadrature, and that of the particles is
+    scaled to the solution's first order where they contribute most of it.
     """
     medium = air.solution.medium
     sight = lines_of_sight(positions, medium)

@@ -1,4 +1,4 @@
-"""Files and folders that are being written, so that a process that ends can remove them."""
+"""Registry of files and folders being written, which a process that ends removes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _partial: Final[set[Path]] = set()
 
 @contextlib.contextmanager
 def partial_output(path: Path) -> Iterator[None]:
-    """Note a path while it is written, and remove what is left of it at the end."""
+    """Register a path while it is written, and remove what remains of it at the end."""
     _partial.add(path)
     try:
         yield
@@ -23,7 +23,7 @@ def partial_output(path: Path) -> Iterator[None]:
 
 
 def remove_all() -> None:
-    """Remove all that is being written, before the process ends without its ``finally`` blocks."""
+    """Remove all partial outputs, before the process ends without its ``finally`` blocks."""
     for path in tuple(_partial):
         remove(path)
 

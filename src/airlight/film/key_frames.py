@@ -59,7 +59,8 @@ class KeyFrames(TomlModel):
     ]  # fmt: skip
     values: Annotated[
         Any,
-        Field(label="values", help="Values, with units as their file takes them; lists for a vector.",
+        Field(label="values",
+            help="Values, with units as their file takes them; lists for a vector.",
             listed=True, read=_read_values, example="['2 m', '400 km']"),
     ]  # fmt: skip
     at: (

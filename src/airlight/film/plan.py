@@ -49,8 +49,8 @@ class FilmPlan(TomlModel):
     start: (
         Annotated[
             str,
-            Field(label="start", help="Time of the first frame, as `--time` takes it; of a scene with"
-                " its zone.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
+            Field(label="start", help="Time of the first frame, as `--time` takes it; of a scene"
+                " with its zone.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
         ]
         | None
     ) = None  # fmt: skip

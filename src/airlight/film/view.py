@@ -65,8 +65,8 @@ class PlanetView(TomlModel):
     ] = 30.0  # fmt: skip
     altitude: Annotated[
         float,
-        Field(label="altitude", help="Altitude of the observer; below 0, down to the planet's deepest"
-            " basin, of the floor under it. None for `orthographic`.", unit="m",
+        Field(label="altitude", help="Altitude of the observer; below 0, down to the planet's"
+            " deepest basin, of the floor under it. None for `orthographic`.", unit="m",
             range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE), example="2 m"),
     ] = 2.0  # fmt: skip
     sun_zenith: (
@@ -88,8 +88,8 @@ class PlanetView(TomlModel):
     look_at: (
         Annotated[
             str,
-            Field(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, by a clock `moon`, or a"
-                " bearing: `NE`, `315/20`; the horizon below the sun if left out.", kind="text",
+            Field(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, by a clock `moon`, or"
+                " a bearing: `NE`, `315/20`; the horizon below the sun if left out.", kind="text",
                 range=(1, 40), example="W"),
         ]
         | None
@@ -98,8 +98,8 @@ class PlanetView(TomlModel):
     look_azimuth: (
         Annotated[
             float,
-            Field(label="azimuth", help="Azimuth of the line of sight from the sun's side, 90 to its"
-                " right.", unit="deg", range=(-360.0, 360.0), example="30 deg"),
+            Field(label="azimuth", help="Azimuth of the line of sight from the sun's side, 90 to"
+                " its right.", unit="deg", range=(-360.0, 360.0), example="30 deg"),
         ]
         | None
     ) = None  # fmt: skip
@@ -113,8 +113,8 @@ class PlanetView(TomlModel):
     extent: (
         Annotated[
             float,
-            Field(label="extent", help="Length from left to right for `orthographic`, by default the"
-                " whole disc.", unit="m", range=(1.0, HIGHEST_ALTITUDE), example="14000 km"),
+            Field(label="extent", help="Length from left to right for `orthographic`, by default"
+                " the whole disc.", unit="m", range=(1.0, HIGHEST_ALTITUDE), example="14000 km"),
         ]
         | None
     ) = None  # fmt: skip
@@ -125,8 +125,8 @@ class PlanetView(TomlModel):
     ] = "detailed"  # fmt: skip
     stars: Annotated[
         bool,
-        Field(label="stars", help="Stars to magnitude 6.5: by the clock, without one by the place of"
-            " the sun.", kind="switch"),
+        Field(label="stars", help="Stars to magnitude 6.5: by the clock, without one by the place"
+            " of the sun.", kind="switch"),
     ] = False  # fmt: skip
 
     def __post_init__(self) -> None:

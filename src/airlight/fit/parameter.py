@@ -80,7 +80,8 @@ class FitParameter:
 
         Examples
         --------
-        >>> FitParameter(name="h", unit="km", start=1.0, low=0.5, high=9.0, least_step=0.1).range_text
+        >>> height = FitParameter(name="h", unit="km", start=1.0, low=0.5, high=9.0, least_step=0.1)
+        >>> height.range_text
         '0.5 to 9 km'
         """
         return f"{self.low:g} to {self.high:g} {self.unit.removeprefix('1')}".rstrip()

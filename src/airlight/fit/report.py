@@ -139,8 +139,9 @@ def summary(sky: SkyFit) -> str:
     )
     text = (
         f"{len(found.parameters)} parameters of {sky.name} fitted to {what} ({data.source}). "
-        f"The residuals are {relative:.2g} % (root mean square), {residuals.rms():.4g} {residuals.unit}; "
-        f"{noise}. The last step with fresh derivatives was {found.last_step.max():.2g} of an "
+        f"The residuals are {relative:.2g} % (root mean square), {residuals.rms():.4g} "
+        f"{residuals.unit}; {noise}. "
+        f"The last step with fresh derivatives was {found.last_step.max():.2g} of an "
         f"error bar."
     )
     return "\n\n".join([text, *(one[0].upper() + one[1:] + "." for one in warnings_of(sky))])

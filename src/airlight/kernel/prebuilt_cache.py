@@ -1,4 +1,4 @@
-"""Compiled code that comes with the package, for all processors of one family.
+"""Cache of compiled code in the package, for all processors of one family.
 
 ``builders/compiled_code.py`` puts it beside the source before a wheel is built. It is for a set of
 features that nearly all processors of a family have, and is found by the source's fingerprint, the
@@ -64,7 +64,7 @@ def target() -> CpuTarget | None:
 
 
 class PrebuiltCache(FunctionCache):
-    """Compiled code of one function that comes with the package.
+    """Prebuilt code of one function.
 
     Parameters
     ----------
@@ -92,14 +92,15 @@ class PrebuiltCache(FunctionCache):
 
 
 def prebuilt_cache(py_func: Any, implementation: Any, cache_folder: Path) -> PrebuiltCache | None:
-    """Code of a function that comes with the package; None if there is none for this processor.
+    """Prebuilt code of a function; None if there is none for this processor.
 
     Parameters
     ----------
     py_func, implementation :
         See ``PrebuiltCache``.
     cache_folder : Path
-        Folder of what this machine compiles of it, whose last three names are those here too.
+        Cache folder of the function on this machine; the prebuilt code has the same last three
+        folder names.
     """
     folder = PREBUILT.joinpath(*cache_folder.parts[-3:])
     if not folder.is_dir():

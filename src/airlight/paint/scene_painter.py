@@ -11,9 +11,10 @@ The policy of command line, window and saved pictures alike:
   without changes the processor draws the finished picture, which, unlike a long pass, leaves the
   device free for the window.
 * The processor also draws until the shaders of live pictures are compiled, which takes seconds;
-  unless its own loops are not compiled either, which takes longer (``render.background_compilation``): then a
-  hardware device draws first. The first picture of a window is the whole one, which needs no loop
-  that marches each pixel: to compile or to load that, which small pictures take, takes longer.
+  unless its own loops are not compiled either, which takes longer
+  (``render.background_compilation``): then a hardware device draws first. The first picture of a
+  window is the whole one, which needs no loop that marches each pixel: to compile or to load that,
+  which small pictures take, takes longer.
 
 All of them read a table of the sky, unless an exact picture is requested.
 """

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 #: Content of a cell; a float is written with four significant digits.
 Cell = str | float | int
-#: Style of a row: plain, threshold met, threshold missed, or highlighted (our own row of a league table).
+#: Style of a row: plain, threshold met, threshold missed, or highlighted (our row of a ranking).
 Mark = Literal["", "pass", "fail", "ours"]
 
 

@@ -88,8 +88,9 @@ class Light(TomlModel):
     corona: (
         Annotated[
             str,
-            Field(label="corona", help="Corona around the star: the sun's, as the mean of eclipses.",
-                kind="choice", choices=lambda: ("baumbach",)),
+            Field(label="corona",
+                help="Corona around the star: the sun's, as the mean of eclipses.", kind="choice",
+                 choices=lambda: ("baumbach",)),
         ]
         | None
     ) = None  # fmt: skip

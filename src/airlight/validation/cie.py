@@ -33,9 +33,8 @@ _DOME: Final = (40, 36)
 
 _FIT: Final = (
     "The CIE sky is a statistical fit: the mean of many measured clear skies, in five numbers that "
-    "depend on no sun height and no aerosol. It is no truth about any one sky. A difference is "
-    "therefore reported and judged by no threshold; what the solvers get right is judged by the other "
-    "suites."
+    "depend on no sun height and no aerosol. It describes no individual sky. A difference is "
+    "therefore reported without a threshold; the other suites test the solvers."
 )
 
 

@@ -25,7 +25,7 @@ def markdown(report: ValidationReport, pictures: str) -> str:
             (
                 suite.title,
                 strong(result_word(suite), not suite.passed),
-                f"{sum(threshold.passed for threshold in suite.thresholds)} of {len(suite.thresholds)}",
+                f"{sum(one.passed for one in suite.thresholds)} of {len(suite.thresholds)}",
                 f"{suite.seconds:.1f} s",
             )
             for suite in report.suites

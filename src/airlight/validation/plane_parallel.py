@@ -205,8 +205,8 @@ def disort(
         remade = np.allclose(depths(solution.medium), (known.depth, known.absorption), rtol=SAME)
         worst = float(np.abs(off).max()) if remade else float("nan")
         thresholds.append(
-            Threshold(name=f"{case.name}: light on the ground, worst of {len(SUNS)} suns", got=worst,
-                allowed=AIM, unit="%", source="the aim")
+            Threshold(name=f"{case.name}: irradiance of the ground, worst of {len(SUNS)} suns",
+                got=worst, allowed=AIM, unit="%", source="the aim")
         )  # fmt: skip
         rows.append(
             (case.name, f"{known.depth:.4g}", f"{known.absorption:.3g}",
@@ -218,8 +218,8 @@ def disort(
         title="Flat air against discrete ordinates",
         summary=(
             "The light that reaches the ground through deep flat air, by the moments solver and by "
-            f"PythonicDISORT: {met} of {len(thresholds)} are within {AIM:g} %. Light deep in air that "
-            "absorbs nothing is the rest of a large cancellation, and the hardest to get."
+            f"PythonicDISORT: {met} of {len(thresholds)} are within {AIM:g} %. Deep in "
+            "conservative air, irradiance is a small difference of large terms, and the hardest to get right."
         ),
         thresholds=thresholds,
         parts=[
@@ -227,8 +227,8 @@ def disort(
                 title="Light on the ground over that outside the air, and our difference from it",
                 columns=["air", "depth", "absorption", *(f"sun {sun:g}°" for sun in SUNS)],
                 rows=rows,
-                note="The sun's angle is from the zenith; nan in a threshold: the planet has changed "
-                "since the reference was made (python builders/disort.py).",
+                note="The sun's angle is from the zenith; NaN as a result: the planet has "
+                "changed since the reference was made (python builders/disort.py).",
             )
         ],
         settings=[

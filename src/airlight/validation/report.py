@@ -35,7 +35,7 @@ class ValidationReport:
 
     @property
     def listed(self) -> list[tuple[Suite, Threshold]]:
-        """As ``thresholds``, with all golden tables that are met in one threshold, or they bury the others."""
+        """As ``thresholds``, with the golden tables that are met merged into one."""
         met = [
             threshold
             for suite, threshold in self.thresholds
@@ -128,7 +128,8 @@ def _thresholds(report: ValidationReport) -> str:
         style, word = ("met", "met") if threshold.passed else ("missed", "missed")
         rows.append(
             f'<tr><td><a href="#{suite.name}">{escape(suite.name)}</a></td>'
-            f"<td>{escape(threshold.name)}</td><td>{threshold.got:.4g} {escape(threshold.unit)}</td>"
+            f"<td>{escape(threshold.name)}</td>"
+            f"<td>{threshold.got:.4g} {escape(threshold.unit)}</td>"
             f"<td>≤ {threshold.allowed:.4g} {escape(threshold.unit)}</td>"
             f'<td class="{style}">{word}</td><td class="quiet">{escape(threshold.source)}</td></tr>'
         )

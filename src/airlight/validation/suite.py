@@ -1,7 +1,7 @@
 """Parts of a suite of the validation report: thresholds, tables, pictures and text.
 
-A suite computes something, compares it with an authority and returns a ``Suite``: numbers with the
-threshold that each must meet, and the tables and pictures that show them. The report only lays them out.
+A suite computes something, compares it with an authority and returns a ``Suite``: numbers with
+their thresholds, tables and pictures. The report only lays them out.
 """
 
 from __future__ import annotations
@@ -92,5 +92,5 @@ class Suite:
 
     @property
     def passed(self) -> bool:
-        """Whether every threshold is met; True for a suite without thresholds, or that was not run."""
+        """Whether every threshold is met; True without thresholds, and if it was not run."""
         return all(threshold.passed for threshold in self.thresholds)

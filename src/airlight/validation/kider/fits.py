@@ -59,7 +59,7 @@ class AerosolModel:
         Planet for a load.
     scans : Scans
     start : AngstromLaw
-        Load to begin with.
+        Starting values.
     with_scale : bool
         Whether the instrument's scale is fitted too.
     quality : str
@@ -177,7 +177,7 @@ class _Part:
 
 
 def _aerosol_of(values: FloatArray) -> AngstromLaw:
-    """Load of an optical depth at 550 nm and an exponent."""
+    """Ångström law of an optical depth at 550 nm and an exponent."""
     return AngstromLaw(beta=float(values[0] * 0.55 ** values[1]), alpha=float(values[1]))
 
 

@@ -73,9 +73,9 @@ class AngstromLaw:
         return np.asarray(self.beta * (np.asarray(wavelengths, dtype=float) / 1e3) ** -self.alpha)
 
 
-#: Load of all published models: Bruneton (2017), section 3.
+#: Ångström law of all published models: Bruneton (2017), section 3.
 PUBLISHED_AEROSOL: Final = AngstromLaw(beta=0.04, alpha=0.8)
-#: Load measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245, 0.1252,
+#: Ångström law measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245, 0.1252,
 #: 0.1283 and Ångström exponent from 440 to 870 nm 1.175, 1.119, 0.999, 0.929, 0.862, means of
 #: the five almucantars that the phase function is the mean of. AERONET, Egbert, level 1.5, version
 #: 2; PI: N. O'Neill, I. Abboud, V. Fioletov.
@@ -104,7 +104,7 @@ class Inputs:
     ozone : float
         [DU]
     load : AngstromLaw
-        Load of the aerosol.
+        Optical depth of the aerosol.
     single_scattering_albedo : float
         Single-scattering albedo of the aerosol. [1]
     aeronet_phase : bool

@@ -126,10 +126,10 @@ def flat_air(solve: Solve) -> tuple[list[Threshold], list[Part]]:
             source = "the aim; corrected Coulson tables"
             name = f"Rayleigh air on {times} radii, fine"
             thresholds += [
-                Threshold(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_THRESHOLD, unit="%",
-                    source=source),
-                Threshold(name=f"{name}: Q/I and U/I", got=float(max(degree)), allowed=DEGREE_THRESHOLD,
-                    source=source),
+                Threshold(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_THRESHOLD,
+                    unit="%", source=source),
+                Threshold(name=f"{name}: Q/I and U/I", got=float(max(degree)),
+                    allowed=DEGREE_THRESHOLD, source=source),
             ]  # fmt: skip
     return thresholds, [
         ReportTable(

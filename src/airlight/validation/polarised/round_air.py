@@ -147,10 +147,10 @@ def round_air(solve: Solve, quality: object = "default") -> tuple[list[Threshold
     noise = summarise(sky.error[:, 0] / sky.stokes[:, 0])
     source = "the aim; SASKTRAN 2 with three Stokes parameters"
     thresholds = [
-        Threshold(name="round Rayleigh air: I, median", got=100.0 * of_light.median, allowed=MEDIAN_THRESHOLD,
-            unit="%", source=source),
-        Threshold(name="round Rayleigh air: I, 95 %", got=100.0 * of_light.high, allowed=HIGH_THRESHOLD,
-            unit="%", source=source),
+        Threshold(name="round Rayleigh air: I, median", got=100.0 * of_light.median,
+            allowed=MEDIAN_THRESHOLD, unit="%", source=source),
+        Threshold(name="round Rayleigh air: I, 95 %", got=100.0 * of_light.high,
+            allowed=HIGH_THRESHOLD, unit="%", source=source),
         Threshold(name="round Rayleigh air: degree of polarisation, median", got=of_degree.median,
             allowed=DEGREE_THRESHOLD, source=source),
         Threshold(name="round Rayleigh air: degree of polarisation, 95 %", got=of_degree.high,

@@ -46,8 +46,7 @@ class PublishedRow:
     unit : str
         Unit; empty for a pure number.
     error : float or None
-        Error or half range that the source states, which makes the row a threshold; None if it states
-        none.
+        Error or half range that the source states: threshold of the row; None if it states none.
     stated : str
         The number as the source has it, with its unit, where that is not a single number.
     compare : str
@@ -75,7 +74,7 @@ class PublishedRow:
 
     @property
     def threshold(self) -> Threshold | None:
-        """Bar of a row whose source states an error."""
+        """Threshold, where the source states an error."""
         if self.error is None:
             return None
         return Threshold(

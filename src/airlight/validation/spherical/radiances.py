@@ -223,9 +223,9 @@ def _parts(quality: str, comparisons: list[Comparison]) -> list[Part]:
         ],
         rows=rows,
         marks=marks,
-        note=f"Thresholds: median {100 * median:g} %, 95 % {100 * high:g} %, largest {100 * largest:g} % "
-        f"beyond {chance:.1f} of the referee's standard errors (s.e.): the largest of so many "
-        "values exceeds that by chance alone in half of all cases.",
+        note=f"Thresholds: median {100 * median:g} %, 95 % {100 * high:g} %, largest "
+        f"{100 * largest:g} % beyond {chance:.1f} of the referee's standard errors (s.e.): the "
+        "largest of so many values exceeds that by chance alone in half of all cases.",
     )  # fmt: skip
     suns, heights = (
         np.concatenate(

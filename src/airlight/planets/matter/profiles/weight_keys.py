@@ -9,9 +9,9 @@ from airlight.planets.schema.field import Field
 
 def molar_mass_key(**more: Any) -> Field:
     """Key of the molar mass of a gas under its own weight."""
-    return Field(label="molar mass", help="Molar mass of the gas.", unit="kg/mol", range=(1e-4, 1.0),
-               example="28.9644 g/mol", shown="g/mol", slider=(1.0, 100.0), scale="log",
-               mode="advanced", **more)  # fmt: skip
+    return Field(label="molar mass", help="Molar mass of the gas.", unit="kg/mol",
+               range=(1e-4, 1.0), example="28.9644 g/mol", shown="g/mol", slider=(1.0, 100.0),
+               scale="log", mode="advanced", **more)  # fmt: skip
 
 
 def gravity_key(**more: Any) -> Field:
