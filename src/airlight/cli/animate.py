@@ -13,7 +13,7 @@ from airlight.cli import distribution_options, options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import FileError, ParameterError, WorkerError
+from airlight.errors import ConflictError, FileError, ParameterError, WorkerError
 
 if TYPE_CHECKING:
     from airlight.film import Animated
@@ -133,7 +133,7 @@ def animate(
         plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
         for option, value in display.items():
             if value != plain[option]:
-                raise ParameterError(option, value, f"{plain[option]} beside an MP4")
+                raise ConflictError(option, f"must be {plain[option]} for an MP4")
     level = _exposure(exposure)
     changes: dict[str, Any] = _changes(set_)
     plan = {"frames": frames, "rate": rate, "start": start, "end": end, "zone": zone}
@@ -152,7 +152,7 @@ def animate(
     nm = None
     if wavelengths is not None:
         if not made.planets:
-            raise ParameterError("--wavelengths", wavelengths, "none for a scene without air")
+            raise ConflictError("--wavelengths", "does not apply to a scene without air")
         nm = options.wavelengths(wavelengths, made.planets[0])
         if len(nm) < 3:
             allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
@@ -177,7 +177,7 @@ def animate(
             )  # fmt: skip
     except (KeyboardInterrupt, WorkerError, FileError):
         if count[0]:
-            note(f"{count[0]} frames were drawn; the same command draws the rest")
+            note(f"{count[0]} frames are complete; the same command renders the others")
         raise
     _report(result, movie, columns, rows, time.perf_counter() - started)
 
@@ -185,7 +185,7 @@ def animate(
 def _report(result: Animated, movie: Path | None, columns: int, rows: int, seconds: float) -> None:
     frames = result.frames
     say(f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {columns}x{rows}  "
-          f"{result.drawn} drawn, {result.kept} kept  {seconds:.1f} s"
+          f"{result.drawn} rendered, {result.kept} unchanged  {seconds:.1f} s"
           + ("  linear" if result.exposures is None else
              "  exposure {:+.2f} to {:+.2f} EV".format(*result.exposures)))  # fmt: skip
     if movie is not None:
@@ -198,9 +198,7 @@ def _outputs(paths: list[Path]) -> tuple[Path, Path | None]:
     folders = [path for path in paths if path not in movies]
     shown = " ".join(map(str, paths))
     if len(folders) != 1 or len(movies) > 1:
-        raise ParameterError(
-            "--output", shown, "a folder of frames, and at most one .mp4 beside it"
-        )
+        raise ParameterError("--output", shown, "one folder of frames, and at most one .mp4")
     if folders[0].suffix:
         raise ParameterError("--output", str(folders[0]), "a folder without a suffix, or an .mp4")
     return folders[0], movies[0] if movies else None
@@ -221,7 +219,7 @@ def _changes(set_: list[str] | None) -> dict[str, Any]:
     try:
         return dict(parsed(change) for change in set_ or [])
     except ParameterError as error:
-        raise ParameterError("--set", error.value, error.allowed) from None
+        raise error.named("--set") from None
 
 
 _KEY = re.compile(r"\s*([^=]+?)\s*=\s*(.*?)\s*(?:\s([a-z]+(?:-[a-z]+)*))?\s*", re.DOTALL)

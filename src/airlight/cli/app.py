@@ -107,10 +107,15 @@ def _print_version(asked: bool) -> None:
 def root(
     version: Annotated[
         bool,
-        typer.Option("--version", callback=_print_version, is_eager=True, help="Say the version."),
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version."
+        ),
     ] = False,
     debug: Annotated[
-        bool, typer.Option("--debug", help="Show the traceback of an error; may stand anywhere.")
+        bool,
+        typer.Option(
+            "--debug", help="Show the traceback of an error; allowed anywhere on the command line."
+        ),
     ] = False,
 ) -> None:
     """The light of planetary atmospheres: pictures, radiances, figures and tables."""
@@ -186,7 +191,7 @@ def _one_line(error: Exception) -> str:
     if worded is not None:
         text = str(worded()).replace("Value error, ", "")
     elif isinstance(error, AirlightError):
-        text = str(error)
+        text = str(error).replace("allow overwriting", "add --overwrite")
     elif isinstance(error, MemoryError):
         text = f"not enough memory: {error}".rstrip(": ")
     elif isinstance(error, OSError) and error.filename is not None:

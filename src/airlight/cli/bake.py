@@ -6,16 +6,16 @@ import math
 import re
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from airlight.cli import options
-from airlight.cli.bake_target import bake_target
+from airlight.cli.bake_target import bake_target, check_options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.targets import MODULES
 
 if TYPE_CHECKING:
@@ -127,23 +127,29 @@ def bake(
     if layout not in LAYOUTS:
         raise ParameterError("--layout", layout, ", ".join(LAYOUTS))
     if layout in MODULES:
-        given = {
+        given: dict[str, Any] = {
             "mapping": mapping,
             "packing": packing,
             "azimuth": azimuth,
             "mie": mie,
-            "size": None if size is None else _size(size, "bruneton"),
-            "lowest_sun": None if lowest_sun is None else options.angle(lowest_sun, "--lowest-sun"),
+            "size": size,
+            "lowest_sun": lowest_sun,
             "smooth_phase": smooth_phase,
             "precision": None if precision == "single" else precision,
             "order": None if order == "all" else order,
             "cumulative": cumulative or None,
         }
+        chosen = {name: value for name, value in given.items() if value is not None}
+        check_options(layout, chosen)
+        if size is not None:
+            chosen["size"] = _size(size, "bruneton")
+        if lowest_sun is not None:
+            chosen["lowest_sun"] = options.angle(lowest_sun, "--lowest-sun")
         bake_target(
             layout,
             planet,
             output,
-            chosen={name: value for name, value in given.items() if value is not None},
+            chosen=chosen,
             wavelengths=None if wavelengths == "rgb" else wavelengths,
             solver=solver,
             quality=quality,
@@ -159,20 +165,20 @@ def bake(
     from airlight.exports.table_files import FILES, FORMAT, write_tables
     from airlight.planets import replace
 
-    chosen = _packing(layout, packing, mie)
+    packed = _packing(layout, packing, mie)
     if mapping is not None and layout == "bruneton":
-        raise ParameterError("--mapping", mapping, "only with --layout atmosphere-plus")
+        raise ConflictError("--mapping", "requires --layout atmosphere-plus")
     if smooth_phase is not None and layout != "bruneton":
-        raise ParameterError("--smooth-phase", smooth_phase, "only with --layout bruneton")
-    if azimuth is not None and chosen != "phase-included":
-        raise ParameterError("--azimuth", azimuth, "only with --packing phase-included")
+        raise ConflictError("--smooth-phase", "requires --layout bruneton")
+    if azimuth is not None and packed != "phase-included":
+        raise ConflictError("--azimuth", "requires --packing phase-included")
     mu_s_min = _lowest(lowest_sun, layout)
     texels = None if size is None else _size(size, layout)
     number = _order(order, cumulative)
     check_folder(output, FORMAT, FILES, overwrite=overwrite)
     world = options.planet(planet, set_)
     if world.refraction != "none":
-        note("light is drawn straight in tables: refraction is 'none'")
+        note("tables ignore refraction")
         world = replace(world, refraction="none")
     nm = options.wavelengths(wavelengths, world)
 
@@ -192,7 +198,7 @@ def bake(
             solution,
             layout,
             mapping=mapping or "weighted-power",
-            packing=chosen,
+            packing=packed,
             azimuth=0.0 if azimuth is None else options.angle(azimuth, "--azimuth"),
             size=texels,
             precision=precision,
@@ -211,10 +217,10 @@ def bake(
 def _packing(layout: str, packing: str | None, mie: str | None) -> str:
     if layout == "bruneton":
         if packing is not None:
-            raise ParameterError("--packing", packing, "only with --layout atmosphere-plus")
+            raise ConflictError("--packing", "requires --layout atmosphere-plus")
         return mie or "separate"
     if mie is not None:
-        raise ParameterError("--mie", mie, "only with --layout bruneton")
+        raise ConflictError("--mie", "requires --layout bruneton")
     return packing or "rgba"
 
 
@@ -222,7 +228,7 @@ def _lowest(text: str | None, layout: str) -> float | None:
     if text is None:
         return None
     if layout != "bruneton":
-        raise ParameterError("--lowest-sun", text, "only with --layout bruneton")
+        raise ConflictError("--lowest-sun", "requires --layout bruneton")
     zenith = options.angle(text, "--lowest-sun")
     if not 90.0 <= zenith <= 180.0:
         raise ParameterError("--lowest-sun", text, "90deg to 180deg")
@@ -240,7 +246,7 @@ def _size(text: str, layout: str) -> tuple[int, ...]:
 def _order(text: str, cumulative: bool) -> int | None:
     if text.strip().lower() == "all":
         if cumulative:
-            raise ParameterError("--cumulative", True, "only with --order K")
+            raise ConflictError("--cumulative", "requires --order K")
         return None
     if not text.strip().isdecimal() or len(text) > 6 or int(text) < 1:
         raise ParameterError("--order", text, "all, or 1, 2, 3 …")

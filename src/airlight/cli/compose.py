@@ -12,7 +12,7 @@ from airlight.cli import options, time_and_place
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
@@ -162,9 +162,14 @@ def compose(
     ev = options.exposure(exposure)
     per_white = _white(white)
     passes = read_render_passes(color)
-    rgb, alpha = passes.colors(layer)
     holder = passes if depth is None else read_render_passes(depth)
-    away, kind = holder.depth(depth_kind, depth_channel)
+    try:
+        rgb, alpha = passes.colors(layer)
+        away, kind = holder.depth(depth_kind, depth_channel)
+    except ParameterError as error:
+        if error.field not in ("layer", "depth_channel"):
+            raise
+        raise error.named("--" + error.field.replace("_", "-")) from None
     surfaces = _surfaces(albedo, normals, shadow)
     pinhole, block = _camera(camera, color, passes)
     texts = {
@@ -212,11 +217,12 @@ def _surfaces(albedo: Path | None, normals: Path | None, shadow: Path | None) ->
     """Passes by which surfaces are lit anew, as arguments of ``airlight.compose``."""
     from airlight.exports.render_passes import read_render_passes
 
-    for option, one, other in (
-        ("--albedo", albedo, normals), ("--normals", normals, albedo), ("--shadow", shadow, albedo)
+    for option, one, other, required in (
+        ("--albedo", albedo, normals, "--normals"), ("--normals", normals, albedo, "--albedo"),
+        ("--shadow", shadow, albedo, "--albedo and --normals"),
     ):  # fmt: skip
         if one is not None and other is None:
-            raise ParameterError(option, str(one), "only together with --albedo and --normals")
+            raise ConflictError(option, f"requires {required}")
     if albedo is None or normals is None:
         return {}
     found: dict[str, Any] = {
@@ -254,8 +260,7 @@ def _camera(file: Path | None, color: Path, passes: RenderPasses) -> tuple[Pinho
             raise error.in_file(file) from None
     to_camera, to_ndc = (passes.header.get(name) for name in ("worldToCamera", "worldToNDC"))
     if to_camera is None or to_ndc is None:
-        allowed = f"a transforms.json, since {color} lacks worldToCamera and worldToNDC"
-        raise ParameterError("--camera", None, allowed)
+        raise ConflictError("--camera", f"is required: {color} lacks worldToCamera and worldToNDC")
     return camera_from_matrices(to_camera, to_ndc, width, height), {}
 
 
@@ -288,7 +293,7 @@ def _placement(
         if given.get(error.field) is None:
             raise
         option = "--" + error.field.replace("_", "-")
-        raise ParameterError(option, error.value, error.allowed) from None
+        raise error.named(option) from None
 
 
 def _solved(

@@ -34,4 +34,4 @@ def named() -> Iterator[None]:
     except ParameterError as error:
         if error.field not in ("scheduler", "workers"):
             raise
-        raise ParameterError(f"--{error.field}", error.value, error.allowed) from None
+        raise error.named(f"--{error.field}") from None

@@ -56,7 +56,7 @@ def errata(
         with shown_progress() as report:
             rows = table(source, progress=report)
     except ParameterError as error:
-        raise ParameterError("--source", error.value, error.allowed) from None
+        raise error.named("--source") from None
     if output is None:
         _print(rows)
         return

@@ -12,7 +12,7 @@ from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.fit.fit_sky import FitSettings, SkyFit
@@ -144,8 +144,8 @@ def fit(
     if report is not None:
         _check_report(report, overwrite)
     if (data is None) == (photo is None):
-        shown = "missing" if data is None else f"{data} beside --photo {photo}"
-        raise ParameterError("--data", shown, "--data FILE or --photo FILE, one of them")
+        conflict = "or --photo is required" if data is None else "cannot be combined with --photo"
+        raise ConflictError("--data", conflict)
     settings = _settings(
         free, each_scan, bounds, prior, start, uncertainty, loss, quality, set_, not no_cache
     )
@@ -184,12 +184,10 @@ class _named_options:
 
     def __exit__(self, kind: object, error: object, trace: object) -> None:
         names = {"free": "--free", "bounds": "--bounds", "prior": "--prior", "start": "--start",
-                 "loss": "--loss", "each-scan": "--each-scan", "encoding": "--encoding",
+                 "loss": "--loss", "per_scan": "--each-scan", "encoding": "--encoding",
                  "tone_map": "--tone-map", "override": "--set"}  # fmt: skip
         if isinstance(error, ParameterError) and error.field in names:
-            raise ParameterError(
-                names[error.field], error.value, error.allowed, error.file
-            ) from None
+            raise error.named(names[error.field]) from None
 
 
 def _radiances(
@@ -225,7 +223,7 @@ def _photograph(
 
     sun = shot["sun_zenith"]
     if sun is None:
-        raise typer.BadParameter("--sun-zenith is missing: an angle such as 55deg, for --photo")
+        raise ConflictError("--photo", "requires --sun-zenith, such as 55deg")
     look = (None, 0.0) if shot["look"] is None else options.direction(shot["look"], "--look")
     given = Shot(
         projection=options.projection(projection),
@@ -261,7 +259,7 @@ def _settings(
     if uncertainty is not None:
         share = quantity(uncertainty, "1", "--uncertainty")
         if not 0.0 < share < 10.0:
-            raise ParameterError("--uncertainty", uncertainty, "a share such as 3% or 0.03")
+            raise ParameterError("--uncertainty", uncertainty, "a fraction such as 3% or 0.03")
     return FitSettings(
         free=names,
         per_scan=_listed(each_scan),

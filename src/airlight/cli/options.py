@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli.console import note
-from airlight.errors import ParameterError, changed
+from airlight.errors import ConflictError, ParameterError, changed
 from airlight.units import UNDERSTOOD, quantities, quantity, values_in
 
 if TYPE_CHECKING:
@@ -157,7 +157,7 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
         def of_the_option(one: ParameterError) -> ParameterError:
             if one.field != FIELD:
                 return one
-            return ParameterError("--set", one.value, one.allowed, one.file)
+            return one.named("--set")
 
         raise changed(error, of_the_option) from None
     for line in truncated_constituents(loaded):
@@ -226,20 +226,20 @@ def with_solved_ground(
     numbers = {o.strip("-"): angle(text, o) for o, text in given.items() if text is not None}
     if numbers and ground_albedo is not None:
         option = f"--{next(iter(numbers))}"
-        raise ParameterError(option, given[option], "not together with --ground-albedo")
+        raise ConflictError(option, "cannot be combined with --ground-albedo")
     if ground_albedo is not None:
         return with_ground_albedo(planet, ground_albedo)
     if not numbers:
         return planet
     if len(numbers) == 1:
-        option = f"--{next(iter(numbers))}"
-        raise ParameterError(option, given[option], "both of --latitude and --longitude")
+        option, other = sorted(given, key=lambda one: given[one] is None)
+        raise ConflictError(option, f"requires {other}")
     from airlight.scene.local_ground import local_ground
 
     try:
         return local_ground(planet, **numbers, altitude=altitude)
     except ParameterError as error:
-        raise ParameterError(f"--{error.field}", error.value, error.allowed) from None
+        raise error.named(f"--{error.field}") from None
 
 
 def length(text: str, option: str) -> float:
@@ -433,8 +433,8 @@ def only_for_png(
 
     if suffix not in LINEAR and not shown:
         return
-    allowed = f"left out for an {suffix}, which is linear radiance"
-    allowed = "left out beside --show, whose colours are a scale" if shown else allowed
+    phrase = f"does not apply to {suffix} files, which hold linear radiance"
+    phrase = "cannot be combined with --show, whose colours are a scale" if shown else phrase
     given = {
         "--exposure": (exposure, None), "--iso": (iso, None), "--aperture": (aperture, None),
         "--shutter": (shutter, None), "--tone-map": (tone_map, "natural"),
@@ -443,7 +443,7 @@ def only_for_png(
     }  # fmt: skip
     for option, (value, left_out) in given.items():
         if value != left_out:
-            raise ParameterError(option, value, allowed)
+            raise ConflictError(option, phrase)
 
 
 def camera(
@@ -461,9 +461,10 @@ def camera(
     if not given:
         return exposure("auto" if exposure_text is None else exposure_text)
     if exposure_text is not None:
-        raise ParameterError("--exposure", exposure_text, f"left out beside {given[0]}")
+        raise ConflictError("--exposure", f"cannot be combined with {given[0]}")
     if iso is None or aperture is None or shutter is None:
-        raise ParameterError(given[0], numbers[given[0]], "all of --iso, --aperture and --shutter")
+        missing = " and ".join(name for name in numbers if name not in given)
+        raise ConflictError(given[0], f"requires {missing}")
     from airlight.color.exposure import camera_exposure
 
     stop = quantity(aperture.strip().lower().removeprefix("f/"), "1", "--aperture")

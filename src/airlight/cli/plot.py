@@ -110,10 +110,8 @@ def plot(
     try:
         check_choices(kind, choices)
     except ParameterError as error:
-        if error.field == "polarisation":
-            raise ParameterError("--no-polarisation", True, error.allowed) from None
-        option = f"--{error.field.replace('_', '-')}"
-        raise ParameterError(option, error.value, error.allowed) from None
+        name = "no-polarisation" if error.field == "polarisation" else error.field
+        raise error.named(f"--{name.replace('_', '-')}") from None
     with shown_progress() as report:
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
     with atomic_file(output) as part, part.open("wb") as file:

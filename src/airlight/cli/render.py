@@ -12,7 +12,7 @@ from airlight.cli import options, scene_file, second_lights, time_and_place, who
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
@@ -218,7 +218,7 @@ def render(
     if is_scene_file(planet):
         for option, value in (("--show", show), ("--stokes", stokes or None)):
             if value is not None:
-                raise ParameterError(option, value, "none of a scene file: a planet's picture")
+                raise ConflictError(option, "is not available for scene files")
         given = scene_file.SceneOptions(
             at=at, time=time_, zone=zone, altitude=altitude, latitude=latitude,
             longitude=longitude, look_at=look_at, fov=fov, polariser=polariser, changes=set_,
@@ -228,7 +228,7 @@ def render(
         frame, window = scene_file.painted(
             planet, given, size, crop, wavelengths, quality, samples if samples > 1 else None,
             whole=whole, cache=not no_cache,
-            beside={
+            excluded={
                 "--look": look, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
                 "--ground-albedo": ground_albedo, "--ls": season, "--exact": exact,
                 "--no-polarisation": no_polarisation,
@@ -322,16 +322,15 @@ def _check_polarised(
 ) -> None:
     """Refuse options of polarised light that contradict each other, or the file."""
     given = {"--polariser": polariser, "--show": show, "--stokes": stokes or None}
-    there = {option: value for option, value in given.items() if value is not None}
-    for option, value in there.items():
+    for option in (option for option, value in given.items() if value is not None):
         if scalar:
-            raise ParameterError(option, value, "without --no-polarisation")
+            raise ConflictError(option, "cannot be combined with --no-polarisation")
         if option != "--polariser" and polariser is not None:
-            raise ParameterError("--polariser", polariser, f"left out beside {option}")
+            raise ConflictError("--polariser", f"cannot be combined with {option}")
     if stokes and suffix != ".exr":
-        raise ParameterError("--stokes", True, "beside a name that ends in .exr")
+        raise ConflictError("--stokes", "requires an .exr file")
     if show is not None and suffix == ".hdr":
-        raise ParameterError("--show", show, "beside a name that ends in .png or .exr")
+        raise ConflictError("--show", "requires a .png or .exr file")
 
 
 def _check_legend(width: int) -> None:
@@ -343,7 +342,7 @@ def _check_legend(width: int) -> None:
     try:
         check_width(width)
     except ParameterError as error:
-        raise ParameterError("--size", error.value, error.allowed) from None
+        raise error.named("--size") from None
 
 
 def _shown(
@@ -389,7 +388,7 @@ def _target(
     from airlight.scene import look_at as looking_at
 
     if look is not None and look_at is not None:
-        raise ParameterError("--look", look, "one of --look and --look-at")
+        raise ConflictError("--look", "cannot be combined with --look-at")
     if look is not None:
         return options.direction(look, "--look")
     if look_at is None and projection != "perspective":
@@ -405,7 +404,7 @@ def _target(
             planet=planet,
         )
     except ParameterError as error:
-        raise ParameterError("--look-at", error.value, error.allowed) from None
+        raise error.named("--look-at") from None
     return zenith, azimuth if look_at is not None else _ACROSS
 
 
@@ -433,7 +432,7 @@ def _painted(
         raise ParameterError("--wavelengths", wavelengths, allowed)
 
     def refused(reason: str) -> None:
-        note(f"the processor renders instead: {reason}")
+        note(f"falling back to the CPU: {reason}")
 
     with shown_progress() as report:
         return paint_scene(

@@ -12,7 +12,7 @@ from airlight.cli.comparison import print_comparison
 from airlight.cli.console import console
 from airlight.cli.examples import examples
 from airlight.cli.scene_description import print_scene
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -61,7 +61,7 @@ def show(
                  "--ground-albedo": ground_albedo}  # fmt: skip
         for option, value in given.items():
             if value is not None:
-                raise ParameterError(option, value, "none of a scene, which is described alone")
+                raise ConflictError(option, "is not available for scene files")
         print_scene(scene_file.changed(planet, scene_file.SceneOptions(changes=set_)))
         return
     world = options.planet(planet, set_)

@@ -135,7 +135,7 @@ def spectrum(
             if error.field not in given:
                 raise
             option = "--" + error.field.replace("_", "-")
-            raise ParameterError(option, error.value, error.allowed) from None
+            raise error.named(option) from None
     for path in files:
         _write(path, data)
         say(f"{path}  {of} of {world.name}  {time.perf_counter() - started:.1f} s")

@@ -12,7 +12,7 @@ from airlight.cli import distribution_options, options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 EPILOG = examples(
     "airlight sweep earth --sun-zenith 0:90:5 --view-zenith 0:85:5 --azimuth 0:180:30 -o sky.zarr",
@@ -80,7 +80,7 @@ def sweep(
     from airlight.sweep.store import check_store
 
     if stokes and no_polarisation:
-        raise ParameterError("--stokes", True, "without --no-polarisation")
+        raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
     check_store(output, "--output")
     first = options.planet(planets[0])
     try:
@@ -96,18 +96,18 @@ def sweep(
     except ParameterError as error:
         name = error.field.partition("[")[0]
         if name == FIELD:
-            raise ParameterError("--vary", error.value, error.allowed, error.file) from None
+            raise error.named("--vary") from None
         if name not in ("altitude", "sun_zenith", "view_zenith", "azimuth"):
             raise
         option = "--" + error.field.replace("_", "-")
-        raise ParameterError(option, error.value, error.allowed) from None
+        raise error.named(option) from None
     with shown_progress() as report, distribution_options.named():
         done = computed(
             grid, output, quality=quality, polarisation=not no_polarisation, stokes=stokes,
             scheduler=scheduler, workers=workers, told=note, progress=report,
         )  # fmt: skip
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
-    say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} kept  "
+    say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} unchanged  "
           f"{time.perf_counter() - started:.1f} s")  # fmt: skip
 
 

@@ -10,7 +10,7 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.console import note
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -155,12 +155,12 @@ def given(
         return None
     if at is None:
         option = next(one for one, text in named.items() if text is not None)
-        raise ParameterError(option, named[option], "beside --at, the place")
+        raise ConflictError(option, "requires --at")
     for option, text in others.items():
         if text is not None:
-            raise ParameterError(option, text, "left out beside --at and --time")
+            raise ConflictError(option, "cannot be combined with --at and --time")
     if time is None and season is None:
-        raise ParameterError("--at", at, "beside --time, or --ls")
+        raise ConflictError("--at", "requires --time or --ls")
     from airlight.ephemeris.place_text import read_place
     from airlight.ephemeris.sky import Place, moon_seen, sun_seen
     from airlight.ephemeris.time_text import read_time
@@ -168,7 +168,7 @@ def given(
 
     latitude, longitude, above = read_place(at, "--at")
     if above is not None and altitude is not None:
-        raise ParameterError("--altitude", altitude, "left out beside an altitude in --at")
+        raise ConflictError("--altitude", "cannot be combined with an altitude in --at")
     height = STANDING
     if above is not None:
         height = options.length(above, "--at")
@@ -179,10 +179,10 @@ def given(
     try:
         moment = read_time(time or "noon", place, zone=zone, season=ls, field="--time")
     except ParameterError as error:
-        names = {"zone": "--zone", "solar_longitude": "--ls", "body": "--time"}
-        value = time if error.field == "body" else error.value
-        field = names.get(error.field, error.field)
-        raise ParameterError(field, value, error.allowed) from None
+        names = {"zone": "--zone", "solar_longitude": "--ls"}
+        if error.field == "body":
+            raise ParameterError("--time", time, error.allowed) from None
+        raise error.named(names.get(error.field, error.field)) from None
     sun = sun_seen(place, moment)
     moon = moon_seen(place, moment) if place.world.has_moon else None
     return Placed(
@@ -211,10 +211,10 @@ def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
     try:
         lowered, height = stands_on_floor(planet, altitude)
     except ParameterError as error:
-        raise ParameterError("--altitude", error.value, error.allowed) from None
+        raise error.named("--altitude") from None
     note(
-        f"the observer stands on the floor of a basin at {altitude - height:.10g} m: all of the "
-        "ground is solved there, and the air goes on below 0 m"
+        f"the observer stands on the floor of a basin: the atmosphere is solved for ground at "
+        f"{altitude - height:.10g} m everywhere"
     )
     return lowered, height
 

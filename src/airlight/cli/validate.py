@@ -76,7 +76,10 @@ def validate(
     if pictures is not None:
         check_pictures(pictures, _page(output), overwrite=overwrite)
     names = suite or ["all"]
-    chosen(names, data)
+    try:
+        chosen(names, data)
+    except ParameterError as error:
+        raise error.named(f"--{error.field}") from None
     _check_matplotlib()
 
     from airlight.validation.provenance import provenance

@@ -12,7 +12,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import say
 from airlight.cli.examples import examples
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 EPILOG = examples(
     "airlight view earth",
@@ -104,7 +104,7 @@ def view(
         allowed = f"sides of {_SMALLEST} to {_LARGEST} pixels"
         raise ParameterError("--size", size, allowed)
     if look is not None and look_at is not None:
-        raise ParameterError("--look", look, "one of --look and --look-at")
+        raise ConflictError("--look", "cannot be combined with --look-at")
     view = _view_values(
         numbers={
             "view.altitude": (altitude, options.length, "--altitude"),

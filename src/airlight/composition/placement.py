@@ -118,7 +118,7 @@ class Placement:
             named = {field: key for key, field in KEYS.items()}
             if error.field in named and given.get(error.field) is None:
                 field = f"airlight.{named[error.field]}"
-                raise ParameterError(field, error.value, error.allowed) from None
+                raise error.named(field) from None
             raise
 
     @property
@@ -193,7 +193,7 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
     # h = (r² - R²)/(r + R), in which r² - R² does not cancel
     altitude = (east**2 + north**2 + high * (2.0 * bottom_radius + high)) / (r + bottom_radius)
     if altitude < _BELOW:
-        allowed = "0 m or above: raise the scene's origin by alt (--altitude)"
+        allowed = "0 m or above: raise the altitude of the scene's origin"
         raise ParameterError("camera's altitude", f"{altitude:.6g} m", allowed)
     up = from_centre / r
     axes = camera.axes @ place.to_east_north_up.T  # rows: east, north, up at the origin

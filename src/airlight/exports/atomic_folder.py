@@ -75,7 +75,7 @@ def check_folder(
         there = sorted(target.iterdir()) if target.is_dir() else []
         if there and not (target / MANIFEST).is_file() and not overwrite:
             reason = f"holds {there[0].name}, but no {MANIFEST}: name a new or empty folder"
-            raise FileError(folder, f"{reason}, or add --overwrite (overwrite=True)")
+            raise FileError(folder, f"{reason}, or allow overwriting")
         own = own_files(target / MANIFEST, form, overwrite=overwrite)
         check_replaceable(target, (), (MANIFEST, *own), patterns=files, overwrite=overwrite)
         for place in (target.parent, *((target,) if target.is_dir() else ())):

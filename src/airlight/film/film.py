@@ -175,4 +175,4 @@ def _of_a_key(error: ParameterError) -> ParameterError:
     """Error about a path, by the name that a film's file has for it."""
     if error.field != FIELD:
         return error
-    return ParameterError("film.keys", error.value, error.allowed, error.file)
+    return error.named("film.keys")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.film.key_frames import KeyFrames
-from airlight.planets.parameters import MISSING, parameters
+from airlight.planets.parameters import parameters
 from airlight.planets.schema.field import Field, Wavelengths
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.schema.toml_table import TomlTable
@@ -81,7 +81,7 @@ class FilmPlan(TomlModel):
             raise ParameterError("frames", self.frames, f"a whole number, 1 to {MOST_FRAMES}")
         for name, other in (("start", "end"), ("end", "start")):
             if getattr(self, name) is None and getattr(self, other) is not None:
-                raise ParameterError(name, MISSING, f"a time, beside {other}")
+                raise ConflictError(other, f"requires {name}")
         paths = [key.path for key in self.keys]
         for path in paths:
             if paths.count(path) > 1:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Annotated
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError
 from airlight.paint.star_points import check_stars
 from airlight.planets.parameters import parameters
 from airlight.planets.planet import Planet
@@ -133,7 +133,7 @@ class PlanetView(TomlModel):
         if self.look_at is not None:
             for name in ("look_zenith", "look_azimuth"):
                 if getattr(self, name) is not None:
-                    raise ParameterError(name, getattr(self, name), "none beside look_at")
+                    raise ConflictError(name, "cannot be combined with look_at")
 
     def scene(self, planet: Planet, time: datetime | None, width: int, height: int) -> Scene:
         """Scene of the view.
@@ -173,7 +173,7 @@ class PlanetView(TomlModel):
         if time is not None:
             for name in ("sun_zenith", "sun_azimuth"):
                 if getattr(self, name) is not None:
-                    raise ParameterError(name, getattr(self, name), "none beside a clock")
+                    raise ConflictError(name, "cannot be combined with a time")
             scene = Scene.at(
                 planet, latitude=self.latitude, longitude=self.longitude, time=time,
                 altitude=altitude, look_at=target, camera=camera, ground=self.ground,

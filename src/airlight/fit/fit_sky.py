@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.fit.free_parameters import FreeParameter, free_parameter
 from airlight.fit.least_squares import Data, FitResult, fit
 from airlight.fit.measurements import Measurements
@@ -386,7 +386,7 @@ def _nuisance(
 def _camera(settings: FitSettings, first: FloatArray, data: Photograph) -> list[Nuisance]:
     """Exposure, and what else of the camera is free."""
     if settings.per_scan:
-        raise ParameterError("each-scan", settings.per_scan[0], "nothing for a photograph")
+        raise ConflictError("per_scan", "does not apply to a photograph")
     whole, one = np.ones(first.size, bool), np.ones(1, bool)
     ratio = float(np.median(data.rgb.ravel()) / np.median(first))
     exposure = FitParameter(

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.matter.matter import Absorber, Matter, Scatterer
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.profiles import Profile
@@ -146,9 +146,11 @@ class Constituent(TomlModel):
 
     def __post_init__(self) -> None:
         if self.matter is not None and self.scattering != 0.0:
-            raise ParameterError("scattering", self.scattering, "none beside matter")
+            raise ConflictError("scattering", "cannot be combined with matter")
         if self.scatters and self._substance is None and self.phase_function is None:
-            raise ParameterError("phase_function", MISSING, "one, since it scatters")
+            raise ParameterError(
+                "phase_function", MISSING, "required, since the constituent scatters"
+            )
 
     @property
     def _substance(self) -> Matter | Scatterer | None:

@@ -467,7 +467,7 @@ def _prefix_errors(where: str) -> Iterator[None]:
     try:
         yield
     except ParameterError as error:
-        raise ParameterError(f"{where}.{error.field}", error.value, error.allowed) from None
+        raise error.named(f"{where}.{error.field}") from None
 
 
 def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:

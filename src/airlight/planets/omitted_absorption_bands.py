@@ -1,4 +1,4 @@
-"""Warnings of gas bands that a planet's gases have and its spectrum will not show."""
+"""Warnings of absorption bands of a planet's gases that its constituents omit."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ WEAKEST: Final = 0.02
 
 
 def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
-    """Name the bands of a planet's gases that are left out at some of the wavelengths.
+    """Describe the absorption bands of a planet's gases that are omitted at some wavelengths.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list
     >>> from airlight.planets import load_planet
     >>> for line in omitted_absorption_bands(load_planet("earth"), [550.0, 764.0]):
     ...     print(line.partition(";")[0])
-    bands of O2 are left out: up to 41 % of direct light at airmass 1.5, at 764 nm
+    absorption bands of O2 are omitted: up to 41 % of direct light at airmass 1.5, at 764 nm
     """
     nm = values_in(wavelengths, "nm", "wavelengths")
     lines = []
@@ -79,8 +79,8 @@ def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list
         loss = np.nan_to_num(one.loss)
         if loss.size and loss.max() >= WEAKEST:
             lines.append(
-                f"bands of {one.name} are left out: up to {100.0 * loss.max():.0f} % of direct "
-                f"light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm; "
+                f"absorption bands of {one.name} are omitted: up to {100.0 * loss.max():.0f} % of "
+                f"direct light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm; "
                 "docs/planets.md has absorbers for them"
             )
     columns = gas_columns(planet)
@@ -93,12 +93,12 @@ def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list
                 met.setdefault(formula, []).append(f"{low:g} to {high:g}")
     if met:
         named = "; ".join(f"{formula} {', '.join(spans)} nm" for formula, spans in met.items())
-        lines.append(f"bands without a table are missing, so that it is too bright there: {named}")
+        lines.append(f"radiance is overestimated in absorption bands without data: {named}")
     return lines
 
 
 def warn_of_omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
-    """Warn, a line for each kind of band, of what ``omitted_absorption_bands`` names.
+    """Warn of omitted absorption bands, one line for each kind.
 
     Wavelengths of pictures are exempt: each stands for a part of the spectrum, and a colour of the
     Earth's sky has 0.3 % of its light in bands.

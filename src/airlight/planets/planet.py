@@ -304,8 +304,7 @@ class Planet(TomlModel):
             If it names none.
         """
         if self.body is None:
-            allowed = f"one of {', '.join(WORLDS)}, in the planet's file or by --set body=earth"
-            raise ParameterError("body", MISSING, allowed)
+            raise ParameterError("body", MISSING, f"one of {', '.join(WORLDS)}")
         return world_named(self.body)
 
     @property

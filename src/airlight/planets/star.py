@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Field, Wavelengths
 from airlight.planets.schema.toml_model import TomlModel
@@ -66,7 +66,7 @@ def _spectrum_of_file(section: TomlTable, name: str, field: str) -> PerWavelengt
         if here is None:
             raise ParameterError(
                 section.name_of("distance"), MISSING,
-                f"a length, beside a spectrum that is given at {spectrum.distance}",
+                f"a length: the spectrum is for {spectrum.distance}",
             )  # fmt: skip
         if not (there > 0.0 and here > 0.0):
             raise ParameterError(f"distance of {file.name}", spectrum.distance, "a length above 0")
@@ -227,9 +227,11 @@ class Star(TomlModel):
         if self.temperature is not None:
             for name in ("distance", "radius"):
                 if getattr(self, name) is None:
-                    raise ParameterError(name, MISSING, "a length, beside a temperature")
+                    raise ConflictError("temperature", f"requires {name}")
         if self.irradiance is not None and self.distance is not None and self.radius is None:
-            raise ParameterError("distance", self.distance, "none beside an irradiance")
+            raise ConflictError(
+                "distance", "cannot be combined with irradiance, unless radius is given"
+            )
         if self.known_radius is not None and self.known_distance is not None:
             if self.known_radius > 0.5 * self.known_distance:
                 raise ParameterError("radius", self.known_radius, "at most half the distance")

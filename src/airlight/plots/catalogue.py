@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -339,4 +339,4 @@ def check_choices(kind: str, choices: Choices) -> None:
         value = getattr(choices, field.name)
         if value is not None and field.name not in takes:
             named = ", ".join(one.replace("_", "-") for one in takes) or "nothing"
-            raise ParameterError(field.name, value, f"none: {kind} takes {named}")
+            raise ConflictError(field.name, f"does not apply to {kind}, which takes {named}")

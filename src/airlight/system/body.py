@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.ephemeris.positions import BODIES
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics.moon_phase import (
     lambert_phase,
     lommel_seeliger_phase,
@@ -149,18 +149,18 @@ class Body(TomlModel):
             raise ParameterError("position", self.position, "three lengths")
         if self.planet is None:
             if self.radius is None:
-                raise ParameterError("radius", MISSING, "a length, of a body without air")
+                raise ParameterError("radius", MISSING, "a length, for a body without planet")
         else:
             for name in ("radius", "albedo", "map"):
                 if getattr(self, name) is not None:
-                    raise ParameterError(name, getattr(self, name), "none beside a planet")
+                    raise ConflictError(name, "cannot be combined with planet")
         if self.ephemeris is not None:
             for name, plain in (("position", (0.0, 0.0, 0.0)), ("pole", (0.0, 0.0, 1.0)),
                                 ("prime_meridian", 0.0), ("faces", None)):  # fmt: skip
                 if getattr(self, name) != plain:
-                    raise ParameterError(name, getattr(self, name), "none beside an ephemeris")
+                    raise ConflictError(name, "cannot be combined with ephemeris")
         if self.faces is not None and self.prime_meridian != 0.0:
-            raise ParameterError("prime_meridian", self.prime_meridian, "none beside faces")
+            raise ConflictError("prime_meridian", "cannot be combined with faces")
 
     @property
     def centre(self) -> FloatArray:

@@ -7,7 +7,7 @@ from typing import Annotated
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters, replace
 from airlight.planets.schema.field import Field, Wavelengths
 from airlight.planets.schema.toml_model import TomlModel
@@ -102,7 +102,7 @@ class Light(TomlModel):
         if self.body is not None:
             for name in ("direction", "position", "ephemeris", "corona"):
                 if getattr(self, name):
-                    raise ParameterError(name, getattr(self, name), "none beside a body")
+                    raise ConflictError(name, "cannot be combined with body")
             return
         ways = [name for name in ("direction", "position", "ephemeris") if getattr(self, name)]
         if len(ways) != 1:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.ephemeris.positions import position_of
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import replace
 from airlight.planets.reading.overrides import FIELD, overridden
 from airlight.planets.reading.reader import file_text, nested_tables
@@ -264,5 +264,5 @@ def _placed_light(light: Light, time: datetime | None, section: TomlTable) -> Li
 
 def _needed(time: datetime | None, section: TomlTable) -> datetime:
     if time is None:
-        raise ParameterError(section.name_of("ephemeris"), "no time", "beside a time of the scene")
+        raise ConflictError(section.name_of("ephemeris"), "requires time")
     return time

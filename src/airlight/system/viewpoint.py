@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters
 from airlight.planets.schema.field import Field
 from airlight.planets.schema.toml_model import TomlModel
@@ -159,9 +159,9 @@ class View(TomlModel):
             shown = " and ".join(given) if given else MISSING
             raise ParameterError("look_at", shown, f"one of {', '.join(ways)}")
         if given[0].startswith("look_zenith"):
-            for name in ("look_zenith", "look_bearing"):
+            for name, other in (("look_zenith", "look_bearing"), ("look_bearing", "look_zenith")):
                 if getattr(self, name) is None:
-                    raise ParameterError(name, MISSING, "an angle, beside the other one")
+                    raise ConflictError(other, f"requires {name}")
         if self.direction is not None:
             unit(self.direction, "direction")
         if self.up is not None:

@@ -1,4 +1,4 @@
-"""``--layout bruneton-demo``: folder for the WebGL demo of Bruneton's 2017 implementation.
+"""Layout ``bruneton-demo``: folder for the WebGL demo of Bruneton's 2017 implementation.
 
 ``demo.js`` loads three ``.dat`` files, RGBA floats, row 0 at texture coordinate 0, and three
 shaders. The planet's constants stand in the shaders, so these are written with the tables; their
@@ -177,7 +177,7 @@ def read_tables(folder: str | Path) -> SkyTables:
     Parameters
     ----------
     folder : str or Path
-        Folder written by ``--layout bruneton-demo``.
+        Folder written for layout ``bruneton-demo``.
 
     Raises
     ------
@@ -202,7 +202,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             mie_colours=np.array(said["MIE_COLOURS"]),
         )
     except (FileError, ValueError, KeyError, TypeError) as error:
-        raise FileError(path, f"is not a folder of --layout bruneton-demo: {error}") from error
+        raise FileError(path, f"is not a folder of layout bruneton-demo: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:

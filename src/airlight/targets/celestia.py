@@ -1,4 +1,4 @@
-"""``--layout celestia``: the atmosphere of a body for Celestia, as an ``.ssc`` file.
+"""Layout ``celestia``: the atmosphere of a body for Celestia, as an ``.ssc`` file.
 
 Lengths are km, coefficients km⁻¹. Particles are grey, with Schlick's approximation of the
 Henyey-Greenstein function; what absorbs has their scale height. ``MieAsymmetry`` is negative for

@@ -1,4 +1,4 @@
-"""``--layout cosmoscout``: textures for CosmoScout VR's Bruneton model, inputs of its tool.
+"""Layout ``cosmoscout``: textures for CosmoScout VR's Bruneton model, inputs of its tool.
 
 Nothing is fitted: phase functions are tables, so that the smooth light and the particles' are
 multiplied by their own. Light at many wavelengths is folded to luminances of red, green and blue;

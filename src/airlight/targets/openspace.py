@@ -1,4 +1,4 @@
-"""``--layout openspace``: the asset of an atmosphere for OpenSpace.
+"""Layout ``openspace``: the asset of an atmosphere for OpenSpace.
 
 Units and keys are those of ``RenderableAtmosphere``: km, km⁻¹, a Cornette-Shanks lobe. Two of its
 habits shape the file. The extinction of particles is their scattering over *one* single scattering

@@ -1,4 +1,4 @@
-"""``--layout takram``: folder for ``PrecomputedTexturesLoader`` of npm @takram/three-atmosphere.
+"""Layout ``takram``: folder for ``PrecomputedTexturesLoader`` of npm @takram/three-atmosphere.
 
 Files ``.bin`` are RGBA half floats, row 0 at texture coordinate 0; ``.exr`` hold the same texels
 with the whole picture upside down, since three.js turns it when it loads. There is no scale: the
@@ -79,7 +79,7 @@ def fill(
         If ``mie`` is another word, or light does not fit into half floats.
     """
     if mie not in ("separate", "combined"):
-        raise ParameterError("--mie", mie, "separate, combined")
+        raise ParameterError("mie", mie, "separate, combined")
     check_lowest_sun(lowest_sun)
     filled = fill_tables(
         solution,
@@ -174,7 +174,7 @@ def read_tables(folder: str | Path) -> SkyTables:
     Parameters
     ----------
     folder : str or Path
-        Folder written by ``--layout takram``.
+        Folder written for layout ``takram``.
 
     Raises
     ------
@@ -205,7 +205,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             darkest=_DARKEST,
         )
     except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
-        raise FileError(path, f"is not a folder of --layout takram: {error}") from error
+        raise FileError(path, f"is not a folder of layout takram: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:

@@ -1,4 +1,4 @@
-"""Programs that load a folder of files as it is, and the account of what each can hold."""
+"""Programs that load a folder of files as it is, and the report of an export for them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ConflictError, FileError, ParameterError
 from airlight.exports.atomic_folder import atomic_folder
 from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
 from airlight.kernel.threads import Progress
@@ -18,7 +18,7 @@ from airlight.solvers.provenance import version
 from airlight.solvers.refracted_geometry import require_no_refraction
 from airlight.solvers.solution import Solution
 
-#: Keys of the account in a manifest.
+#: Keys of the report in a manifest.
 _REPORT: Final = ("fitted", "errors", "notes")
 
 
@@ -103,7 +103,7 @@ class ErrorRow:
 
 @dataclass(frozen=True, kw_only=True)
 class ExportReport:
-    """Account of files that were filled: fits, errors, and what the program cannot hold.
+    """Report of an export: fits, errors, and what the program cannot represent.
 
     Attributes
     ----------
@@ -112,7 +112,7 @@ class ExportReport:
     errors : tuple of ErrorRow
         Errors against the solution, all fits included.
     notes : tuple of str
-        One line for each thing of the planet that the program cannot hold, with its size.
+        One line for each property of the planet that the program cannot represent, with its size.
     about : mapping
         Further facts for the manifest.
     """
@@ -151,7 +151,7 @@ class Target:
     Attributes
     ----------
     name : str
-        Name of the ``--layout``.
+        Name of the layout.
     program, version : str
         Program, and the version whose formats are written.
     fill : callable
@@ -166,7 +166,7 @@ class Target:
     bends_light : bool
         Whether the program draws refraction.
     default_wavelengths : str
-        Value of ``--wavelengths`` if it is not given and the program fixes none.
+        Wavelengths to solve if none are given and the program fixes none.
     """
 
     name: str
@@ -241,10 +241,9 @@ class Target:
 
     def check_options(self, options: Mapping[str, Any]) -> None:
         """Refuse an option that the program does not have."""
-        for name, value in options.items():
+        for name in options:
             if name not in self.options:
-                option = "--" + name.replace("_", "-")
-                raise ParameterError(option, value, f"left out with --layout {self.name}")
+                raise ConflictError(name, f"does not apply to layout {self.name}")
 
     def _check_wavelengths(self, solution: Solution) -> None:
         if self.wavelengths is None:
@@ -274,7 +273,7 @@ class Target:
 
 
 def read_export(folder: str | Path, target: Target) -> Export:
-    """Read the account of a folder from its manifest, as it was written.
+    """Read the export of a folder from its manifest.
 
     Parameters
     ----------

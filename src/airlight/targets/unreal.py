@@ -1,4 +1,4 @@
-"""``--layout unreal``: an editor script that sets an Unreal SkyAtmosphere.
+"""Layout ``unreal``: an editor script that sets an Unreal SkyAtmosphere.
 
 Lengths are km, coefficients km⁻¹, each a colour of up to 1 times a scale. Particles have a
 Henyey-Greenstein lobe, absorbing gases a tent.

@@ -219,7 +219,7 @@ def disort(
         summary=(
             "The light that reaches the ground through deep flat air, by the moments solver and by "
             f"PythonicDISORT: {met} of {len(thresholds)} are within {AIM:g} %. Deep in "
-            "conservative air, irradiance is a small difference of large terms, and the hardest to get right."
+            "conservative air, irradiance is a small difference of large terms."
         ),
         thresholds=thresholds,
         parts=[

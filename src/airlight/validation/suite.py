@@ -64,7 +64,7 @@ class Suite:
     Attributes
     ----------
     name : str
-        Name for ``airlight validate --suite``.
+        Name of the suite.
     title : str
         Heading of its section.
     summary : str
@@ -78,7 +78,7 @@ class Suite:
     seconds : float
         Wall time, set by the caller. [s]
     not_run : str
-        Reason for leaving it out, such as ``"needs --data"``; empty if it ran.
+        Reason for leaving it out, such as ``"requires reference data"``; empty if it ran.
     """
 
     name: str

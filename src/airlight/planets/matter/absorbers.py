@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics.gas_absorption import reference_coefficient, small_particle_absorption
 from airlight.planets.matter.matter import Absorber
 from airlight.planets.matter.state_keys import density_key, radius_key
@@ -208,7 +208,7 @@ class CrossSectionAbsorption(Absorber):
             given = MISSING if self.column is None else self.column
             raise ParameterError("column", given, "a column or a number_density, one of them")
         if self.column is not None and self.fraction != 1.0:
-            raise ParameterError("fraction", self.fraction, "none beside a column")
+            raise ConflictError("fraction", "cannot be combined with column")
 
     @property
     def limits(self) -> Limits:

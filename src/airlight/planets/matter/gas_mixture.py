@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import BeforeValidator
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics import lorentz_lorenz, rayleigh
 from airlight.optics.molecules import MOLECULES
 from airlight.planets.matter.gases import density_of_state, rayleigh_of
@@ -233,7 +233,7 @@ class GasMixture(Matter):
 
     def __post_init__(self) -> None:
         if self.pressure is not None and self.temperature is None:
-            raise ParameterError("temperature", MISSING, "one beside a pressure")
+            raise ConflictError("pressure", "requires temperature")
         if self.number_density > 0.0 and self.refractivity is not None:
             self._check_refractivity(self.refractivity)
         elif (self.refractivity_temperature, self.refractivity_pressure) != (None, None):

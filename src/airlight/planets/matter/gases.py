@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics import king_factor, rayleigh, refractive_index
 from airlight.optics.lorentz_lorenz import refractivity_at
 from airlight.planets.matter.matter import Scatterer
@@ -300,7 +300,7 @@ class RefractiveScattering(_Molecules):
     def __post_init__(self) -> None:
         density_of_state(self.number_density, self.temperature, self.pressure)
         if self.king_factor != 1.0 and self.depolarisation != 0.0:
-            raise ParameterError("king_factor", self.king_factor, "none beside a depolarisation")
+            raise ConflictError("king_factor", "cannot be combined with depolarisation")
 
     @property
     def limits(self) -> Limits:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.constituent import Constituent
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PHASES
@@ -55,16 +55,14 @@ def read_constituent(section: TomlTable, thickness: float) -> Constituent:
 
 
 def _matter(section: TomlTable, wavelengths: Wavelengths) -> Matter | None:
-    """Matter of the constituent, if given; beside it only absorption is given."""
+    """Matter of the constituent, if given; it can be combined with absorption only."""
     given = [kind for kind in MATTER if kind.keyword in section]
     if not given:
         return None
     kind = given[0]
     for name in (*(other.keyword for other in given[1:]), *COEFFICIENTS):
         if name != "absorption" and name in section:
-            raise ParameterError(
-                section.name_of(name), section.raw(name), f"none beside {kind.keyword!r}"
-            )
+            raise ConflictError(section.name_of(name), f"cannot be combined with {kind.keyword}")
     table = section.section(kind.keyword, f"a table such as {kind.example}")
     matter = kind.read(table, wavelengths)
     if matter.needs_phase and "phase_function" not in section:

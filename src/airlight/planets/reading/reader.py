@@ -11,7 +11,7 @@ from typing import Any, Final, Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from airlight.errors import Collector, FileError, ParameterError
+from airlight.errors import Collector, ConflictError, FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
@@ -95,8 +95,7 @@ def load_planet(
     made = getattr(name_or_path, "planet", None) if made is None else made
     if isinstance(made, Planet):
         if overrides:
-            allowed = "none for a Planet, which has no file: a preset or a path, or replace()"
-            raise ParameterError("overrides", dict(overrides), allowed)
+            raise ConflictError("overrides", "do not apply to a Planet object: use replace()")
         return made
     if not isinstance(name_or_path, (str, Path)):
         allowed = "a Planet, a solution, the name of a preset, or the path to a TOML file"

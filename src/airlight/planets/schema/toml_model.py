@@ -116,7 +116,7 @@ class TomlModel(Prebuilt):
 
 def _renamed(error: ParameterError, names: Mapping[str, str]) -> ParameterError:
     """Error of a field by the name of its key."""
-    return ParameterError(names.get(error.field, error.field), error.value, error.allowed)
+    return error.named(names.get(error.field, error.field))
 
 
 _FIELDS: Final[dict[type[Any], dict[str, Field]]] = {}

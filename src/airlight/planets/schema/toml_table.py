@@ -166,7 +166,7 @@ class TomlTable:
     def _prefixed(self, error: ParameterError) -> ParameterError:
         if error.file is not None or (self.path and error.field.startswith(self.path)):
             return error
-        return ParameterError(self.name_of(error.field), error.value, error.allowed)
+        return error.named(self.name_of(error.field))
 
 
 def quantity_list(value: Any, unit: str, field: str, *, bare: bool = False) -> tuple[float, ...]:
@@ -188,7 +188,7 @@ def spectral_of(
         return quantity(value, unit, field)
     values = quantity_list(value, unit, field)
     if wavelengths is None:
-        raise ParameterError(field, value, "one value, or a list beside a list of wavelengths")
+        raise ParameterError(field, value, "one value, or a list for a list of wavelengths")
     if len(values) != len(wavelengths):
         raise ParameterError(
             field, value, f"{len(wavelengths)} values, one for each of the wavelengths"

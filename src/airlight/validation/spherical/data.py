@@ -1,4 +1,4 @@
-"""Independent spherical radiances, read from the two files in the folder of ``--data``."""
+"""Independent spherical radiances, read from two files of reference data."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def read_scenes(folder: Path) -> list[ReferenceScene]:
     Parameters
     ----------
     folder : Path
-        Folder of reference data, as given by ``--data``.
+        Folder of reference data.
 
     Raises
     ------
@@ -119,7 +119,7 @@ def read_bruneton(folder: Path) -> tuple[FloatArray, FloatArray]:
     Parameters
     ----------
     folder : Path
-        Folder of reference data, as given by ``--data``.
+        Folder of reference data.
 
     Returns
     -------

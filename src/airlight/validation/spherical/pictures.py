@@ -61,8 +61,8 @@ def error_scatter(
     axes.legend(loc="upper left", fontsize=9, markerscale=4.0)
     grid(axes)
     caption = (
-        "Each point is one radiance. Linear within ±0.1 %, logarithmic beyond. Dashed: the "
-        "threshold for 95 % of the values; solid: the threshold for all, beyond the referee's noise."
+        "Each point is one radiance. Linear within ±0.1 %, logarithmic beyond. Dashed: threshold "
+        "for 95 % of the values; solid: for all of them, beyond the referee's noise."
     )
     return ReportPicture.from_figure(figure, title=title, caption=caption)
 

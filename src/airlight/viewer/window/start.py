@@ -51,7 +51,7 @@ class Start:
     other : str, optional
         Planet to compare it with.
     changes : tuple of str
-        Overrides ``PATH=VALUE``, as for ``airlight render --set``.
+        Overrides ``PATH=VALUE``.
     view : mapping
         View values by path.
     look : (float, float), optional
@@ -156,7 +156,7 @@ def opened(start: Start) -> Session:
         from airlight.planets.reading.overrides import overridden, parsed
 
         changed = overridden(session.planet.tables, dict(parsed(one) for one in start.changes))
-        session.replace_tables("--set", changed)
+        session.replace_tables("overrides", changed)
     for path, value in start.view.items():
         session.set(path, value)
     placed = "#" in start.planet or bool(set(start.view) & _PLACED)
