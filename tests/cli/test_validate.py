@@ -82,7 +82,7 @@ def test_all_without_data_says_what_was_not_run(
     page = tmp_path / "report.html"
     main(["validate", "-o", str(page)])
     out = capsys.readouterr().out
-    assert out.count("not run: needs --data") == 3
+    assert out.count("not run: requires reference data") == 3
     assert "not run: spherical, measured" in page.read_text(encoding="utf-8")
 
 

@@ -162,12 +162,12 @@ def test_a_full_disk_is_one_line_and_frames_are_kept(
              "-o", str(folder)]  # fmt: skip
     assert main(words) == 2
     *_, told, last = capsys.readouterr().err.splitlines()
-    assert told == "airlight: 2 frames were drawn; the same command draws the rest"
+    assert told == "airlight: 2 frames are complete; the same command renders the others"
     assert "rock_00003.png: cannot be written: No space left on device" in last
     assert sorted(contents(folder)) == ["rock_00001.png", "rock_00002.png"]
     left[0] = 100
     assert main(words) == 0
-    assert "2 drawn, 2 kept" in capsys.readouterr().out
+    assert "2 rendered, 2 unchanged" in capsys.readouterr().out
 
 
 def test_a_closed_folder_is_refused_before_anything_is_drawn(

@@ -55,7 +55,7 @@ def test_gas_wavelength_and_size_of_a_band_are_named(
     name: str, nm: float, gas: str, size: int
 ) -> None:
     # The tables by Beer's law.
-    words = re.escape(f"bands of {gas} are left out: up to {size} %") + f".*at {nm:g} nm"
+    words = re.escape(f"bands of {gas} are omitted: up to {size} %") + f".*at {nm:g} nm"
     with pytest.warns(AirlightWarning, match=words) as caught:
         warn_of_omitted_bands(load_planet(name), [550.0, nm])
     assert len(caught) == 1
@@ -72,7 +72,7 @@ def test_air_by_its_name_has_oxygen(tmp_path: Path) -> None:
 
 def test_solve_warns_before_it_computes() -> None:
     # The order: a callback that cancels at once comes too late to silence it.
-    with pytest.warns(AirlightWarning, match="O2 are left out"), pytest.raises(airlight.Cancelled):
+    with pytest.warns(AirlightWarning, match="O2 are omitted"), pytest.raises(airlight.Cancelled):
         airlight.solve("earth", [761.0], "preview", cache=False, cancel=lambda: True)
 
 
@@ -83,7 +83,7 @@ def test_the_command_line_says_it_once(capsys: pytest.CaptureFixture[str]) -> No
     lines = capsys.readouterr().err.splitlines()
     (line,) = [line for line in lines if "O2" in line]
     assert line == (
-        "airlight: Earth: bands of O2 are left out: up to 37 % of direct light at airmass 1.5, "
+        "airlight: Earth: absorption bands of O2 are omitted: up to 37 % of direct light at airmass 1.5, "
         "at 761 nm; docs/planets.md has absorbers for them"
     )
 
@@ -91,7 +91,7 @@ def test_the_command_line_says_it_once(capsys: pytest.CaptureFixture[str]) -> No
 def test_a_sweep_warns_in_the_process_that_asks(tmp_path: Path) -> None:
     # Workers have no reader.
     grid = Grid(planets=["earth"], sun_zenith=[0], view_zenith=[0], wavelengths=[940.0])
-    with pytest.warns(AirlightWarning, match="H2O are left out"):
+    with pytest.warns(AirlightWarning, match="H2O are omitted"):
         sweep(grid, tmp_path / "band.zarr", quality="preview", workers=1)
 
 

@@ -72,7 +72,7 @@ def test_a_folder_that_fails_leaves_the_old_one(green: Any, tmp_path: Path) -> N
 
 
 def test_what_the_program_lacks_is_refused(green: Any, tmp_path: Path) -> None:
-    with pytest.raises(ParameterError, match="left out with --layout echo"):
+    with pytest.raises(ParameterError, match="does not apply to layout echo"):
         ECHO.write(green, tmp_path / "echo", file_form="x")
     red = replace(ECHO, wavelengths=(680.0,))
     with pytest.raises(ParameterError, match="680 nm for Echo"):

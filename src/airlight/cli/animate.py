@@ -35,9 +35,7 @@ EPILOG = examples(
 def animate(
     film: Annotated[
         str,
-        typer.Argument(
-            metavar="FILM", help="A film file, a scene or a planet: a preset or a TOML file."
-        ),
+        typer.Argument(metavar="FILM", help="Film, scene or planet: a preset or a TOML file."),
     ],
     output: Annotated[
         list[Path],
@@ -45,7 +43,7 @@ def animate(
             "--output",
             "-o",
             metavar="FOLDER|FILM.mp4",
-            help="Folder of the frames; a second time, an MP4 of them too.",
+            help="Folder of the frames; repeated, also an MP4.",
         ),
     ],
     frames: Annotated[int | None, typer.Option(metavar="N", help="Number of frames (120).")] = None,
@@ -55,19 +53,20 @@ def animate(
     start: Annotated[
         str | None,
         typer.Option(
-            metavar="TIME", help="Of the first frame, as --time of render; the clock runs to --end."
+            metavar="TIME", help="Time of the first frame, as --time of render; requires --end."
         ),
     ] = None,
-    end: Annotated[str | None, typer.Option(metavar="TIME", help="Of the last frame.")] = None,
+    end: Annotated[str | None, typer.Option(metavar="TIME", help="Time of the last frame.")] = None,
     zone: Annotated[
-        str | None, typer.Option(metavar="ZONE", help="Of times without one: Europe/Stockholm.")
+        str | None,
+        typer.Option(metavar="ZONE", help="Time zone of --start and --end: Europe/Stockholm."),
     ] = None,
     key: Annotated[
         list[str] | None,
         typer.Option(
             metavar="PATH=A,B[,C …] [LAW]",
-            help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: linear, "
-            "smooth, exponential, smooth-exponential. May be given several times.",
+            help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
+            "{film.laws:LAWS}. May be repeated.",
         ),
     ] = None,
     set_: Annotated[
@@ -75,45 +74,46 @@ def animate(
         typer.Option(
             "--set",
             metavar="PATH=VALUE",
-            help="Change a key first: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.",
+            help="Override a key: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.",
         ),
     ] = None,
     size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="1280x720, or one number.")
+        str | None, typer.Option(metavar="WxH", help="Frame size: 1280x720, or one number.")
     ] = None,
     format_: Annotated[
-        Literal["png", "exr"], typer.Option("--format", help="Of the frames; EXR is linear.")
+        Literal["png", "exr"],
+        typer.Option("--format", help="File format of the frames; EXR is linear."),
     ] = "png",
     bits: Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")] = 8,
     name: Annotated[
-        str | None, typer.Option(metavar="NAME", help="In NAME_00001.png; the film's if left out.")
+        str | None, typer.Option(metavar="NAME", help="Prefix of NAME_00001.png (the film's name).")
     ] = None,
     exposure: Annotated[
         str,
         typer.Option(
             metavar="EV|auto|locked",
-            help="auto follows the light smoothly; locked is the first frame's; or a number.",
+            help="Exposure: auto (smoothly adapting), locked (that of the first frame), or EV.",
         ),
     ] = "auto",
     tone_map: Annotated[
-        str, typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …")
+        str, typer.Option(metavar="NAME", help="Tone map: {color.tone_maps:TONE_MAPS}.")
     ] = "natural",
     encoding: Annotated[
-        Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")
+        Literal["srgb", "gamma"], typer.Option(help="Transfer function of the frames.")
     ] = "srgb",
     primaries: Annotated[
-        Literal["srgb", "display-p3"], typer.Option(help="The picture's primaries.")
+        Literal["srgb", "display-p3"], typer.Option(help="Primaries of the frames.")
     ] = "srgb",
     glare: options.Glare = 1.0,
     wavelengths: Annotated[
-        str | None, typer.Option(metavar="rgb|N|LIST", help="As for render.")
+        str | None, typer.Option(metavar="rgb|N|LIST", help="Wavelengths, as for render.")
     ] = None,
     quality: options.Quality = "default",
     exact: Annotated[
-        bool, typer.Option("--exact", help="March pixel by pixel; of a planet.")
+        bool, typer.Option("--exact", help="Ray-march every pixel; planets only.")
     ] = False,
     samples: Annotated[
-        int | None, typer.Option(metavar="N", help="Samples per side of a pixel, up to 16.")
+        int | None, typer.Option(metavar="N", help="Samples per side of each pixel, up to 16.")
     ] = None,
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,

@@ -6,6 +6,7 @@ import atexit
 import contextlib
 import gc
 import os
+import re
 import sys
 import traceback
 from collections.abc import Sequence
@@ -13,7 +14,7 @@ from importlib import import_module
 from typing import Annotated, Any, Final
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 from airlight.child_processes import SAFE_PATH
 from airlight.cli.console import note, noted_warnings
@@ -53,8 +54,28 @@ COMMANDS: Final = {
 }
 
 
+#: Words of a registry in a help text: ``{module:NAME}``.
+_REGISTRY: Final = re.compile(r"\{([\w.]+):(\w+)\}")
+
+
+def _words(match: re.Match[str]) -> str:
+    return ", ".join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+
+
+class Command(TyperCommand):
+    """Command whose help texts list the words of registries."""
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write the options; registries are imported for it, and not before."""
+        for parameter in self.params:
+            text = getattr(parameter, "help", None)
+            if text:
+                parameter.help = _REGISTRY.sub(_words, text)  # type: ignore[attr-defined]
+        super().format_options(ctx, formatter)
+
+
 class Commands(TyperGroup):
-    """Group of commands, each imported when it is called or asked for its help."""
+    """Group of commands, each imported when it is called or its help is shown."""
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Names of the commands, in the order of the help."""
@@ -67,7 +88,7 @@ class Commands(TyperGroup):
         name = cmd_name.replace("-", "_")
         module = import_module(f"airlight.cli.{name}")
         alone = typer.Typer(**_TYPER)
-        alone.command(cmd_name, epilog=module.EPILOG)(getattr(module, name))
+        alone.command(cmd_name, cls=Command, epilog=module.EPILOG)(getattr(module, name))
         return typer.main.get_command(alone)
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:

@@ -38,33 +38,35 @@ def bake(
         str,
         typer.Option(
             metavar="|".join(LAYOUTS),
-            help="bruneton: height, view, sun and the angle between them; atmosphere-plus: "
-            "without that angle; or a program, whose files are written as it loads them.",
+            help="Table layout: bruneton (altitude, view, sun and the angle between them), "
+            "atmosphere-plus (without that angle), or the files of a program.",
         ),
     ],
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", metavar="DIR", help="A folder: new, empty, or of tables."),
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of tables."
+        ),
     ],
     mapping: Annotated[
         Literal["linear", "power", "weighted-power"] | None,
-        typer.Option(help="Of atmosphere-plus (weighted-power)."),
+        typer.Option(help="Atmosphere-plus: mapping of the axes (weighted-power)."),
     ] = None,
     packing: Annotated[
         Literal["rgba", "separate", "phase-included"] | None,
         typer.Option(
-            help="Of atmosphere-plus. rgba: phase functions at look-up, particles in alpha, grey; "
-            "separate: particles in a table of their own; phase-included: radiance at --azimuth."
+            help="Atmosphere-plus: rgba (phase functions at look-up, particles in alpha, grey), "
+            "separate (a table of the particles), phase-included (radiance at --azimuth)."
         ),
     ] = None,
     azimuth: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Of phase-included; 0 is the sun's side (0deg)."),
+        typer.Option(metavar="ANGLE", help="Phase-included: azimuth from the sun (0deg)."),
     ] = None,
     mie: Annotated[
         Literal["separate", "combined"] | None,
         typer.Option(
-            help="Of bruneton: particles' single light in a table of its own, or in alpha with "
+            help="Bruneton: single scattering of particles in a separate table, or in alpha with "
             "colours restored at look-up."
         ),
     ] = None,
@@ -72,8 +74,8 @@ def bake(
         str | None,
         typer.Option(
             metavar="NxNxN",
-            help="Texels: height x view x sun x angle (32x128x32x8), or height x view x sun "
-            "(32x256x32).",
+            help="Table size: altitude x view x sun x angle (32x128x32x8), or altitude x view x "
+            "sun (32x256x32).",
         ),
     ] = None,
     lowest_sun: Annotated[
@@ -81,37 +83,39 @@ def bake(
         typer.Option(
             "--lowest-sun",
             metavar="ANGLE",
-            help="Of bruneton: largest zenith angle of the sun in the tables, 90deg to 180deg (the "
-            "end of twilight).",
+            help="Bruneton: largest sun zenith angle in the tables, 90deg to 180deg (the end of "
+            "twilight).",
         ),
     ] = None,
     smooth_phase: Annotated[
         Literal["own", "rayleigh"] | None,
         typer.Option(
-            help="Of bruneton: divisor of the light that is not the particles' single light. own: "
-            "its own shape, in phase-functions.npz; rayleigh: for shaders with Bruneton's own "
-            "look-up, worse in dusty air (own)."
+            help="Bruneton: phase function that divides all but the particles' single scattering: "
+            "own (fitted, in phase-functions.npz), or rayleigh (for shaders with Bruneton's "
+            "look-up, worse in dusty air) (own)."
         ),
     ] = None,
     precision: Annotated[
-        Literal["half", "single"], typer.Option(help="Of the numbers stored; half is scaled.")
+        Literal["half", "single"], typer.Option(help="Number format; half is scaled.")
     ] = "single",
     order: Annotated[
         str,
-        typer.Option(metavar="K|all", help="Light scattered or reflected exactly K times."),
+        typer.Option(
+            metavar="K|all", help="Scattering order K only, reflections included; or all."
+        ),
     ] = "all",
     cumulative: Annotated[
-        bool, typer.Option("--cumulative", help="With --order K: at most K times.")
+        bool, typer.Option("--cumulative", help="Scattering orders up to K of --order.")
     ] = False,
     wavelengths: Annotated[
         str,
         typer.Option(
             metavar="rgb|N|LIST",
-            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+            help="Wavelengths: rgb (680, 550, 440 nm), a number over the visible, or a list in nm.",
         ),
     ] = "rgb",
     solver: Annotated[
-        Literal["moments", "direct", "montecarlo"], typer.Option(help="Whose light is baked.")
+        Literal["moments", "direct", "montecarlo"], typer.Option(help="Solver.")
     ] = "moments",
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,

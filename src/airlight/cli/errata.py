@@ -30,13 +30,13 @@ def errata(
         str | None,
         typer.Option(
             metavar="AP1|AP2|BT|OS",
-            help="One document: first or later Atmosphere Plus notes, Bruneton walk-through, "
+            help="Source document: first or later Atmosphere Plus notes, Bruneton walk-through, "
             "OpenSpace paper.",
         ),
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write a page of Markdown, .md."),
+        typer.Option("--output", "-o", metavar="FILE", help="Output page, .md."),
     ] = None,
 ) -> None:
     """List what the source documents print otherwise, and compute what it changes.

@@ -40,14 +40,16 @@ def fit(
         str,
         typer.Option(
             metavar="LIST",
-            help="What is fitted: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, "
-            "any number of the planet's file by its path; of the instrument scale, "
+            help="Free parameters: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, "
+            "or the path of a number of the planet's file; of the instrument scale, "
             "pointing.azimuth, pointing.zenith, and white_balance.red, .blue of a photograph.",
         ),
     ],
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", metavar="FILE", help="Planet file with the fitted values."),
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Output planet file with the fitted values."
+        ),
     ],
     data: Annotated[
         Path | None,
@@ -55,77 +57,80 @@ def fit(
     ] = None,
     photo: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="A photograph instead: PNG, JPEG, or linear EXR."),
+        typer.Option(
+            metavar="FILE", help="Photograph, instead of --data: PNG, JPEG, or linear EXR."
+        ),
     ] = None,
     report: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="A page .html, or .md with pictures beside it."),
+        typer.Option(metavar="FILE", help="Report: .html, or .md with a folder of pictures."),
     ] = None,
     each_scan: Annotated[
         str,
-        typer.Option(metavar="LIST", help="Of the instrument's parameters, those of every scan."),
+        typer.Option(metavar="LIST", help="Instrument parameters fitted per scan."),
     ] = "",
     bounds: Annotated[
-        str, typer.Option(metavar="LIST", help="Narrower bounds, such as ground.albedo=0..0.4.")
+        str, typer.Option(metavar="LIST", help="Bounds of parameters, e.g. ground.albedo=0..0.4.")
     ] = "",
     prior: Annotated[
         str,
-        typer.Option(metavar="LIST", help="What is known before, such as ozone.column=320±20."),
+        typer.Option(
+            metavar="LIST", help="Prior values with standard deviations, e.g. ozone.column=320±20."
+        ),
     ] = "",
     start: Annotated[
-        str, typer.Option(metavar="LIST", help="Values to begin with, instead of the planet's.")
+        str, typer.Option(metavar="LIST", help="Starting values (those of the planet).")
     ] = "",
     uncertainty: Annotated[
         str | None,
         typer.Option(
-            metavar="SHARE",
-            help="Relative standard deviation of the values, such as 3%; by default the file's, or "
-            "estimated from the residuals.",
+            metavar="FRACTION",
+            help="Relative standard deviation of the data, e.g. 3% (that of the file, or estimated "
+            "from the residuals).",
         ),
     ] = None,
     loss: Annotated[
         str,
-        typer.Option(
-            metavar="linear|soft_l1|huber|cauchy", help="How much outliers count: linear, fully."
-        ),
+        typer.Option(metavar="linear|soft_l1|huber|cauchy", help="Loss function of the residuals."),
     ] = "linear",
     exclude_sun: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="Leave out directions nearer to the sun (radiances: none; photograph: 15).",
+            help="Exclude directions closer to the sun (photograph: 15deg).",
         ),
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of a photograph: where the sun is.")
+        str | None, typer.Option(metavar="ANGLE", help="Photograph: sun zenith angle.")
     ] = None,
     altitude: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Of a photograph: where the camera is.")
+        str, typer.Option(metavar="LENGTH", help="Photograph: altitude of the camera.")
     ] = "0m",
     projection: Annotated[
-        str, typer.Option(metavar="NAME", help="Of a photograph: fisheye, perspective, …")
+        str,
+        typer.Option(
+            metavar="NAME", help="Photograph: projection: {scene.projections:PROJECTIONS}."
+        ),
     ] = "fisheye",
     fov: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of a photograph: field of view.")
+        str | None, typer.Option(metavar="ANGLE", help="Photograph: field of view.")
     ] = None,
     look: Annotated[
         str | None,
         typer.Option(
-            metavar="ZENITH,AZIMUTH", help="Of a photograph: direction, from the sun's side."
+            metavar="ZENITH,AZIMUTH", help="Photograph: camera direction; azimuth from the sun."
         ),
     ] = None,
-    roll: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of a photograph: turn of the camera.")
-    ] = "0",
+    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Photograph: camera roll.")] = "0",
     encoding: Annotated[
-        str, typer.Option(metavar="srgb|gamma|linear", help="Of a photograph that is no EXR.")
+        str, typer.Option(metavar="srgb|gamma|linear", help="Photograph: encoding, unless EXR.")
     ] = "srgb",
     tone_map: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Of a photograph: tone map to take back."),
+        typer.Option(metavar="NAME", help="Photograph: tone map to invert."),
     ] = None,
     above: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of a photograph: lowest altitude that counts.")
+        str, typer.Option(metavar="ANGLE", help="Photograph: lowest elevation angle used.")
     ] = "5",
     quality: options.Quality = "default",
     set_: options.Set = None,
@@ -134,7 +139,7 @@ def fit(
 ) -> None:
     """Fit parameters of a planet to measured radiances, or to a photograph of its sky.
 
-    An interrupted fit goes on where it was if it is started again.
+    An interrupted fit resumes when it is started again.
     """
     from airlight.exports.atomic_file import atomic_file, check_target
 

@@ -42,7 +42,7 @@ def _print_kinds(asked: bool) -> None:
 
     table = Table(box=None, pad_edge=False)
     table.add_column("kind", style="bold", no_wrap=True)
-    table.add_column("what it shows")
+    table.add_column("description")
     for name, kind in KINDS.items():
         table.add_row(name, kind.sentence)
     console().print(table)
@@ -51,32 +51,34 @@ def _print_kinds(asked: bool) -> None:
 
 def plot(
     planet: options.Planet_,
-    kind: Annotated[
-        str, typer.Argument(metavar="KIND", help="What to show; --list says all kinds.")
-    ],
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="Kind of figure; see --list.")],
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, .svg or .pdf.")
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="Output figure: .png, .svg or .pdf."),
     ],
     wavelengths: Annotated[
         str | None,
         typer.Option(
             metavar="rgb|N|LIST",
-            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+            help="Wavelengths: rgb (680, 550, 440 nm), a number over the visible, or a list in nm.",
         ),
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun.")
+        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle.")
     ] = None,
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the observer above the ground.")
+        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground.")
     ] = None,
     quality: Annotated[
         Literal["preview", "default", "fine"] | None,
-        typer.Option(help="How closely the air is solved, where it must be."),
+        typer.Option(help="Solver accuracy."),
     ] = None,
     no_polarisation: options.NoPolarisation = False,
     dpi: Annotated[
-        float, typer.Option(metavar="NUMBER", help="Pixels an inch; figures are 8 inches wide.")
+        float,
+        typer.Option(
+            metavar="NUMBER", help="Resolution in pixels per inch; figures are 8 inches wide."
+        ),
     ] = 150.0,
     list_: Annotated[
         bool, typer.Option("--list", callback=_print_kinds, is_eager=True, help="List all kinds.")
@@ -86,7 +88,7 @@ def plot(
 ) -> None:
     """Draw a figure of a planet: its star, its air, its light, its tables.
 
-    An option that the kind does not use is refused.
+    Options that the kind does not use are rejected.
     """
     from airlight.exports.atomic_file import atomic_file, check_target
     from airlight.plots.figure import require_matplotlib, write_figure

@@ -46,28 +46,28 @@ def radiance(
         str | None,
         typer.Option(
             metavar="LENGTH",
-            help="Of the observer above the ground (0m); several: "
-            "0m,2km or 0:10:2km, here and below, print a table.",
+            help="Observer altitude above ground (0m). Lists (0m,2km) and ranges (0:10:2km), here "
+            "and below, print a table.",
         ),
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
+        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer.")
     ] = None,
     view_zenith: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Zenith angle of the line of sight at the observer."),
+        typer.Option(metavar="ANGLE", help="View zenith angle at the observer."),
     ] = None,
     azimuth: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Between view and sun; 0 is the sun's side (0deg)."),
+        typer.Option(metavar="ANGLE", help="Azimuth between view and sun (0deg)."),
     ] = None,
     input_: Annotated[
         str | None,
         typer.Option(
             "--input",
             metavar="FILE",
-            help="A CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is "
-            "the standard input.",
+            help="Input CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is "
+            "standard input.",
         ),
     ] = None,
     output: Annotated[
@@ -76,22 +76,22 @@ def radiance(
             "--output",
             "-o",
             metavar="FILE",
-            help="With --input: a .csv, the same with radiance_<nm>nm appended, or a .nc (netCDF); "
-            "- is the standard output. A .csv that was stopped is continued.",
+            help="Output, with --input: .csv (the input with radiance_<nm>nm appended) or .nc "
+            "(netCDF); - is standard output. An interrupted .csv is continued.",
         ),
     ] = "-",
     stokes: Annotated[
         bool,
         typer.Option(
             "--stokes",
-            help="Polarised light: I, Q and U, the degree of linear polarisation (dolp) and its "
-            "angle (aolp, from the plane of line and zenith, counterclockwise, in degrees).",
+            help="Stokes parameters I, Q and U, degree (dolp) and angle of linear polarisation "
+            "(aolp, from the meridian plane, counterclockwise, in degrees).",
         ),
     ] = False,
     wavelengths: Annotated[
         str | None,
         typer.Option(
-            metavar="LIST", help="In nm, such as 680,550,440; the planet's own if left out."
+            metavar="LIST", help="Wavelengths in nm, e.g. 680,550,440 (the planet's default)."
         ),
     ] = None,
     quality: options.Quality = "default",
@@ -100,20 +100,20 @@ def radiance(
         str,
         typer.Option(
             metavar="|".join(SOLVERS),
-            help="montecarlo traces each answer anew and adds its standard error.",
+            help="Solver; montecarlo traces every radiance and adds its standard error.",
         ),
     ] = "moments",
     relative_error: Annotated[
         float | None,
         typer.Option(
             metavar="NUMBER",
-            help="Of montecarlo: standard error over radiance that is small enough (preview 0.03, "
-            "default 0.005, fine 0.001).",
+            help="Monte Carlo: target relative standard error (preview 0.03, default 0.005, fine "
+            "0.001).",
         ),
     ] = None,
     seed: Annotated[
         int | None,
-        typer.Option(metavar="NUMBER", help="Of montecarlo's random numbers (1)."),
+        typer.Option(metavar="NUMBER", help="Monte Carlo: seed of the random numbers (1)."),
     ] = None,
     latitude: options.Latitude = None,
     longitude: options.Longitude = None,

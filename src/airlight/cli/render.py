@@ -58,7 +58,9 @@ def render(
     planet: options.Planet_,
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr or .hdr."),
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Output picture: .png, or linear .exr or .hdr."
+        ),
     ],
     at: time_and_place.At = None,
     time_: time_and_place.Time = None,
@@ -69,47 +71,45 @@ def render(
         str | None,
         typer.Option(
             metavar="LENGTH",
-            help="Of the observer above the ground: 10m. 2m if left out.",
+            help="Observer altitude above ground, e.g. 10m (2m).",
         ),
     ] = None,
     look: Annotated[
         str | None,
         typer.Option(
             metavar="ZENITH,AZIMUTH",
-            help="Where to look; azimuth 0 is the sun's side, 90 to its right. If left out: the "
-            "horizon at azimuth -75; for a fisheye the zenith.",
+            help="Camera direction; azimuth 0 is towards the sun, 90 to its right. Default: the "
+            "horizon at azimuth -75; the zenith for a fisheye.",
         ),
     ] = None,
     look_at: Annotated[
         str | None,
         typer.Option(
-            metavar="WORD|BEARING",
-            help="Instead: horizon, nadir, zenith; sun or, with --time, moon where they are seen; "
-            "or a compass bearing, NE or 315, with an elevation 315/20, without on the horizon.",
+            metavar="horizon|nadir|zenith|sun|moon|BEARING",
+            help="Camera target, instead of --look: moon requires --time; a compass bearing is NE "
+            "or 315, with an elevation 315/20.",
         ),
     ] = None,
-    roll: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line.")
-    ] = "0deg",
+    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Camera roll, clockwise.")] = "0deg",
     polariser: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="An ideal polarising filter in front of the camera: angle of its axis from the "
-            "camera's up, counterclockwise.",
+            help="Axis of an ideal polarising filter in front of the camera, counterclockwise "
+            "from the camera's up.",
         ),
     ] = None,
     show: Annotated[
         Literal["dolp", "aolp"] | None,
         typer.Option(
             metavar="dolp|aolp",
-            help="Instead of colours, degree or angle of linear polarisation with a legend; of an "
-            ".exr a channel beside the layers of --stokes.",
+            help="Quantity shown instead of colours: degree or angle of linear polarisation, "
+            "with a legend; a channel of an .exr.",
         ),
     ] = None,
     stokes: Annotated[
         bool,
-        typer.Option("--stokes", help="Layers Q and U beside the colours of an .exr."),
+        typer.Option("--stokes", help="Stokes layers Q and U in an .exr."),
     ] = False,
     sun_zenith: options.SunZenith = None,
     moon: second_lights.Moon = None,
@@ -119,43 +119,46 @@ def render(
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="Perspective: from left to right (60deg); fisheye: across the circle (180deg); "
-            "orthographic: the length from left to right (14000km; the whole disc if left out).",
+            help="Field of view: horizontal (60deg); of a fisheye across the circle (180deg); of "
+            "orthographic a width, e.g. 14000km (the whole disc).",
         ),
     ] = None,
     projection: Annotated[
         str,
         typer.Option(
             metavar="NAME",
-            help="perspective, fisheye (dome master), equirectangular (panorama), cubemap, "
-            "octahedral (a square of equal solid angles) or orthographic (parallel lines of sight: "
-            "the planet's disc, with north up).",
+            help="Projection: {scene.projections:PROJECTIONS}. orthographic shows the planet's "
+            "disc, north up.",
         ),
     ] = "perspective",
     size: Annotated[
         str | None,
         typer.Option(
             metavar="WxH",
-            help="1280x720; one number: a square's, a panorama's or a cube face's width.",
+            help="Picture size, e.g. 1280x720; one number: side of a square or cube face, or "
+            "width of a panorama.",
         ),
     ] = None,
     crop: Annotated[
         str | None,
         typer.Option(
             metavar="X,Y,W,H",
-            help="Window of the picture that is drawn, in pixels from its left and top edge: a "
-            "tile. With --exposure EV and --glare 0, and for an .exr or .hdr, only it is computed.",
+            help="Window of the picture to render, in pixels from the left and top edge. Only it "
+            "is computed for an .exr or .hdr, or with --exposure EV and --glare 0.",
         ),
     ] = None,
     exposure: options.Exposure = None,
     iso: Annotated[
-        float | None, typer.Option(metavar="ISO", help="Instead, a camera's sensitivity: 100,")
+        float | None,
+        typer.Option(
+            metavar="ISO", help="Camera sensitivity, e.g. 100; requires --aperture and --shutter."
+        ),
     ] = None,
     aperture: Annotated[
-        str | None, typer.Option(metavar="F", help="its aperture, f/8, and")
+        str | None, typer.Option(metavar="F", help="Camera aperture, e.g. f/8.")
     ] = None,
     shutter: Annotated[
-        str | None, typer.Option(metavar="TIME", help="its shutter time, 1/250 s.")
+        str | None, typer.Option(metavar="TIME", help="Camera shutter time, e.g. 1/250s.")
     ] = None,
     tone_map: options.ToneMap = "natural",
     encoding: options.Encoding = "srgb",
@@ -171,23 +174,27 @@ def render(
         int,
         typer.Option(
             metavar="N",
-            help="Samples per side of every pixel, up to 16. The horizon is smooth without.",
+            help="Samples per side of each pixel, up to 16; the horizon is antialiased anyway.",
         ),
     ] = 1,
     latitude: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the ground below, by its map: 25deg.")
+        str | None,
+        typer.Option(metavar="ANGLE", help="Observer latitude, for the ground map, e.g. 25deg."),
     ] = None,
     longitude: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Of the ground below, by its map; east is +: 30deg."),
+        typer.Option(
+            metavar="ANGLE",
+            help="Observer longitude, east positive, for the ground map, e.g. 30deg.",
+        ),
     ] = None,
     sun_azimuth: options.SunAzimuth = None,
     ground: Annotated[
         Literal["plain", "detailed"],
         typer.Option(
-            metavar="WORD",
-            help="plain: its map alone; detailed: with noise below the map's resolution, which is "
-            "decoration.",
+            metavar="plain|detailed",
+            help="Ground: plain (the map) or detailed (with decorative noise below the map's "
+            "resolution).",
         ),
     ] = "detailed",
     ground_albedo: options.GroundAlbedo = None,

@@ -37,48 +37,50 @@ def sky(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="An .exr or .hdr, linear; or a .png to look at."
+            "--output", "-o", metavar="FILE", help="Output map: linear .exr or .hdr, or .png."
         ),
     ],
     for_: Annotated[
         Literal["blender", "mitsuba", "usd", "godot", "three", "unity", "pbrt", "dome"],
-        typer.Option("--for", help="Who reads it: which bearing is in the middle, and its axes."),
+        typer.Option("--for", help="Target program; sets orientation and axes."),
     ],
     sun: Annotated[
         Literal["include", "exclude", "light"],
         typer.Option(
-            help="Discs of sun and moon: in the map; left out; or lights of their own in the JSON "
-            "and, for usd and mitsuba, in a scene."
+            help="Discs of sun and moon: in the map, excluded, or separate lights in the JSON (usd "
+            "and mitsuba: in a scene)."
         ),
     ] = "include",
     ground: Annotated[
         Literal["neutral", "map", "black"],
-        typer.Option(help="Lower half: grey of the ground's albedo; the planet's own; or nothing."),
+        typer.Option(
+            help="Lower half of the map: grey of the ground's albedo, the planet's map, or black."
+        ),
     ] = "neutral",
     size: Annotated[
-        str | None, typer.Option(metavar="N", help="Width; of a square map its side. 2048, 1024.")
+        str | None, typer.Option(metavar="N", help="Map width (2048; 1024 if square).")
     ] = None,
     front: Annotated[
-        str | None, typer.Option(metavar="BEARING", help="Of a dome, at its bottom: S or 180.")
+        str | None, typer.Option(metavar="BEARING", help="Dome: bearing at its bottom, S or 180.")
     ] = None,
     tilt: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of a dome towards its front: 0deg.")
+        str | None, typer.Option(metavar="ANGLE", help="Dome: tilt towards its front (0deg).")
     ] = None,
     up: Annotated[
-        Literal["y", "z"] | None, typer.Option(help="Of usd, the layer's axis: y if left out.")
+        Literal["y", "z"] | None, typer.Option(help="USD: up axis of the layer (y).")
     ] = None,
     precision: Annotated[
-        Literal["float", "half"], typer.Option(help="Of the channels of an .exr.")
+        Literal["float", "half"], typer.Option(help="Number format of EXR channels.")
     ] = "float",
     compression: Annotated[
-        Literal["zip", "dwa", "none"], typer.Option(help="Of an .exr; dwa is small and lossy.")
+        Literal["zip", "dwa", "none"], typer.Option(help="EXR compression; dwa is lossy.")
     ] = "zip",
     scale: Annotated[
         str,
         typer.Option(
             metavar="auto|FACTOR",
-            help="Factor of an .exr's numbers, which its header and the JSON say; auto is 1, and "
-            "where they are kept in half floats a power of two that these can hold.",
+            help="Factor of the stored radiances, recorded in the header and the JSON; auto: 1, or "
+            "a power of two that fits half floats.",
         ),
     ] = "auto",
     at: time_and_place.At = None,
@@ -87,7 +89,7 @@ def sky(
     season: time_and_place.Season = None,
     sun_distance: time_and_place.SunDistance = "true",
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the observer above the ground (2m).")
+        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground (2m).")
     ] = None,
     sun_zenith: options.SunZenith = None,
     sun_azimuth: options.SunAzimuth = None,

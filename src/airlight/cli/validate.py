@@ -31,29 +31,31 @@ def validate(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="A page .html, or .md with pictures beside it."
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="Report: .html, or .md with a folder of pictures.",
         ),
     ],
     suite: Annotated[
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="golden, solvers, spherical, cie, measured, kider, energy, disort, published, "
-            "polarisation or all (all); may be given several times.",
+            help="Suites: {validation.run:SUITES} or all (all). May be repeated.",
         ),
     ] = None,
     data: Annotated[
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Reference data, which spherical, measured and kider need; not shipped.",
+            help="Folder of reference data for spherical, measured and kider; not distributed.",
         ),
     ] = None,
     pictures: Annotated[
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Write a Markdown version too, with its pictures in this folder.",
+            help="Folder of pictures for an additional Markdown version.",
         ),
     ] = None,
     overwrite: options.Overwrite = False,

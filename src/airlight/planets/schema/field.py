@@ -1,7 +1,7 @@
 """Declaration of a key of a planet file: range, unit, default, choices, and how it is edited.
 
-A ``Field`` is part of the annotation of a field of a parameter object, and validates
-its values; reader, overrides, lists of controls and the tables of the handbook use the same ``Field``.
+A ``Field`` is part of the annotation of a field of a parameter object, and validates its values;
+reader, overrides, lists of controls and the tables of the handbook use the same ``Field``.
 """
 
 from __future__ import annotations

@@ -77,8 +77,8 @@ class AngstromLaw:
 PUBLISHED_AEROSOL: Final = AngstromLaw(beta=0.04, alpha=0.8)
 #: Ångström law measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245,
 #: 0.1252, 0.1283, and Ångström exponent from 440 to 870 nm 1.175, 1.119, 0.999, 0.929, 0.862, means
-#: of the five almucantars that the phase function is the mean of. AERONET, Egbert, level 1.5, version
-#: 2; PI: N. O'Neill, I. Abboud, V. Fioletov.
+#: of the five almucantars of the phase function. AERONET, Egbert, level 1.5, version 2; PI:
+#: N. O'Neill, I. Abboud, V. Fioletov.
 AERONET_AEROSOL: Final = AngstromLaw(beta=0.12199 * 0.44**1.0166, alpha=1.0166)
 #: Single-scattering albedo of all published models; AERONET retrieved none.
 PUBLISHED_ALBEDO: Final = 0.8
