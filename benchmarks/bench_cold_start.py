@@ -1,6 +1,6 @@
 """The whole command, from the shell's return key to the written picture.
 
-Bar: ``airlight render earth`` within 2 s with compiled code and solution cached.
+Target: ``airlight render earth`` within 2 s with compiled code and solution cached.
 
 Run with ``pytest benchmarks/bench_cold_start.py``.
 """

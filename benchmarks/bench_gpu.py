@@ -1,6 +1,6 @@
 """Frames of the GPU: drawn for a window, read back as numbers, and what an empty frame costs.
 
-Bar: 20 frames a second at 960 x 540 with the sky table, on two cores and lavapipe (no GPU at all).
+Target: 20 frames a second at 960 x 540 with the sky table, on two cores and lavapipe (no GPU at all).
 A frame begins with a moved camera and ends when the device has done it; beside the time stands the
 part of it that the device's own clock gives to our passes.
 

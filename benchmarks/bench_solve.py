@@ -1,6 +1,6 @@
 """Solving, compiled code at hand, nothing from the cache.
 
-Bar, on two cores: three wavelengths at default quality within 0.5 s, at preview within 0.1 s;
+Target, on two cores: three wavelengths at default quality within 0.5 s, at preview within 0.1 s;
 16 wavelengths at default quality within 3 s. Fine has no bar.
 
 Run with ``pytest benchmarks/bench_solve.py``.

@@ -77,7 +77,7 @@ class Case(NamedTuple):
         return Planet(
             name="extreme", bottom_radius=self.radius, top_radius=self.radius + self.thickness,
             ground=Ground(albedo=self.albedo), star=Star(irradiance=1.0, angular_radius=0.0),
-            constituents=(particles,), own_wavelengths=(550.0,),
+            constituents=(particles,), default_wavelengths=(550.0,),
         )  # fmt: skip
 
 

@@ -89,7 +89,7 @@ def case(seed: int) -> tuple[dict[str, Any], Planet, dict[str, list[float]]]:
     strength = depth / profile.column(top)
     planet = Planet(
         name=name, bottom_radius=radius, top_radius=radius + top, ground=Ground(albedo=albedo),
-        star=Star(irradiance=1.0, angular_radius=0.0047), own_wavelengths=(550.0,),
+        star=Star(irradiance=1.0, angular_radius=0.0047), default_wavelengths=(550.0,),
         constituents=(
             Constituent(
                 name="gas", profile=Exponential(scale_height=height), scattering=gas,

@@ -2,7 +2,7 @@
 
 ``python builders/compiled_code.py`` fills ``src/airlight/compiled``, in a few minutes; then
 ``python -m build --wheel`` makes a wheel for this system, this version of Python and processors
-with the features of ``airlight.kernel.shipped_code``. A changed source file, and another version
+with the features of ``airlight.kernel.prebuilt_cache``. A changed source file, and another version
 of Numba, leave code unused: the folder is made anew each time.
 """
 
@@ -15,11 +15,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from airlight.kernel.shipped_code import SHIPPED, copy_machine_code, target
+from airlight.kernel.prebuilt_cache import PREBUILT, copy_machine_code, target
 
 #: Code of pictures that are drawn, and that a window draws.
 LOOPS = (
-    "from airlight.render.ahead import compile_loops\n"
+    "from airlight.render.background_compilation import compile_loops\n"
     "from airlight.color.exposure import eased\n"
     "compile_loops()\n"
     "eased(0.0, 1.0, 0.1, 0.4)\n"
@@ -44,8 +44,8 @@ def main() -> None:
     """Compile in an empty cache, for the target's features, and copy what Python calls."""
     made_for = target()
     if made_for is None:
-        sys.exit("no target in airlight.kernel.shipped_code runs on this processor")
-    shutil.rmtree(SHIPPED, ignore_errors=True)
+        sys.exit("no target in airlight.kernel.prebuilt_cache runs on this processor")
+    shutil.rmtree(PREBUILT, ignore_errors=True)
     with tempfile.TemporaryDirectory() as place:
         cache = Path(place) / "cache"
         own = {
@@ -60,9 +60,9 @@ def main() -> None:
             print(f"airlight {words}", flush=True)
             command = "from airlight.cli import run_process; raise SystemExit(run_process())"
             subprocess.run([sys.executable, "-P", "-c", command, *words.split()], **home)
-        count = copy_machine_code(cache / "kernels", SHIPPED)
-    size = sum(file.stat().st_size for file in SHIPPED.rglob("*") if file.is_file())
-    print(f"{SHIPPED}: {count} functions, {size / 1e6:.1f} MB")
+        count = copy_machine_code(cache / "kernels", PREBUILT)
+    size = sum(file.stat().st_size for file in PREBUILT.rglob("*") if file.is_file())
+    print(f"{PREBUILT}: {count} functions, {size / 1e6:.1f} MB")
 
 
 if __name__ == "__main__":

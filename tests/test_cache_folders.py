@@ -250,8 +250,8 @@ def test_nothing_is_compiled_ahead_where_nothing_is_kept(tmp_path: Path) -> None
     (tmp_path / "cache").chmod(0o777)
     before = (
         "import formula\n"
-        "from airlight.kernel.ahead import CompiledAhead\n"
-        "ahead = CompiledAhead('formula:none', [formula.cubed])\n"
+        "from airlight.kernel.background_compiler import BackgroundCompiler\n"
+        "ahead = BackgroundCompiler('formula:none', [formula.cubed])\n"
         "assert ahead._process is None and ahead.ready(formula.cubed)\n"
         "formula.cubed(2.0)\n"
         "assert ahead.compiling.done == ahead.compiling.total == 2\n"

@@ -101,9 +101,9 @@ def test_compilation_ahead_does_not_import_from_the_working_directory(
     script = own / "script.py"  # whose folder Python puts first on the path, as a user wants it
     script.write_text(
         "import formula\n"
-        "from airlight.kernel.ahead import CompiledAhead\n"
+        "from airlight.kernel.background_compiler import BackgroundCompiler\n"
         "from airlight.kernel.compiling import on_disk\n"
-        "ahead = CompiledAhead('formula:compile_cubed', [formula.cubed])\n"
+        "ahead = BackgroundCompiler('formula:compile_cubed', [formula.cubed])\n"
         "ahead.wait(formula.cubed, lambda: False)\n"
         "ahead.close()\n"
         "print(on_disk(formula.cubed))\n"

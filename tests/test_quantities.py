@@ -16,9 +16,9 @@ import airlight
 from airlight.composition.placement import Placement
 from airlight.ephemeris.sky import Place
 from airlight.errors import ParameterError
-from airlight.fit.fit_sky import Request
+from airlight.fit.fit_sky import FitSettings
 from airlight.fit.measurements import Measurements
-from airlight.fit.parameter import Parameter
+from airlight.fit.parameter import FitParameter
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.spectra.blackbody import planck_radiance
 from airlight.sweep import Grid
@@ -157,14 +157,16 @@ def test_grids_and_measurements_take_quantities() -> None:
 
 def test_starts_and_bounds_of_a_fit_are_read_in_the_parameter_s_unit() -> None:
     # 300 DU are 0.3 atm-cm, by definition
-    ozone = Parameter(name="o", unit="DU", start=300.0, low=0.0, high=900.0, least_step=1.0)
+    ozone = FitParameter(name="o", unit="DU", start=300.0, low=0.0, high=900.0, least_step=1.0)
     assert_allclose(ozone.number("0.3 atm-cm", "start"), 300.0, rtol=1e-12)
     assert ozone.number(250, "start") == 250.0
-    height = Parameter(name="h", unit="km", start=1.0, low=0.1, high=9.0, least_step=0.1)
+    height = FitParameter(name="h", unit="km", start=1.0, low=0.1, high=9.0, least_step=0.1)
     assert height.number(1500.0 * UNIT.m, "start") == 1.5
     with pytest.raises(ParameterError, match=r"start of h is .* something else"):
         height.number(3.0 * UNIT.s, "start of h")
-    assert Request(free=["h"], uncertainty=3.0 * UNIT.percent).uncertainty == pytest.approx(0.03)
+    assert FitSettings(free=["h"], uncertainty=3.0 * UNIT.percent).uncertainty == pytest.approx(
+        0.03
+    )
 
 
 @pytest.mark.parametrize("of", ["rgb", "depth"])

@@ -22,7 +22,7 @@ class AirlightError(Exception):
 
 
 class ParameterError(AirlightError, ValueError):
-    """Unusable value, with its field and what is allowed.
+    """Invalid value, with its field and the allowed values.
 
     Parameters
     ----------
@@ -61,13 +61,52 @@ class ParameterError(AirlightError, ValueError):
             brief(f"{where}{brief(self.field, whole=200)} is {shown}; allowed: {self.allowed}")
         )
 
-    def in_file(self, file: str | Path) -> ParameterError:
+    def named(self, field: str) -> ParameterError:
+        """Same error of a field by another name."""
+        return ParameterError(field, self.value, self.allowed, self.file)
+
+    def in_file(self, file: str | Path | None) -> ParameterError:
         """Same error with the name of the file that holds the field."""
         return ParameterError(self.field, self.value, self.allowed, file)
 
 
+class ConflictError(ParameterError):
+    """Field that requires or excludes another one.
+
+    Parameters
+    ----------
+    field : str
+        Path of the value, or name of the option.
+    phrase : str
+        Verb phrase: ``requires a time``, ``cannot be combined with a spectrum``.
+    file : str or Path, optional
+        File that holds the field.
+
+    Examples
+    --------
+    >>> print(ConflictError("star.distance", "cannot be combined with irradiance"))
+    star.distance cannot be combined with irradiance
+    """
+
+    def __init__(self, field: str, phrase: str, file: str | Path | None = None) -> None:
+        super().__init__(field, None, phrase, file)
+        self.args = (field, phrase, file)
+
+    def __str__(self) -> str:
+        where = "" if self.file is None else f"{brief(self.file, whole=200)}: "
+        return plain(brief(f"{where}{brief(self.field, whole=200)} {self.allowed}"))
+
+    def named(self, field: str) -> ConflictError:
+        """Same error of a field by another name."""
+        return ConflictError(field, self.allowed, self.file)
+
+    def in_file(self, file: str | Path | None) -> ConflictError:
+        """Same error with the name of the file that holds the field."""
+        return ConflictError(self.field, self.allowed, file)
+
+
 class ParameterErrors(ParameterError):
-    """Several unusable values at once, on one line; field, value and range are the first's.
+    """Several unusable values, on one line; field, value and range are those of the first.
 
     Parameters
     ----------
@@ -92,7 +131,7 @@ class ParameterErrors(ParameterError):
         parts = [str(first)]
         length = len(parts[0])
         for count, one in enumerate(others):
-            whole = str(ParameterError(one.field, one.value, one.allowed))
+            whole = str(one.in_file(None))
             short = whole.partition("; allowed: ")[0]
             text = whole if length + len(whole) < _LONGEST_LINE // 2 else short
             if length + len(text) > _LONGEST_LINE:
@@ -102,7 +141,11 @@ class ParameterErrors(ParameterError):
             length += len(text) + len("; also: ")
         return "; also: ".join(parts)
 
-    def in_file(self, file: str | Path) -> ParameterErrors:
+    def named(self, field: str) -> ParameterError:
+        """First of the errors, of a field by another name."""
+        return self.errors[0].named(field)
+
+    def in_file(self, file: str | Path | None) -> ParameterErrors:
         """Same errors with the name of the file that holds the fields."""
         return ParameterErrors([one.in_file(file) for one in self.errors])
 
@@ -110,7 +153,7 @@ class ParameterErrors(ParameterError):
 def changed(
     error: ParameterError, change: Callable[[ParameterError], ParameterError]
 ) -> ParameterError:
-    """Error of which each part is changed: ``change(part)`` of one, or of several at once."""
+    """Error with ``change`` applied to each of its parts."""
     if isinstance(error, ParameterErrors):
         return ParameterErrors([change(one) for one in error.errors])
     return change(error)

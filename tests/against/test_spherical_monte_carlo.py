@@ -23,7 +23,7 @@ SCENES = [
 ]  # fmt: skip
 
 #: Median, 95 % and largest error that each quality may have.
-BARS = {"default": (0.003, 0.02, 0.05), "fine": (0.001, 0.007, 0.02)}
+THRESHOLDS = {"default": (0.003, 0.02, 0.05), "fine": (0.001, 0.007, 0.02)}
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ def judge(
         f"{100 * median:.3f} %  95 % {100 * high:.3f} %  max {100 * beyond.max():.2f} % "
         f"({worst}, {RGB[c]} nm: {got[n, c]:.3e} for {known.radiance[n, c]:.3e})"
     )
-    bar = BARS[quality]
+    bar = THRESHOLDS[quality]
     assert median <= bar[0]
     assert high <= bar[1]
     assert beyond.max() <= bar[2]

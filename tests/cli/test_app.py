@@ -73,7 +73,10 @@ def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> Non
         (["radiance", "earth", "--sun-zenith", "181", "--view-zenith", "0"], "0 to 180 deg"),
         (["radiance", "earth", "--altitude=-1km", "--sun-zenith=0", "--view-zenith=0"], "-440 m"),
         (["radiance", "earth", "--output", "a.csv"], "only together with --input"),
-        (["radiance", "earth", "--input", "-", "--azimuth", "0"], "not together with --input"),
+        (
+            ["radiance", "earth", "--input", "-", "--azimuth", "0"],
+            "--azimuth cannot be combined with --input",
+        ),
         (["radiance", "earth", "--input", "no.csv"], "no.csv: cannot be read: No such file"),
     ],
 )
@@ -106,7 +109,7 @@ def test_bad_input_is_one_line_and_status_2(
         (["--size", "0x10"], "camera.width is 0"),
         (["--size", "100x100", "--projection", "cubemap"], "six times as wide as high"),
         (["--look", "90"], "zenith,azimuth in degrees"),
-        (["--look", "90,0", "--look-at", "sun"], "one of --look and --look-at"),
+        (["--look", "90,0", "--look-at", "sun"], "--look cannot be combined with --look-at"),
         (["--wavelengths", "2"], "a picture has colours"),
         (["--wavelengths", "0"], "--wavelengths is '0'"),
         (["--wavelengths", "550,550,440"], "each wavelength once"),

@@ -166,7 +166,7 @@ def test_the_sun_of_a_place_and_time_is_that_of_its_angles(tmp_path: Path) -> No
          "colour is 'in channels"),
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--planet=vulcan"], "vulcan"),
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--normals=render.exr"],
-         "--normals is 'render.exr'; allowed: only together with --albedo"),
+         "--normals requires --albedo"),
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--altitude=-100m",
           "--planet=earth-atmosphere-plus", *QUICK], "camera's altitude is '-70 m'"),
     ],

@@ -65,7 +65,7 @@ def test_fit_writes_planet_and_report(
         (["--free", "ground.albedo", "--prior", "ground.albedo=0.1"], "MEAN±SIGMA"),
         (["--free", "ground.albedo", "--uncertainty", "0"], "--uncertainty"),
         (["--free", "ground.albedo", "--loss", "square"], "--loss is 'square'"),
-        (["--free", "ground.albedo", "--photo", "x.png"], "one of them"),
+        (["--free", "ground.albedo", "--photo", "x.png"], "--data cannot be combined with --photo"),
         (["--free", "ground.albedo", "--report", "x.pdf"], "--report"),
         (["--free", "ground.albedo", "-o", "x.txt"], ".toml"),
         (["--free", "scale, ground.albedo", "--each-scan", "ground.brightness"], "--each-scan"),

@@ -69,10 +69,10 @@ def test_what_cannot_be_interrupted_is_left_within_a_second(tmp_path: Path) -> N
     script = (
         "import sys, time, importlib\n"
         "from airlight.kernel.threads import run_blocks\n"
-        "from airlight.exports.whole_file import whole_file\n"
+        "from airlight.exports.atomic_file import atomic_file\n"
         "home = importlib.import_module('airlight.cli.planets')\n"
         "def stuck():\n"
-        "    with whole_file('a.png') as part:\n"
+        "    with atomic_file('a.png') as part:\n"
         "        part.write_text('half')\n"
         "        print('begun', flush=True)\n"
         "        run_blocks(lambda k: time.sleep(60.0), 4)\n"

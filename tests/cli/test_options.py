@@ -115,7 +115,7 @@ def test_exposure_is_a_camera_s_too() -> None:
 @pytest.mark.parametrize(
     ("arguments", "field"),
     [
-        (("auto", 100.0, "8", "1s"), "--exposure is 'auto'; allowed: left out beside --iso"),
+        (("auto", 100.0, "8", "1s"), "--exposure cannot be combined with --iso"),
         ((None, 100.0, None, "1s"), "--iso is 100.0; allowed: all of"),
         ((None, 0.0, "8", "1s"), "--iso is 0.0; allowed: above 0"),
         ((None, 100.0, "8", "0s"), "--shutter is 0.0; allowed: above 0"),
@@ -164,7 +164,7 @@ def test_an_albedo_that_is_none_is_refused(text: str) -> None:
     [
         ((None, "10", None), "--latitude is '10'; allowed: both of"),
         ((None, None, "10"), "--longitude is '10'; allowed: both of"),
-        (("0.3", "10", "20"), "--latitude is '10'; allowed: not together with --ground-albedo"),
+        (("0.3", "10", "20"), "--latitude cannot be combined with --ground-albedo"),
         ((None, "100", "20"), "--latitude is 100.0; allowed: -90 to 90 deg"),
     ],
 )

@@ -128,7 +128,7 @@ def test_pipes_work(cases: Path, answers: Path) -> None:
         timeout=600,
     )
     assert done.stdout == answers.read_text()
-    note = "airlight: lines of sight that miss the planet's air, with 0: 1 of 5\n"
+    note = "airlight: 1 of 5 lines of sight miss the atmosphere: radiance 0\n"
     assert done.stderr == note
 
 

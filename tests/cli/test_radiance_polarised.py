@@ -70,7 +70,7 @@ def test_scalar_transfer_is_a_choice_and_another_radiance(
     ("words", "part"),
     [
         (["--solver", "direct"], "--stokes is True; allowed: with --solver moments or montecarlo"),
-        (["--no-polarisation"], "--stokes is True; allowed: without --no-polarisation"),
+        (["--no-polarisation"], "--stokes cannot be combined with --no-polarisation"),
     ],
 )
 def test_polarised_light_of_scalar_transfer_is_one_line(

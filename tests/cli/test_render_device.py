@@ -61,7 +61,7 @@ def test_where_the_gpu_cannot_the_processor_does_and_one_line_says_why(
 ) -> None:
     monkeypatch.setenv("AIRLIGHT_GPU", "off")
     instead, _ = rendered(tmp_path / "gpu.exr", *words, "--device", "gpu")
-    assert capsys.readouterr().err == f"airlight: the processor renders instead: {reason}\n"
+    assert capsys.readouterr().err == f"airlight: falling back to the CPU: {reason}\n"
     wanted, _ = rendered(tmp_path / "cpu.exr", *words)
     assert_array_equal(instead.view(np.uint32), wanted.view(np.uint32))
 

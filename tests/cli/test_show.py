@@ -98,4 +98,4 @@ def test_the_ground_that_the_air_is_solved_for_is_said(
     assert float(out.split(": albedo ")[1].split()[0]) > 5.0 * 0.105
     assert "planet 0.105" in out
     assert main(["show", "earth", "--ground-albedo", "0.3"]) == 0
-    assert "ground below the air as given" in " ".join(capsys.readouterr().out.split())
+    assert "solver albedo as given" in " ".join(capsys.readouterr().out.split())

@@ -25,7 +25,7 @@ def test_a_map_its_json_and_its_lines(tmp_path: Path, capsys: pytest.CaptureFixt
     assert re.fullmatch(r"\S+sky\.exr  64x32  \d+ kB  \d+\.\d s  float, linear, scale 1", lines[0])
     assert re.fullmatch(
         r"star: bearing 120\.00°, elevation 30\.03°, 0\.533° wide, [\d.e+]+ lx, "
-        r"a light of its own", lines[1],
+        r"a separate light", lines[1],
     )  # fmt: skip
     rgb, texts = read_exr(path)
     assert rgb.shape == (32, 64, 3)
@@ -93,7 +93,10 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
         (["--for", "dome", "-o", "a.exr", "--tilt", "120"], "--tilt is 120.0; allowed: 0 to 90"),
         (["--for", "usd", "-o", "a.exr", "--exposure", "1"], "--exposure is '1'; allowed: left"),
         (["--for", "usd", "-o", "a.exr", "--tone-map", "aces"], "--tone-map is 'aces'; allowed"),
-        (["--for", "usd", "-o", "a.png", "--precision", "half"], "left out for a .png"),
+        (
+            ["--for", "usd", "-o", "a.png", "--precision", "half"],
+            "--precision does not apply to .png files",
+        ),
         (["--for", "usd", "-o", "a.exr", "--scale", "-1"], "--scale is '-1'"),
         (["--for", "usd", "-o", "a.png", "--bits", "12"], "--bits is 12; allowed: 8 or 16"),
         (["--for", "usd", "-o", "a.exr", "--size", "65x40"], "twice as wide as high"),
@@ -132,4 +135,4 @@ def test_render_refuses_display_options_for_a_linear_file(
     assert main(["render", "earth", "-o", str(tmp_path / "a.exr"), *word]) == 2
     line = capsys.readouterr().err
     assert f"{word[0]} is" in line
-    assert "left out for an .exr, which is linear radiance" in line
+    assert "does not apply to .exr files, which hold linear radiance" in line

@@ -63,4 +63,4 @@ def test_missing_bands_and_lines_that_miss_are_said(capsys: pytest.CaptureFixtur
     assert "CO2 1200 to 1220, 1520 to 1660 nm" in capsys.readouterr().err
     assert main(["radiance", "earth-bruneton", "--altitude", "1000km", "--sun-zenith", "60",
                 "--view-zenith", "90", "--quality", "preview"]) == 0  # fmt: skip
-    assert "miss the planet's air, with 0: 1 of 1" in capsys.readouterr().err
+    assert "1 of 1 lines of sight miss the atmosphere" in capsys.readouterr().err

@@ -14,7 +14,7 @@ import pytest
 from airlight.cli import main
 from airlight.validation import golden as golden_suite
 from airlight.validation import run as suites
-from airlight.validation.suite import Bar, Picture, ReportTable, Suite
+from airlight.validation.suite import ReportPicture, ReportTable, Suite, Threshold
 
 pytest.importorskip("matplotlib")
 
@@ -38,7 +38,7 @@ def test_golden_numbers_make_a_page_and_status_0(
     # The real suite from the command line to the file.
     page = tmp_path / "report.html"
     assert main(["validate", "--suite", "golden", "-o", str(page)]) == 0
-    assert "golden     all bars met" in capsys.readouterr().out
+    assert "golden     all thresholds met" in capsys.readouterr().out
     text = page.read_text(encoding="utf-8")
     ElementTree.fromstring(text.replace("<!DOCTYPE html>", ""))
     assert "213.865952" in text
@@ -47,12 +47,12 @@ def test_golden_numbers_make_a_page_and_status_0(
 
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> Suite:
-    """Every suite but golden replaced by one with a picture; golden misses a bar."""
-    picture = Picture(title="Some picture", png=ONE_PIXEL)
+    """Every suite but golden replaced by one with a picture; golden misses a threshold."""
+    picture = ReportPicture(title="Some picture", png=ONE_PIXEL)
     table = ReportTable(title="Worst", columns=["case"], rows=[("the worst of all",)])
     made = Suite(
         name="golden", title="Golden numbers", summary="Numbers.", parts=[table, picture],
-        bars=[Bar(name="numbers missed", got=1, allowed=0)],
+        thresholds=[Threshold(name="numbers missed", got=1, allowed=0)],
     )  # fmt: skip
     kept = {
         name: replace(entry, compute=lambda *_, name=name, **__: replace(made, name=name, parts=[]))
@@ -71,7 +71,7 @@ def test_a_missed_bar_is_said_and_status_1(
     page = tmp_path / "report.html"
     assert main(["validate", "--suite", "golden", "-o", str(page)]) == 1
     out = capsys.readouterr().out
-    assert "misses a bar" in out
+    assert "misses a threshold" in out
     assert "missed: numbers missed: 1, allowed 0" in out
     assert "the worst of all" in page.read_text(encoding="utf-8")
 
@@ -82,7 +82,7 @@ def test_all_without_data_says_what_was_not_run(
     page = tmp_path / "report.html"
     main(["validate", "-o", str(page)])
     out = capsys.readouterr().out
-    assert out.count("not run: needs --data") == 3
+    assert out.count("not run: requires reference data") == 3
     assert "not run: spherical, measured" in page.read_text(encoding="utf-8")
 
 

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight import ParameterError
 from airlight.composition import Pinhole, Placement
-from airlight.composition.placement import viewpoint
+from airlight.composition.placement import pinhole_view
 
 from .views import looking
 
@@ -40,7 +40,7 @@ def test_the_heading_is_the_bearing_of_the_scene_s_forward_axis() -> None:
 def test_a_level_plane_rises_above_the_ground() -> None:
     # h = sqrt(R² + d²) - R at the distance d from where the plane touches, and millimetres are kept
     camera = moved(looking(0.0, 0.0), (0.0, 100.0, 0.002))
-    view = viewpoint(camera, Placement(metres_per_unit=1000.0), EARTH)
+    view = pinhole_view(camera, Placement(metres_per_unit=1000.0), EARTH)
     wanted = math.sqrt(100e3**2 + (EARTH + 2.0) ** 2) - EARTH
     assert view.scene.altitude == pytest.approx(wanted, abs=1e-6)
     # 100 km north of the origin are d/R radians of latitude
@@ -51,7 +51,7 @@ def test_the_sun_stands_elsewhere_for_a_camera_far_away() -> None:
     # a quarter of the way round the equator the sun has set a quarter
     place = Placement(sun_zenith=30.0, sun_azimuth=270.0, altitude=0.0)
     camera = moved(looking(0.0, 0.0), (2.0 * EARTH, 0.0, 0.0))  # east, and above
-    view = viewpoint(camera, place, EARTH)
+    view = pinhole_view(camera, place, EARTH)
     assert view.scene.longitude == pytest.approx(math.degrees(math.atan2(2.0, 1.0)))
     assert view.scene.sun_zenith == pytest.approx(30.0 + view.scene.longitude)
     assert view.scene.sun_azimuth % 360.0 == pytest.approx(270.0)
@@ -66,7 +66,7 @@ def test_a_camera_keeps_its_axes_in_every_position() -> None:
         turn[2, 3] = 10.0
         camera = Pinhole(width=8, height=6, focal_x=8.0, focal_y=8.0, to_world=turn)
         place = Placement(sun_zenith=90.0, sun_azimuth=90.0, heading=0.0)
-        axes = viewpoint(camera, place, EARTH).axes
+        axes = pinhole_view(camera, place, EARTH).axes
         # the observer's x is the sun's side, east; y north of it to the left; z up
         assert_allclose(axes, camera.axes, atol=1e-9)
 

@@ -59,7 +59,7 @@ def test_processes_take_tasks_one_by_one() -> None:
     ("options", "line"),
     [
         ({"workers": 0}, "workers is 0; allowed: 1 to 256"),
-        ({"workers": 2, "scheduler": "tcp://a:1"}, "none beside a scheduler"),
+        ({"workers": 2, "scheduler": "tcp://a:1"}, "cannot be combined with scheduler"),
     ],
 )
 def test_options_that_contradict_are_refused(options: dict, line: str) -> None:

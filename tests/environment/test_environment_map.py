@@ -177,7 +177,7 @@ def test_unknown_words_are_refused() -> None:
     with pytest.raises(ParameterError, match="include, exclude, light"):
         environment_map(planet, scene, blender, sun="both")
     behind = replace(scene, camera=replace(scene.camera, polariser=30.0))
-    with pytest.raises(ParameterError, match=r"camera\.polariser is 30\.0; allowed: none of a map"):
+    with pytest.raises(ParameterError, match=r"camera\.polariser does not apply"):
         environment_map(planet, behind, blender)
     with pytest.raises(ParameterError, match="neutral, map, black"):
         environment_map(planet, scene, blender, ground="white")

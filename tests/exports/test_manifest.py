@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from airlight.errors import FileError
+from airlight.exports.atomic_folder import atomic_folder, check_folder
 from airlight.exports.manifest import (
     MANIFEST,
     fingerprint,
@@ -19,14 +20,13 @@ from airlight.exports.manifest import (
     write_manifest,
 )
 from airlight.exports.report_pictures import check_pictures, write_pictures
-from airlight.exports.whole_folder import check_folder, whole_folder
 
 FORM = "airlight test 1"
 FILES = ("*.bin", "code.js")
 
 
 def write(folder: Path, names: tuple[str, ...] = ("a.bin", "code.js"), **options: Any) -> None:
-    with whole_folder(folder, FORM, FILES, **options) as part:
+    with atomic_folder(folder, FORM, FILES, **options) as part:
         for name in names:
             (part / name).write_text(f"new {name}", encoding="utf-8")
         files = {name: fingerprint(part / name) for name in names}

@@ -17,24 +17,24 @@ from typing import Any
 import pytest
 
 from airlight.errors import FileError
+from airlight.exports import atomic_file as files
+from airlight.exports import atomic_folder as folders
 from airlight.exports import output_lock as locks
-from airlight.exports import whole_file as files
-from airlight.exports import whole_folder as folders
+from airlight.exports.atomic_file import atomic_file
+from airlight.exports.atomic_folder import atomic_folder
 from airlight.exports.manifest import MANIFEST, fingerprint, write_manifest
 from airlight.exports.output_lock import hidden_file, output_lock
-from airlight.exports.whole_file import whole_file
-from airlight.exports.whole_folder import whole_folder
 
 #: Program that enters one of the three, says so, and waits to be killed.
 HOLDER = """if True:
     import sys, time
     from pathlib import Path
     from airlight.exports.output_lock import output_lock
-    from airlight.exports.whole_file import whole_file
-    from airlight.exports.whole_folder import whole_folder
+    from airlight.exports.atomic_file import atomic_file
+    from airlight.exports.atomic_folder import atomic_folder
     path = Path(sys.argv[1])
-    way = {"lock": lambda: output_lock(path), "file": lambda: whole_file(path),
-           "folder": lambda: whole_folder(path, "a form")}[sys.argv[2]]
+    way = {"lock": lambda: output_lock(path), "file": lambda: atomic_file(path),
+           "folder": lambda: atomic_folder(path, "a form")}[sys.argv[2]]
     with way() as part:
         if part is not None:
             (part / "table" if part.is_dir() else part).write_text("half")
@@ -59,10 +59,10 @@ def holder(path: Path, way: str) -> Iterator[subprocess.Popen]:
 
 def write(path: Path, way: str, text: str) -> None:
     if way == "file":
-        with whole_file(path) as part:
+        with atomic_file(path) as part:
             part.write_text(text)
     elif way == "folder":
-        with whole_folder(path, "a form") as part:
+        with atomic_folder(path, "a form") as part:
             (part / "table").write_text(text)
             listed = {"table": fingerprint(part / "table")}
             write_manifest(part, {"format": "a form", "files": listed})
@@ -117,8 +117,8 @@ def test_writers_wait_for_each_other_and_each_result_is_whole(tmp_path: Path, wa
     def work(number: int) -> None:
         try:
             for _ in range(5):
-                with (whole_file(tmp_path / "out") if way == "file"
-                      else whole_folder(tmp_path / "out", "a form")) as part:  # fmt: skip
+                with (atomic_file(tmp_path / "out") if way == "file"
+                      else atomic_folder(tmp_path / "out", "a form")) as part:  # fmt: skip
                     inside.append(number)
                     assert len(inside) == 1
                     (part / "table" if way == "folder" else part).write_text(str(number) * 1000)
@@ -151,7 +151,7 @@ def test_hidden_files_belong_to_one_output(tmp_path: Path) -> None:
         assert hidden_file(one, "part") != hidden_file(other, "part")
     for one in outputs:
         assert hidden_file(one, "part").parent == tmp_path
-        with whole_file(one) as part:
+        with atomic_file(one) as part:
             part.touch()
     assert len(names(tmp_path)) == len(outputs)
     assert hidden_file(tmp_path / "A.PNG", "part") == hidden_file(outputs[0], "part")

@@ -13,11 +13,11 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from airlight.errors import FileError, ParameterError
+from airlight.exports.atomic_folder import check_folder
 from airlight.exports.bake import Baked, bake
 from airlight.exports.exr import read_exr_channels, write_exr_channels
 from airlight.exports.table_errors import random_positions
 from airlight.exports.table_files import FORMAT, load_table, load_tables, write_tables
-from airlight.exports.whole_folder import check_folder
 from airlight.planets import Planet
 
 CHOICES: dict[str, dict[str, Any]] = {

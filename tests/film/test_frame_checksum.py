@@ -162,12 +162,12 @@ def test_a_full_disk_is_one_line_and_frames_are_kept(
              "-o", str(folder)]  # fmt: skip
     assert main(words) == 2
     *_, told, last = capsys.readouterr().err.splitlines()
-    assert told == "airlight: 2 frames were drawn; the same command draws the rest"
+    assert told == "airlight: 2 frames are complete; the same command renders the others"
     assert "rock_00003.png: cannot be written: No space left on device" in last
     assert sorted(contents(folder)) == ["rock_00001.png", "rock_00002.png"]
     left[0] = 100
     assert main(words) == 0
-    assert "2 drawn, 2 kept" in capsys.readouterr().out
+    assert "2 rendered, 2 unchanged" in capsys.readouterr().out
 
 
 def test_a_closed_folder_is_refused_before_anything_is_drawn(
@@ -190,7 +190,7 @@ def test_a_movie_has_one_writer_and_is_whole(
     hidden_file(movie, "part").write_text("of a killed run")
     drawn(rock, tmp_path / "frames", movie=movie)
     before = movie.read_bytes()
-    monkeypatch.setattr("airlight.exports.whole_file.WAIT", 0.1)
+    monkeypatch.setattr("airlight.exports.atomic_file.WAIT", 0.1)
     with output_lock(movie), pytest.raises(FileError, match="is being written by another"):
         drawn(rock, tmp_path / "frames", movie=movie)
     monkeypatch.setattr("airlight.film.movie._frame_count", lambda file: 3)

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 from synthetic_sky import PLANET, clean_sky, noisy
 
-from airlight.fit.fit_sky import Request, fit_radiances
+from airlight.fit.fit_sky import FitSettings, fit_radiances
 
 #: Parameters of the truth, far from those of the planet that the fit begins with.
 FREE = ("aerosol.optical_depth", "aerosol.phase_function.asymmetry", "ozone.optical_depth",
@@ -33,7 +33,7 @@ def pulls(seeds: range) -> np.ndarray:
     clean, right = clean_sky(CHANGES), truth()
     found = []
     for seed in seeds:
-        sky = fit_radiances(PLANET, noisy(clean, seed), Request(free=FREE, quality="preview"))
+        sky = fit_radiances(PLANET, noisy(clean, seed), FitSettings(free=FREE, quality="preview"))
         found.append((sky.fitted.values - right) / sky.fitted.errors.standard)
     return np.array(found)
 

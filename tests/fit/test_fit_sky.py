@@ -14,7 +14,7 @@ from synthetic_sky import PLANET, clean_sky, noisy
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.fit import fit_sky
-from airlight.fit.fit_sky import Request, SkyFit, fit_photograph, fit_radiances
+from airlight.fit.fit_sky import FitSettings, SkyFit, fit_photograph, fit_radiances
 from airlight.fit.fitted_file import fitted_file
 from airlight.fit.measurements import Measurements, turned
 from airlight.fit.parameter import Prior
@@ -41,7 +41,7 @@ def clean() -> Measurements:
 def fitted(data: Measurements, *free: str, **more: object) -> SkyFit:
     known = {} if "ground.albedo" in free else {"ground.albedo": CHANGES["ground.albedo"]}
     given = {"overrides": known, "quality": "preview", "keep": False, **more}
-    return fit_radiances(PLANET, data, Request(free=free, **given))  # type: ignore[arg-type]
+    return fit_radiances(PLANET, data, FitSettings(free=free, **given))  # type: ignore[arg-type]
 
 
 def true_depth() -> float:
@@ -120,7 +120,7 @@ def test_each_scan_has_a_scale_of_its_own_if_asked(clean: Measurements) -> None:
     # Four scans, each with its own error of scale.
     factors = np.array([0.95, 1.0, 1.04, 1.1])
     off = replace(clean, radiance=clean.radiance * factors[clean.scan])
-    found = fitted(noisy(off, 5, 0.005), "aerosol.optical_depth", each_scan=["scale"]).fitted
+    found = fitted(noisy(off, 5, 0.005), "aerosol.optical_depth", per_scan=["scale"]).fitted
     assert [one.name for one in found.parameters][1] == "scale, sun 40°"
     assert (np.abs(found.values[1:] - factors) < 4.0 * found.errors.standard[1:]).all()
 
@@ -169,31 +169,32 @@ def test_cancelled_fit_stops(clean: Measurements) -> None:
     # Before the first solution.
     with pytest.raises(Cancelled):
         fit_radiances(
-            PLANET, clean, Request(free=["ground.albedo"], keep=False), cancel=lambda: True
+            PLANET, clean, FitSettings(free=["ground.albedo"], keep=False), cancel=lambda: True
         )
 
 
 @pytest.mark.parametrize(
-    ("request_", "said"),
+    ("settings", "said"),
     [
-        (Request(free=["aerosol.optical_dept"]), "'aerosol.optical_depth'"),
-        (Request(free=["scale"]), "a parameter of the planet"),
-        (Request(free=["ground.albedo", "ground.albedo"]), "each parameter once"),
-        (Request(free=["ground.albedo"], bounds={"ground.albedo": (-1.0, 0.5)}), "0 to 1"),
-        (Request(free=["ground.albedo"], bounds={"ground.albedo": (0.5, 0.2)}), "0 to 1"),
-        (Request(free=["ground.albedo"], starts={"ground.albedo": 2.0}), "start of ground.albedo"),
-        (Request(free=["ground.albedo"], priors={"scale": Prior(mean=1, sigma=1)}),
+        (FitSettings(free=["aerosol.optical_dept"]), "'aerosol.optical_depth'"),
+        (FitSettings(free=["scale"]), "a parameter of the planet"),
+        (FitSettings(free=["ground.albedo", "ground.albedo"]), "each parameter once"),
+        (FitSettings(free=["ground.albedo"], bounds={"ground.albedo": (-1.0, 0.5)}), "0 to 1"),
+        (FitSettings(free=["ground.albedo"], bounds={"ground.albedo": (0.5, 0.2)}), "0 to 1"),
+        (FitSettings(free=["ground.albedo"], starts={"ground.albedo": 2.0}),
+         "start of ground.albedo"),
+        (FitSettings(free=["ground.albedo"], priors={"scale": Prior(mean=1, sigma=1)}),
          "one of the free parameters"),
-        (Request(free=["ground.albedo"], each_scan=["ground.albedo"]), "each parameter once"),
-        (Request(free=["ground.albedo", "white_balance.red"]), "a photograph's"),
+        (FitSettings(free=["ground.albedo"], per_scan=["ground.albedo"]), "each parameter once"),
+        (FitSettings(free=["ground.albedo", "white_balance.red"]), "a photograph's"),
     ],
 )  # fmt: skip
 def test_faults_of_the_request_are_said_in_one_line(
-    clean: Measurements, request_: Request, said: str
+    clean: Measurements, settings: FitSettings, said: str
 ) -> None:
     # Refused before anything long is computed.
     with pytest.raises(ParameterError) as caught:
-        fit_radiances(PLANET, clean, replace(request_, quality="preview", keep=False))
+        fit_radiances(PLANET, clean, replace(settings, quality="preview", keep=False))
     assert said in str(caught.value)
     assert "\n" not in str(caught.value)
 
@@ -245,7 +246,7 @@ def test_photograph_of_unknown_exposure_gives_the_optical_depth(
     assert photo.view_zenith.max() <= 85.0
     assert photo.angle_from_sun.min() >= 15.0
     sky = fit_photograph(
-        PLANET, photo, Request(free=["aerosol.optical_depth"], quality="preview", keep=False,
+        PLANET, photo, FitSettings(free=["aerosol.optical_depth"], quality="preview", keep=False,
                                starts={"aerosol.optical_depth": 0.3},
                                overrides={"ground.albedo": 0.3}),
     )  # fmt: skip

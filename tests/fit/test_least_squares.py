@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from airlight.errors import ParameterError
 from airlight.fit.least_squares import Data, difference, fit
 from airlight.fit.loss import LOSSES
-from airlight.fit.parameter import Parameter, Prior
+from airlight.fit.parameter import FitParameter, Prior
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class Curve:
     """Model of one formula, with derivatives by differences."""
 
     formula: Callable[[np.ndarray], np.ndarray]
-    parameters: Sequence[Parameter]
+    parameters: Sequence[FitParameter]
 
     def __call__(self, values: np.ndarray) -> np.ndarray:
         return self.formula(values)
@@ -30,8 +30,8 @@ class Curve:
 
 
 def free(name: str, start: float = 1.0, low: float = -50.0, high: float = 50.0,
-         prior: Prior | None = None) -> Parameter:  # fmt: skip
-    return Parameter(name=name, start=start, low=low, high=high, least_step=0.01, prior=prior)
+         prior: Prior | None = None) -> FitParameter:  # fmt: skip
+    return FitParameter(name=name, start=start, low=low, high=high, least_step=0.01, prior=prior)
 
 
 def data_of(values: np.ndarray, sigma: float = 0.1, *, known: bool = True) -> Data:

@@ -10,7 +10,7 @@ from types import ModuleType
 
 import pytest
 
-from airlight.kernel.ahead import CompiledAhead
+from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.compiling import Compiling, on_disk
 
 SOURCE = """
@@ -70,7 +70,7 @@ def test_functions_are_counted_from_none_to_all_and_once(module: ModuleType) -> 
 
 
 def test_another_process_compiles_and_this_one_loads(module: ModuleType) -> None:
-    ahead = CompiledAhead(f"{module.__name__}:compile_total", [module.total])
+    ahead = BackgroundCompiler(f"{module.__name__}:compile_total", [module.total])
     assert ahead.compiling.total == 3
     assert not ahead.ready(module.total)
     assert ahead.wait(module.total, lambda: False)
@@ -80,11 +80,11 @@ def test_another_process_compiles_and_this_one_loads(module: ModuleType) -> None
     assert sum(module.total.stats.cache_hits.values()) == 1
     ahead.close()
     # What is on disk needs no process.
-    assert CompiledAhead(f"{module.__name__}:nothing", [module.total]).ready(module.total)
+    assert BackgroundCompiler(f"{module.__name__}:nothing", [module.total]).ready(module.total)
 
 
 def test_a_process_that_fails_keeps_nobody_waiting(module: ModuleType) -> None:
-    ahead = CompiledAhead(f"{module.__name__}:nothing", [module.total])
+    ahead = BackgroundCompiler(f"{module.__name__}:nothing", [module.total])
     assert ahead.wait(module.total, lambda: False)
     assert module.total(4) == 7.0
     ahead.close()

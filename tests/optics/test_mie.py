@@ -5,7 +5,7 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.optics import mie
-from airlight.optics.size_distribution import Sizes, gamma_sizes, single_size
+from airlight.optics.size_distribution import SizeNodes, gamma_sizes, single_size
 
 DUST = [(680.0, 0.001), (550.0, 0.006), (440.0, 0.013)]
 
@@ -206,7 +206,7 @@ def test_blocks_of_radii_do_not_change_the_sums():
     whole = mie.scattering(sizes, 550.0, 1.5 + 0.01j, [0.0, 90.0, 180.0])
     halves = [
         mie.scattering(
-            Sizes(sizes.radii[part], sizes.weights[part]), 550.0, 1.5 + 0.01j, [0, 90, 180]
+            SizeNodes(sizes.radii[part], sizes.weights[part]), 550.0, 1.5 + 0.01j, [0, 90, 180]
         )
         for part in (slice(0, 70), slice(70, 130))
     ]

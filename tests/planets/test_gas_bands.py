@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Medium, Planet, load_planet
 from airlight.planets import replace
-from airlight.planets.gas_bands import AIRMASS, PAIR_DENSITY, bands_left_out
+from airlight.planets.gas_bands import AIRMASS, PAIR_DENSITY, omitted_bands
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.gas_mixture import GasMixture
 from airlight.spectra.tables import read_spectrum
@@ -108,10 +108,10 @@ def test_the_constituents_of_the_page_take_what_the_tables_say(banded: Planet) -
 
 
 def test_what_a_planet_has_is_not_left_out(banded: Planet) -> None:
-    assert bands_left_out(banded, [764.0]) == ()
-    left_out = bands_left_out(load_planet("earth"), [764.0, 577.0])
-    assert [one.name for one in left_out] == ["O2", "H2O", "O2-O2"]
-    bands, _, pairs = left_out
+    assert omitted_bands(banded, [764.0]) == ()
+    omitted = omitted_bands(load_planet("earth"), [764.0, 577.0])
+    assert [one.name for one in omitted] == ["O2", "H2O", "O2-O2"]
+    bands, _, pairs = omitted
     assert_allclose(1.0 - bands.loss[0], through("oxygen-bands", OXYGEN, np.array([764.0]))[0],
                     rtol=3e-3)  # fmt: skip
     expected = through("oxygen-pairs", PAIR_DENSITY * SQUARED, np.array([577.0]))[0]
@@ -124,14 +124,14 @@ def test_a_gas_without_a_table_is_named_and_thin_gas_is_not() -> None:
     air = earth.constituents[0]
     assert isinstance(air.matter, GasMixture)
     ammonia = replace(air, matter=replace(air.matter, composition={"N2": 0.9, "NH3": 0.1}))
-    (left_out,) = bands_left_out(replace(earth, constituents=(ammonia,)), [647.0])
-    assert str(left_out) == "bands of NH3: no table of them"
-    assert bands_left_out(load_planet("mars"), [764.0]) == ()  # 0.16 % of 6 hPa
+    (omitted,) = omitted_bands(replace(earth, constituents=(ammonia,)), [647.0])
+    assert str(omitted) == "bands of NH3: no table of them"
+    assert omitted_bands(load_planet("mars"), [764.0]) == ()  # 0.16 % of 6 hPa
 
 
 def test_the_earth_has_its_gases_even_where_its_air_is_coefficients() -> None:
     # The U.S. Standard Atmosphere's columns, as the mixture of ``earth`` has them.
-    mixed, given = (bands_left_out(load_planet(name), [764.0, 577.0])
+    mixed, given = (omitted_bands(load_planet(name), [764.0, 577.0])
                     for name in ("earth", "earth-bruneton"))  # fmt: skip
     for one, other in zip(mixed, given, strict=True):
         assert one.name == other.name
@@ -154,10 +154,10 @@ def test_titan_has_the_methane_of_its_gas() -> None:
     share = dict(air.matter.composition)["CH4"]
     gas = air.matter.number_density * air.profile.column(titan.thickness)
     assert_allclose(methane.absorption.column, share * gas, rtol=0.01)
-    assert bands_left_out(titan, [730.0]) == ()
-    (left_out,) = bands_left_out(load_planet("titan"), [730.0])
-    assert left_out.loss[0] > 0.999
-    (methane_of_old,) = bands_left_out(load_planet("early-earth"), [730.0])
+    assert omitted_bands(titan, [730.0]) == ()
+    (omitted,) = omitted_bands(load_planet("titan"), [730.0])
+    assert omitted.loss[0] > 0.999
+    (methane_of_old,) = omitted_bands(load_planet("early-earth"), [730.0])
     assert methane_of_old.name == "CH4"
     assert methane_of_old.wavelength == 730.0
 

@@ -92,7 +92,7 @@ def test_parameter_objects_are_frozen_and_keyword_only():
         (lambda: replace(EARTH, top_radius=6.36e6), "top_radius"),
         (lambda: replace(EARTH, constituents=()), "constituents"),
         (lambda: replace(EARTH, constituents=(AIR, AIR)), "constituents[1].name"),
-        (lambda: replace(EARTH, own_wavelengths=(-5.0,)), "own_wavelengths[0]"),
+        (lambda: replace(EARTH, default_wavelengths=(-5.0,)), "default_wavelengths[0]"),
         (lambda: replace(3, x=1), "instance"),
     ],
 )
@@ -161,7 +161,7 @@ def test_a_fingerprint_outlives_the_process():
 
 def test_own_wavelengths_are_named_or_usual_or_those_of_the_first_part():
     assert EARTH.wavelengths == (680.0, 550.0, 440.0)
-    assert replace(EARTH, own_wavelengths=(600.0, 500.0)).wavelengths == (600.0, 500.0)
+    assert replace(EARTH, default_wavelengths=(600.0, 500.0)).wavelengths == (600.0, 500.0)
     narrow = PerWavelength(wavelengths=(650.0, 510.0, 475.0), values=(1e-6, 2e-6, 3e-6))
     haze = Constituent(name="haze", profile=Uniform(), absorption=narrow)
     assert replace(EARTH, constituents=(haze,)).wavelengths == (650.0, 510.0, 475.0)

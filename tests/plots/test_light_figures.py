@@ -99,7 +99,9 @@ def test_sky_of_grey_air_has_the_colour_of_the_sun(
         scattering=2e-5,
         phase_function=HenyeyGreenstein(asymmetry=0.3),
     )
-    world = replace(planet, constituents=(grey,), ground=Ground(albedo=0.0), own_wavelengths=None)
+    world = replace(
+        planet, constituents=(grey,), ground=Ground(albedo=0.0), default_wavelengths=None
+    )
     found = sky_chromaticities(solved(world, (450.0, 500.0, 550.0, 600.0), "preview"), (30.0, 80.0))
     xyz = np.linalg.solve(
         [[3.2404542, -1.5371385, -0.4985314], [-0.9692660, 1.8760108, 0.0415560],

@@ -40,7 +40,7 @@ def planet() -> Planet:
         ground=Ground(albedo=0.0),
         star=Star(irradiance=1.0, angular_radius=0.0),
         refraction="bouguer",
-        own_wavelengths=(550.0,),
+        default_wavelengths=(550.0,),
         constituents=(
             Constituent(
                 name="gas",

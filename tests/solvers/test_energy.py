@@ -167,7 +167,7 @@ def vast_cloud(depth: float, albedo: float = 0.0) -> Planet:
                 phase_function=HenyeyGreenstein(asymmetry=0.85),
             ),
         ),
-        own_wavelengths=(550.0,),
+        default_wavelengths=(550.0,),
     )  # fmt: skip
 
 

@@ -136,7 +136,7 @@ def test_halving_a_haze_into_two_changes_little(
                 )
                 for k, share in enumerate(shares)
             ),
-            own_wavelengths=(550.0,),
+            default_wavelengths=(550.0,),
         )  # fmt: skip
 
     where = sights(3000, 15, highest=20e3)
@@ -170,7 +170,7 @@ def test_light_goes_both_ways_alike_on_a_flat_planet(
                 absorption=3e-6, phase_function=Rayleigh(),
             ),
         ),
-        own_wavelengths=(550.0,),
+        default_wavelengths=(550.0,),
     )  # fmt: skip
     solution = solved(flat)
     a, b, phi = (
@@ -380,7 +380,7 @@ def test_air_that_only_absorbs_shows_the_ground_through_itself() -> None:
     planet = Planet(
         name="absorber", bottom_radius=6360e3, top_radius=6460e3, ground=Ground(albedo=0.4),
         star=Star(irradiance=2.0, angular_radius=0.0), constituents=(gas,),
-        own_wavelengths=(550.0,),
+        default_wavelengths=(550.0,),
     )  # fmt: skip
     solution = solve(planet, quality="preview", cache=False)
     down = solution.radiance(altitude=100e3, sun_zenith=[0.0, 50.0], view_zenith=180.0).values[:, 0]

@@ -71,7 +71,7 @@ def test_a_moon_faces_its_planet() -> None:
         ('radius = "1737.4 km"', "", r"bodies\[1\].radius is missing; allowed: a length"),
         ('"1737.4 km"', '"-1 km"', r"bodies\[1\].radius is -1000.0; allowed: 1 to 1e\+10 m"),
         ('"1737.4 km"', '"1 km"\nalbedo = 2', r"bodies\[1\].albedo is 2.0; allowed: 0 to 1"),
-        ('planet = "earth"', 'planet = "earth"\nradius = "1 km"', "none beside a planet"),
+        ('planet = "earth"', 'planet = "earth"\nradius = "1 km"', "cannot be combined with planet"),
         ('look_at = "moon"', 'look_at = "sunn"', "camera.look_at is 'sunn'; allowed: earth, moon"),
         ('look_at = "moon"', "", "camera.look_at is missing; allowed: one of look_at, direction"),
         ("direction = [0, 1, 0]", "direction = [0, 0, 0]", "three numbers that are not all 0"),

@@ -16,13 +16,13 @@ from airlight.mappings.transmittance import altitude_coordinate, radius_from_coo
 from airlight.tables.atmosphere_plus import MAPPINGS, AtmospherePlusLayout, at_azimuth
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.irradiance import IrradianceLayout
-from airlight.tables.layout import Layout, Positions
+from airlight.tables.layout import Positions, TableLayout
 from airlight.tables.table import Table, layout_of, stored
 from airlight.tables.transmittance import TransmittanceLayout
 
 #: Earth, Mars, Titan, and a small planet with 1 km of air. [m]
 SHELLS = [(6360e3, 6460e3), (3389.5e3, 3509.5e3), (2575e3, 3175e3), (1e5, 1.01e5)]
-LAYOUTS: list[tuple[type[Layout], dict[str, Any]]] = [
+LAYOUTS: list[tuple[type[TableLayout], dict[str, Any]]] = [
     (TransmittanceLayout, {"radii": 12, "views": 20}),
     (IrradianceLayout, {"radii": 5, "suns": 9}),
     (BrunetonLayout, {"radii": 6, "views": 12, "suns": 7, "angles": 5}),
@@ -37,11 +37,11 @@ every_shell = pytest.mark.parametrize("shell", SHELLS)
 of_scattering = pytest.mark.parametrize(("kind", "sizes"), LAYOUTS[2:])
 
 
-def made(kind: type[Layout], sizes: dict[str, Any], shell: tuple[float, float]) -> Layout:
+def made(kind: type[TableLayout], sizes: dict[str, Any], shell: tuple[float, float]) -> TableLayout:
     return kind(bottom_radius=shell[0], top_radius=shell[1], **sizes)
 
 
-def filled(layout: Layout, values: np.ndarray) -> Table:
+def filled(layout: TableLayout, values: np.ndarray) -> Table:
     return Table(
         name="x", quantity="a test", unit="1", layout=layout, channels=("a",),
         values=np.asarray(values, float).reshape(*layout.shape, 1),
@@ -51,7 +51,7 @@ def filled(layout: Layout, values: np.ndarray) -> Table:
 @every_shell
 @every_layout
 def test_look_up_at_a_texel_gives_its_value(
-    kind: type[Layout], sizes: dict[str, Any], shell: tuple[float, float]
+    kind: type[TableLayout], sizes: dict[str, Any], shell: tuple[float, float]
 ) -> None:
     # Interpolation at a node is the node's value; here every value is another.
     layout = made(kind, sizes, shell)
@@ -79,7 +79,7 @@ def test_look_up_at_a_texel_gives_its_value(
 @every_shell
 @of_scattering
 def test_sky_and_ground_are_never_mixed(
-    kind: type[Layout], sizes: dict[str, Any], shell: tuple[float, float]
+    kind: type[TableLayout], sizes: dict[str, Any], shell: tuple[float, float]
 ) -> None:
     # All texels of the ground hold 1e6, all of the sky 1: any mixture would show, also next to
     # the horizon, at any altitude.
@@ -131,7 +131,7 @@ def test_bruneton_s_look_up_reproduces_what_is_linear_in_its_coordinates(
 
 @every_layout
 def test_a_layout_is_made_again_from_its_parameters(
-    kind: type[Layout], sizes: dict[str, Any]
+    kind: type[TableLayout], sizes: dict[str, Any]
 ) -> None:
     # What a manifest keeps: name and parameters.
     layout = made(kind, sizes, SHELLS[2])
@@ -144,7 +144,7 @@ def test_a_layout_is_made_again_from_its_parameters(
 @every_shell
 @of_scattering
 def test_texels_lie_inside_the_shell_and_ends_are_exact(
-    kind: type[Layout], sizes: dict[str, Any], shell: tuple[float, float]
+    kind: type[TableLayout], sizes: dict[str, Any], shell: tuple[float, float]
 ) -> None:
     # By definition: ground and top, straight down and straight up, sun overhead.
     layout = made(kind, sizes, shell)

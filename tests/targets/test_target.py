@@ -15,12 +15,12 @@ from airlight import targets
 from airlight.cli import main
 from airlight.errors import ParameterError
 from airlight.planets import load_planet
-from airlight.targets.target import ErrorRow, Findings, Fitted, Target, read_export
+from airlight.targets.target import ErrorRow, ExportReport, FittedFormula, Target, read_export
 
 Solve = Callable[..., Any]
-FOUND = Findings(
+FOUND = ExportReport(
     fitted=(
-        Fitted(name="dust: phase function", form="Cornette-Shanks", parameters={"g": 0.7},
+        FittedFormula(name="dust: phase function", form="Cornette-Shanks", parameters={"g": 0.7},
                errors={"relative, mean": 0.2}, where="0 to 180 deg"),
     ),
     errors=(ErrorRow.of("sky", [0.01, -0.5], where="everywhere"),),
@@ -29,7 +29,7 @@ FOUND = Findings(
 )  # fmt: skip
 
 
-def fill(solution: Any, folder: Path, *, progress: Any, text: str = "some") -> Findings:
+def fill(solution: Any, folder: Path, *, progress: Any, text: str = "some") -> ExportReport:
     (folder / "light.txt").write_text(text, encoding="utf-8")
     if text == "broken":
         raise ParameterError("text", text, "anything else")
@@ -72,7 +72,7 @@ def test_a_folder_that_fails_leaves_the_old_one(green: Any, tmp_path: Path) -> N
 
 
 def test_what_the_program_lacks_is_refused(green: Any, tmp_path: Path) -> None:
-    with pytest.raises(ParameterError, match="left out with --layout echo"):
+    with pytest.raises(ParameterError, match="does not apply to layout echo"):
         ECHO.write(green, tmp_path / "echo", file_form="x")
     red = replace(ECHO, wavelengths=(680.0,))
     with pytest.raises(ParameterError, match="680 nm for Echo"):

@@ -81,15 +81,15 @@ def test_shares_of_the_orders_are_those_of_a_known_series() -> None:
 
 @pytest.mark.slow
 def test_a_flat_earth_balances_at_default_quality() -> None:
-    # Conservation of energy where air and ground absorb, and reciprocity; the report's bars.
-    bars, parts = flat_balance("default", None)
-    assert [bar.name for bar in bars if not bar.passed] == []
-    assert (len(bars), len(parts)) == (2, 3)
+    # Conservation of energy where air and ground absorb, and reciprocity; the report's thresholds.
+    thresholds, parts = flat_balance("default", None)
+    assert [threshold.name for threshold in thresholds if not threshold.passed] == []
+    assert (len(thresholds), len(parts)) == (2, 3)
 
 
 @pytest.mark.validation
 def test_all_balances_hold_at_default_quality() -> None:
     # As above, of furnaces and of a round Earth too.
     suite = energy(order_solvers=())
-    assert [bar.name for bar in suite.bars if not bar.passed] == []
-    assert len(suite.bars) == 5
+    assert [threshold.name for threshold in suite.thresholds if not threshold.passed] == []
+    assert len(suite.thresholds) == 5

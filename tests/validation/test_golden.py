@@ -36,7 +36,7 @@ def changed(group: Group, row: int, column: int, printed: str) -> Group:
 def test_every_golden_number_is_met():
     # Authorities, named in the file; the suite is one of the project's own checks.
     suite = golden()
-    missed = [bar.name for bar in suite.bars if not bar.passed]
+    missed = [threshold.name for threshold in suite.thresholds if not threshold.passed]
     assert not missed
     assert suite.passed
     assert sum(len(part.rows) for part in suite.parts) > 200
@@ -59,7 +59,7 @@ def test_the_suns_colour_is_compared_as_float32_bit_for_bit():
     group = next(group for group in golden_groups() if group.name == "sun-color-float32")
     next_float = np.nextafter(np.float32(213.865952), np.float32(np.inf))
     suite = golden(groups=[changed(group, 0, 0, f"{float(next_float):.9f}")])
-    assert [bar.got for bar in suite.bars] == [1]
+    assert [threshold.got for threshold in suite.thresholds] == [1]
 
 
 def test_last_digit_of_a_printed_number():

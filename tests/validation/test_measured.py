@@ -18,12 +18,12 @@ from airlight.solvers.solve import solve
 from airlight.spectra.sun import solar_irradiance
 from airlight.validation.kider import planets as kider_planets
 from airlight.validation.kider import scans as kider_scans
-from airlight.validation.kider.fits import LoadModel, fit_pointing
+from airlight.validation.kider.fits import AerosolModel, fit_pointing
 from airlight.validation.kider.planets import (
-    AERONET_LOAD,
+    AERONET_AEROSOL,
     BEST,
-    EVERYBODYS,
-    Load,
+    PUBLISHED_INPUTS,
+    AngstromLaw,
     band_irradiance,
     penndorf_scattering,
     planet,
@@ -110,7 +110,7 @@ def test_symmetric_sky_has_no_floor_and_antisymmetric_part_is_all_of_it() -> Non
     assert_allclose(symmetric_part(odd), even.radiance, atol=4e-3 * 3.0)
 
 
-def day(load: Load, seed: int = 0) -> Scans:
+def day(load: AngstromLaw, seed: int = 0) -> Scans:
     """Made-up day of six scans by the planet of a load, with 1 % of noise."""
     sun = np.linspace(35.0, 55.0, 6)
     view, azimuth = np.meshgrid([12.0, 40.0, 65.0, 77.0], [20.0, 100.0, -150.0])
@@ -133,11 +133,11 @@ def day(load: Load, seed: int = 0) -> Scans:
 def test_load_is_found_again_and_predicts_the_scan_left_out() -> None:
     # The day was made with a load; the fit starts from another, and its error bars say how near it
     # comes. A scan that is left out is predicted to the noise, 1 % of a mean square.
-    truth = Load(beta=0.05, alpha=1.4)
+    truth = AngstromLaw(beta=0.05, alpha=1.4)
     scans = day(truth)
-    model = LoadModel(
+    model = AerosolModel(
         lambda load: planet(replace(BEST, load=load, aeronet_phase=False), scans, Path()),
-        scans, AERONET_LOAD, quality="preview", with_scale=True,
+        scans, AERONET_AEROSOL, quality="preview", with_scale=True,
     )  # fmt: skip
     found = model.fitted()
     errors = found.fitted.errors.standard
@@ -155,10 +155,10 @@ def test_load_is_found_again_and_predicts_the_scan_left_out() -> None:
 @pytest.mark.slow
 def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None:
     # Two made-up days under the names of measured ones: rows whose parameters stand before their
-    # scores, bars by the row that was left out.
+    # scores, thresholds by the row that was left out.
     pytest.importorskip("matplotlib")
     for k, name in enumerate(("kider2013-05-27.npz", "kider2013-06-01.npz")):
-        scans = day(AERONET_LOAD, k)
+        scans = day(AERONET_AEROSOL, k)
         np.savez(
             tmp_path / name, time=np.array([f"{name[5:15]} {one}" for one in scans.time]),
             sun_zenith_deg=scans.sun_zenith, view_zenith_deg=scans.view_zenith,
@@ -169,7 +169,7 @@ def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None
     phase = "scattering_angle_deg,p_442nm,p_674nm\n0,1,1\n90,1,1\n180,1,1\n"
     (tmp_path / kider_planets.FILE).write_text(phase)
     suite = measured_days(tmp_path, quality="preview")
-    assert [bar.name[:10] for bar in suite.bars] == ["2013-05-27", "2013-06-01"]
+    assert [threshold.name[:10] for threshold in suite.thresholds] == ["2013-05-27", "2013-06-01"]
     titles = [part.title for part in suite.parts]  # type: ignore[union-attr]
     for date in ("2013-05-27", "2013-06-01"):
         mine = [title for title in titles if title.startswith(date)]
@@ -236,14 +236,14 @@ def test_site_air_weighs_as_its_pressure_says() -> None:
 def test_ladder_goes_from_everybodys_inputs_to_the_best() -> None:
     # Otherwise the league table and the ladder would tell of different planets.
     ladder = steps()
-    assert ladder[0][1] == EVERYBODYS
+    assert ladder[0][1] == PUBLISHED_INPUTS
     assert ladder[-1][1] == BEST
 
 
 def test_published_inputs_have_their_optical_depths(scans: Scans, reference_data: Path) -> None:
     # Bruneton (2017): τ = 0.04 λ^-0.8 and albedo 0.8; the shells end at 7.5 and 50 scale heights,
     # which cuts off 6e-4 of the gas.
-    medium = Medium.from_planet(planet(EVERYBODYS, scans, reference_data), scans.wavelengths)
+    medium = Medium.from_planet(planet(PUBLISHED_INPUTS, scans, reference_data), scans.wavelengths)
     assert medium.names == ("air", "aerosol")
     depth = 0.04 * (scans.wavelengths / 1e3) ** -0.8
     assert_allclose(medium.vertical_optical_depth[1], depth, rtol=1e-9)

@@ -1,4 +1,4 @@
-"""Polarised light of the suite: tables, neutral points, and bars that can fail."""
+"""Polarised light of the suite: tables, neutral points, and thresholds that can fail."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from airlight.planets import load_planet
 from airlight.solvers import solve
 from airlight.validation.cases import CASES
 from airlight.validation.polarised.flat_air import coulson_values, differences, flat_rayleigh
-from airlight.validation.polarised.histories import AIRS, Beside, beside, line_table, summary
+from airlight.validation.polarised.histories import PLANETS, Beside, beside, line_table, summary
 from airlight.validation.polarised.neutral_points import neutral_distances
 from airlight.validation.polarised.round_air import reference_sky, round_rayleigh
 from airlight.validation.run import SUITES
@@ -60,7 +60,7 @@ def test_neutral_points_are_where_they_were_found(sun: float, names: set[str]) -
 
 
 def test_light_that_is_off_is_not_explained_by_noise() -> None:
-    # The bar can fail: the same answers agree, 2 % of I or 0.03 of the degree do not.
+    # The threshold can fail: the same answers agree, 2 % of I or 0.03 of the degree do not.
     one = np.broadcast_to([[1.0], [0.3], [-0.2]], (1, 3, 1)).astype(float)
     same = Beside(
         ours=one, scalar=one[:, 0], known=one, error=np.full_like(one, 1e-4), nu=np.zeros(1)
@@ -84,7 +84,7 @@ def test_the_table_of_a_planet_counts_what_is_left_out() -> None:
     cells = summary(found)
     assert cells[1:4] == ("3 of 12", "3, 3, 3", "0.50")
     assert cells[-3:] == ("0, 100, 100", "16.0, 0.0, 0.0", "3")
-    rows = line_table(AIRS[-1], CASES[:4], len(CASES), found).rows
+    rows = line_table(PLANETS[-1], CASES[:4], len(CASES), found).rows
     assert [row[-1] for row in rows] == ["not explained", "aureole", "dark", "noisy"]
     assert rows[0][1] == "+2.00 ± 0.50"
 

@@ -1,4 +1,4 @@
-"""The suite of published light: laws of what it computes, and its rows and bars."""
+"""The suite of published light: laws of what it computes, and its rows and thresholds."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from airlight.validation.energy_planets import round_earth
 from airlight.validation.published import rayleigh_sphere as sphere
 from airlight.validation.published.earth import ALTITUDES, SUNSET, illuminances
 from airlight.validation.published.light import published, suite_of
-from airlight.validation.published.row import COLUMNS, Row, Section, solver
+from airlight.validation.published.row import COLUMNS, PublishedRow, PublishedSection, solver
 from airlight.validation.published.sunset import flattening, paths_of, refraction, sunset
 from airlight.validation.published.twilight import average_aerosol
 from airlight.validation.published.venus import EDGES, TOTAL, band_flux, global_mean, ground_flux
 from airlight.validation.run import SUITES, chosen
-from airlight.validation.suite import Bar
+from airlight.validation.suite import Threshold
 
 
-def row(**changes: object) -> Row:
+def row(**changes: object) -> PublishedRow:
     values: dict[str, object] = {
         "what": "light", "published": 2.0, "ours": 2.5, "source": "Somebody (1900)", "unit": "lx",
     }  # fmt: skip
-    return Row(**(values | changes))  # type: ignore[arg-type]
+    return PublishedRow(**(values | changes))  # type: ignore[arg-type]
 
 
 def test_the_suite_is_registered_and_needs_no_data() -> None:
@@ -39,16 +39,18 @@ def test_the_suite_is_registered_and_needs_no_data() -> None:
 
 def test_only_a_stated_error_makes_a_bar() -> None:
     # By hand: 2.5 differs from 2 by 0.5, a quarter.
-    assert row().bar is None
-    missed, met = row(error=0.4).bar, row(error=0.6).bar
+    assert row().threshold is None
+    missed, met = row(error=0.4).threshold, row(error=0.6).threshold
     assert missed is not None
     assert met is not None
     assert (missed.got, missed.allowed, missed.passed, met.passed) == (0.5, 0.4, False, True)
     assert "Somebody (1900)" in missed.source
     assert row().percent == 25.0
-    bar = Bar(name="all", got=1, allowed=0)
-    section = Section(title="T", rows=[row(), row(error=0.4), row(error=0.6)], aims=[bar])
-    assert section.bars == [missed, met, bar]
+    threshold = Threshold(name="all", got=1, allowed=0)
+    section = PublishedSection(
+        title="T", rows=[row(), row(error=0.4), row(error=0.6)], aims=[threshold]
+    )
+    assert section.thresholds == [missed, met, threshold]
     assert section.table.marks == ["", "fail", "pass"]
     suite = suite_of([section])
     assert not suite.passed
@@ -63,7 +65,7 @@ def test_cells_compare_by_ratio_or_by_difference() -> None:
     other = row(compare="difference", stated="about 2 lx")
     assert other.cells[1] == "about 2 lx"
     assert other.cells[3] == "+0.500"
-    assert Section(title="T", rows=[other]).table.columns[3] == "ours less it"
+    assert PublishedSection(title="T", rows=[other]).table.columns[3] == "ours less it"
 
 
 def test_a_sun_behind_no_air_is_round_and_not_lifted() -> None:
@@ -180,16 +182,16 @@ def test_ground_that_gets_a_tenth_of_all_light_gets_a_tenth_in_the_mean(tenth: E
 
 
 def test_sunset_by_the_suite_is_within_the_published_range() -> None:
-    # One section from the planet to the bar, cheap: three wavelengths, preview. The range of clear
-    # evenings is the source's; of sunlight at noon less than 15 % may be missing or too much.
+    # One section from the planet to the threshold, cheap: three wavelengths, preview. The range of
+    # clear evenings is the source's; of sunlight at noon less than 15 % may be missing or too much.
     average = load_planet("earth", average_aerosol())
     section = illuminances(solver(None, None)(average, (450.0, 550.0, 650.0), "preview"), (40.0,))
     by_name = {one.what: one for one in section.rows}
     noon = by_name["illuminance, sun 40°"]
     assert_allclose(noon.ours, noon.published, rtol=0.15)
     at_sunset = by_name["illuminance at sunset"]
-    assert at_sunset.bar is not None
-    assert at_sunset.bar.passed, at_sunset
+    assert at_sunset.threshold is not None
+    assert at_sunset.threshold.passed, at_sunset
     assert SUNSET == -50.0 / 60.0
     assert len(section.table.rows) == 4
     assert not section.aims
@@ -208,12 +210,12 @@ def test_progress_names_the_planet() -> None:
 def test_the_whole_suite_runs_and_meets_all_but_what_is_known(
     tell: Callable[[str], None],
 ) -> None:
-    # Which bars are missed is said in docs/planets.md and the changelog; a further one is news.
+    # docs/planets.md and the changelog name the thresholds that are missed.
     suite = published()
-    for bar in suite.bars:
-        tell(f"{bar.name}: {bar.got:.4g}, allowed {bar.allowed:.4g}")
+    for threshold in suite.thresholds:
+        tell(f"{threshold.name}: {threshold.got:.4g}, allowed {threshold.allowed:.4g}")
     known = ("Pioneer Venus", "daylight on Mars, dust 0.5, chromaticity x", "Titan's full disc")
-    missed = [bar.name for bar in suite.bars if not bar.passed]
+    missed = [threshold.name for threshold in suite.thresholds if not threshold.passed]
     assert all(name.startswith(known) for name in missed), missed
     assert len(suite.parts) == 9
     assert ALTITUDES[0] == 90.0

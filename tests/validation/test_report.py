@@ -14,8 +14,8 @@ from PIL import Image
 
 from airlight.validation.markdown import markdown, picture_files
 from airlight.validation.provenance import provenance
-from airlight.validation.report import Report, html
-from airlight.validation.suite import Bar, Picture, ReportTable, Suite, Text
+from airlight.validation.report import ValidationReport, html
+from airlight.validation.suite import ReportPicture, ReportTable, Suite, Text, Threshold
 
 
 def png(colour: str) -> bytes:
@@ -34,17 +34,20 @@ WORST = ReportTable(
 
 
 @pytest.fixture
-def report() -> Report:
-    met = Bar(name="median error", got=0.05, allowed=0.3, unit="%", source="the bars")
-    missed = Bar(name="largest error", got=4.87, allowed=2.0, unit="%", source="the bars")
-    return Report(
+def report() -> ValidationReport:
+    met = Threshold(name="median error", got=0.05, allowed=0.3, unit="%", source="the thresholds")
+    missed = Threshold(
+        name="largest error", got=4.87, allowed=2.0, unit="%", source="the thresholds"
+    )
+    return ValidationReport(
         suites=[
             Suite(
-                name="energy", title="Energy", summary="Balances.", bars=[met], seconds=1.5,
-                parts=[Picture(title="Shares of light", png=png("red"), caption="One & all.")],
+                name="energy", title="Energy", summary="Balances.", thresholds=[met], seconds=1.5,
+                parts=[ReportPicture(title="Shares of light", png=png("red"),
+                                     caption="One & all.")],
             ),
             Suite(
-                name="spherical", title="Spherical", summary="Compares.", bars=[met, missed],
+                name="spherical", title="Spherical", summary="Compares.", thresholds=[met, missed],
                 parts=[WORST, Text(text="One.\n\nTwo.")],
             ),
             Suite(name="measured", title="Measured", summary="", not_run="needs --data"),
@@ -55,7 +58,7 @@ def report() -> Report:
     )  # fmt: skip
 
 
-def test_the_page_is_well_formed(report: Report) -> None:
+def test_the_page_is_well_formed(report: ValidationReport) -> None:
     # Written as XML as well, so that a strict parser judges every tag and entity.
     page = html(report)
     root = ElementTree.fromstring(page.replace("<!DOCTYPE html>", ""))
@@ -63,7 +66,7 @@ def test_the_page_is_well_formed(report: Report) -> None:
     assert [e.text for e in root.iter("h2")] == ["Energy", "Spherical", "Measured", "CIE"]
 
 
-def test_the_page_needs_no_network_and_no_file(report: Report) -> None:
+def test_the_page_needs_no_network_and_no_file(report: ValidationReport) -> None:
     sources: list[str] = []
 
     class Links(HTMLParser):
@@ -79,13 +82,15 @@ def test_the_page_needs_no_network_and_no_file(report: Report) -> None:
     assert "@import" not in page
 
 
-def test_embedded_pictures_are_the_pictures(report: Report) -> None:
+def test_embedded_pictures_are_the_pictures(report: ValidationReport) -> None:
     data = re.search(r'src="data:image/png;base64,([^"]+)"', html(report))
     assert data is not None
     assert base64.b64decode(data[1]) == png("red")
 
 
-def test_the_worst_case_and_the_missed_bar_are_shown_not_folded_away(report: Report) -> None:
+def test_the_worst_case_and_the_missed_bar_are_shown_not_folded_away(
+    report: ValidationReport,
+) -> None:
     page = html(report)
     assert "limb at 92°, |Δ| &amp; &lt;5 %" in page
     assert "4.87" in page
@@ -109,16 +114,20 @@ def test_markdown_leaves_long_tables_that_are_met_to_the_page(report: Report) ->
 
 def test_a_bar_is_met_up_to_it_and_not_by_nothing() -> None:
     # By definition; a number that is none must never pass.
-    results = [Bar(name="", got=got, allowed=2.0).passed for got in (2.0, 2.0001, float("nan"))]
+    results = [
+        Threshold(name="", got=got, allowed=2.0).passed for got in (2.0, 2.0001, float("nan"))
+    ]
     assert results == [True, False, False]
 
 
-def test_the_verdict_counts_misses_and_a_suite_without_bars_fails_nothing(report: Report) -> None:
+def test_the_verdict_counts_misses_and_a_suite_without_bars_fails_nothing(
+    report: ValidationReport,
+) -> None:
     assert not report.passed
     assert [suite.passed for suite in report.suites] == [True, False, True, True]
 
 
-def test_what_made_the_report_is_said(report: Report) -> None:
+def test_what_made_the_report_is_said(report: ValidationReport) -> None:
     page = html(report)
     for name, value in provenance().items():
         assert f"<dt>{name}</dt>" in page
@@ -127,13 +136,13 @@ def test_what_made_the_report_is_said(report: Report) -> None:
     assert "processors used" in page
 
 
-def test_markdown_names_its_pictures_and_they_are_there(report: Report) -> None:
+def test_markdown_names_its_pictures_and_they_are_there(report: ValidationReport) -> None:
     assert "![Shares of light](plates/shares-of-light.png)" in markdown(report, "plates")
     assert picture_files(report) == {"shares-of-light.png": png("red")}
 
 
-def test_markdown_keeps_its_tables_in_shape(report: Report) -> None:
-    # A bar in a cell would end it: every row of a table has the heading's number of cells.
+def test_markdown_keeps_its_tables_in_shape(report: ValidationReport) -> None:
+    # A threshold in a cell would end it: every row of a table has the heading's number of cells.
     lines = markdown(report, "p").splitlines()
     start = lines.index("| where | error [%] |")
     assert lines[start + 2].replace("\\|", "").count("|") == 3
@@ -141,10 +150,10 @@ def test_markdown_keeps_its_tables_in_shape(report: Report) -> None:
 
 
 def test_pictures_with_one_name_are_refused() -> None:
-    twice = [Picture(title="A b", png=b""), Picture(title="a B", png=b"")]
+    twice = [ReportPicture(title="A b", png=b""), ReportPicture(title="a B", png=b"")]
     suite = Suite(name="x", title="X", summary="", parts=twice)
     with pytest.raises(ValueError, match="same title"):
-        picture_files(Report(suites=[suite], provenance={}, seconds=0.0))
+        picture_files(ValidationReport(suites=[suite], provenance={}, seconds=0.0))
 
 
 @pytest.mark.parametrize(
@@ -161,7 +170,7 @@ def test_a_figure_becomes_a_small_picture_of_the_size_asked_for() -> None:
 
     figure = new_figure("Title", size=(5.0, 2.0))
     figure.add_subplot().plot([0, 1], [1, 0])
-    picture = Picture.from_figure(figure, title="Title", dpi=80)
+    picture = ReportPicture.from_figure(figure, title="Title", dpi=80)
     with Image.open(io.BytesIO(picture.png)) as image:
         assert image.size == (400, 160)
         assert len(image.convert("RGB").getcolors(100_000) or []) > 2

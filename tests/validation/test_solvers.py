@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight.errors import Cancelled
 from airlight.planets import Medium, load_planet
 from airlight.validation import solvers as module
-from airlight.validation.agreement import Agreement, Answer, agreements
+from airlight.validation.agreement import Agreement, Result, agreements
 from airlight.validation.cases import Case
 from airlight.validation.finite_disc import finite_disc, with_point_star
 from airlight.validation.solvers import solvers
@@ -24,9 +24,9 @@ FOUR = (
 )
 
 
-def answer(name: str, radiance: list[float], error: float = 0.0) -> Answer:
+def answer(name: str, radiance: list[float], error: float = 0.0) -> Result:
     values = np.repeat(np.array(radiance)[:, None], 3, axis=1)
-    return Answer(name, "by hand", values, np.full_like(values, error) * values, 1.0)
+    return Result(name, "by hand", values, np.full_like(values, error) * values, 1.0)
 
 
 def test_values_disagree_only_beyond_one_per_cent_and_three_standard_errors() -> None:
@@ -59,12 +59,12 @@ def test_a_wrong_answer_fails_the_suite_and_stands_in_the_table(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     # One value 3 % off, in a suite whose answers are made by hand.
-    def made(*_: object, **__: object) -> list[Answer]:
+    def made(*_: object, **__: object) -> list[Result]:
         return [answer("moments", [1.0, 1.03, 1.0, 1.0]), answer("montecarlo", [1.0] * 4, 1e-3)]
 
-    monkeypatch.setattr(module, "answers", made)
+    monkeypatch.setattr(module, "results", made)
     suite = solvers(planets=["earth-atmosphere-plus"], cases=FOUR)
-    assert [bar.got for bar in suite.bars] == [1]
+    assert [threshold.got for threshold in suite.thresholds] == [1]
     assert not suite.passed
     worst = next(part for part in suite.parts if "worst" in part.title)
     assert worst.rows[0][1] == "0 km, view 60°, sun 60°, azimuth 0°"
@@ -84,15 +84,15 @@ def test_two_real_solvers_agree_on_a_few_lines_of_sight() -> None:
         planets=["earth-atmosphere-plus"],
         cases=FOUR,
     )
-    assert [bar.name for bar in suite.bars if not bar.passed] == []
+    assert [threshold.name for threshold in suite.thresholds if not threshold.passed] == []
 
 
 def test_too_few_bright_cases_fail_the_suite(monkeypatch: pytest.MonkeyPatch) -> None:
     # In the dark nobody disagrees; that must not count as agreement.
-    def dark(*_: object, **__: object) -> list[Answer]:
+    def dark(*_: object, **__: object) -> list[Result]:
         return [answer("moments", [1e-9] * 4), answer("montecarlo", [1e-9] * 4, 1e-3)]
 
-    monkeypatch.setattr(module, "answers", dark)
+    monkeypatch.setattr(module, "results", dark)
     assert not solvers(planets=["earth-atmosphere-plus"], cases=FOUR).passed
 
 

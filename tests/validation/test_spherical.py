@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.errors import FileError
-from airlight.validation.spherical.data import Scene, read_bruneton, read_scenes
-from airlight.validation.spherical.radiances import judge, spherical
+from airlight.validation.spherical.data import ReferenceScene, read_bruneton, read_scenes
+from airlight.validation.spherical.radiances import compare, spherical
 
 HEADER = (
     "scene,ground_albedo,altitude_m,sun_zenith_deg,view_zenith_deg,azimuth_deg,radiance_680nm,"
@@ -18,10 +18,10 @@ HEADER = (
 )
 
 
-def scene(radiance: list[list[float]], deviation: list[list[float]]) -> Scene:
+def scene(radiance: list[list[float]], deviation: list[list[float]]) -> ReferenceScene:
     n = len(radiance)
     where = {name: np.zeros(n) for name in ("altitude", "sun_zenith", "view_zenith", "azimuth")}
-    return Scene("rayleigh-only", 0.0, where, np.array(radiance), np.array(deviation))
+    return ReferenceScene("rayleigh-only", 0.0, where, np.array(radiance), np.array(deviation))
 
 
 def test_errors_are_counted_where_the_referee_is_sure() -> None:
@@ -29,7 +29,7 @@ def test_errors_are_counted_where_the_referee_is_sure() -> None:
     # +1 % at 0.2 % noise lies beyond three standard errors, -0.5 % at 0.2 % does not.
     known = scene([[1.0, 1.0, 1.0], [1e-7, 1.0, 1.0]], [[2e-3, 2e-3, 0.5], [1e-10, 1e-3, 1e-3]])
     got = np.array([[1.01, 0.995, 9.0], [5e-7, 1.0, 1.0]])
-    found = judge(known, got)
+    found = compare(known, got)
     assert_array_equal(found.sure, [[True, True, False], [False, True, True]])
     assert_allclose(found.error, [[0.01, -0.005, 0.0], [0.0, 0.0, 0.0]], atol=1e-12)
     assert_allclose(found.beyond, [[0.01, 0.0, 0.0], [0.0, 0.0, 0.0]], atol=1e-12)

@@ -233,7 +233,7 @@ def test_the_kernel_leaves_compilation_to_another_process(
     from airlight.viewer.background import preparing
 
     compiler = _Compiler()
-    monkeypatch.setattr(preparing, "compiled_ahead", lambda: compiler)
+    monkeypatch.setattr(preparing, "start_render_compiler", lambda: compiler)
     monkeypatch.setattr(preparing.Preparing, "share", property(lambda one: float(ready.is_set())))
     ready = compiler.done
     viewer.set_state({"drawer": "kernel"})
@@ -257,7 +257,7 @@ def test_the_kernel_leaves_compilation_to_another_process(
 def test_closing_ends_a_picture_that_waits(viewer: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     from airlight.viewer.background import preparing
 
-    monkeypatch.setattr(preparing, "compiled_ahead", _Compiler)
+    monkeypatch.setattr(preparing, "start_render_compiler", _Compiler)
     viewer.set_state({"drawer": "kernel"})
     order = {"number": 1, "view": dict(viewer.session.view), "size": [40, 24]}
     viewer.set_state({"wanted": order})

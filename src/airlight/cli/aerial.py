@@ -28,34 +28,36 @@ def aerial(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="DIR", help="A folder: new, empty, or of such tables."
+            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of such tables."
         ),
     ],
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the observer (2m).")
+        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground (2m).")
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the sun there (60deg).")
+        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer (60deg).")
     ] = None,
     at: time_and_place.At = None,
     time_: time_and_place.Time = None,
     zone: time_and_place.Zone = None,
     season: time_and_place.Season = None,
     latitude: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the place, for its ground (0deg).")
+        str | None,
+        typer.Option(metavar="ANGLE", help="Observer latitude, for the ground map (0deg)."),
     ] = None,
     longitude: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the place, for its ground (0deg).")
+        str | None,
+        typer.Option(metavar="ANGLE", help="Observer longitude, for the ground map (0deg)."),
     ] = None,
     nearest: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Distance from which on the air is tabled.")
+        str, typer.Option(metavar="LENGTH", help="Smallest distance in the tables.")
     ] = "10m",
     farthest: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Distance up to which the air is tabled.")
+        str, typer.Option(metavar="LENGTH", help="Largest distance in the tables.")
     ] = "200km",
     wavelengths: Annotated[
         str | None,
-        typer.Option(metavar="rgb|N|LIST", help="As for render; 16 if left out."),
+        typer.Option(metavar="rgb|N|LIST", help="Wavelengths, as for render (16)."),
     ] = None,
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,
@@ -71,7 +73,7 @@ def aerial(
     started = time.perf_counter()
     from airlight.composition.aerial_perspective import AerialPerspective, check_request
     from airlight.exports.aerial_files import FILES, FORMAT, write_aerial
-    from airlight.exports.whole_folder import check_folder
+    from airlight.exports.atomic_folder import check_folder
     from airlight.paint.solve_planet import solve_planet
     from airlight.scene import Scene
     from airlight.scene.local_ground import local_ground

@@ -13,7 +13,7 @@ from airlight.cli import distribution_options, options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import FileError, ParameterError, WorkerError
+from airlight.errors import ConflictError, FileError, ParameterError, WorkerError
 
 if TYPE_CHECKING:
     from airlight.film import Animated
@@ -35,9 +35,7 @@ EPILOG = examples(
 def animate(
     film: Annotated[
         str,
-        typer.Argument(
-            metavar="FILM", help="A film file, a scene or a planet: a preset or a TOML file."
-        ),
+        typer.Argument(metavar="FILM", help="Film, scene or planet: a preset or a TOML file."),
     ],
     output: Annotated[
         list[Path],
@@ -45,7 +43,7 @@ def animate(
             "--output",
             "-o",
             metavar="FOLDER|FILM.mp4",
-            help="Folder of the frames; a second time, an MP4 of them too.",
+            help="Folder of the frames; repeated, also an MP4.",
         ),
     ],
     frames: Annotated[int | None, typer.Option(metavar="N", help="Number of frames (120).")] = None,
@@ -55,19 +53,20 @@ def animate(
     start: Annotated[
         str | None,
         typer.Option(
-            metavar="TIME", help="Of the first frame, as --time of render; the clock runs to --end."
+            metavar="TIME", help="Time of the first frame, as --time of render; requires --end."
         ),
     ] = None,
-    end: Annotated[str | None, typer.Option(metavar="TIME", help="Of the last frame.")] = None,
+    end: Annotated[str | None, typer.Option(metavar="TIME", help="Time of the last frame.")] = None,
     zone: Annotated[
-        str | None, typer.Option(metavar="ZONE", help="Of times without one: Europe/Stockholm.")
+        str | None,
+        typer.Option(metavar="ZONE", help="Time zone of --start and --end: Europe/Stockholm."),
     ] = None,
     key: Annotated[
         list[str] | None,
         typer.Option(
             metavar="PATH=A,B[,C …] [LAW]",
-            help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: linear, "
-            "smooth, exponential, smooth-exponential. May be given several times.",
+            help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
+            "{film.laws:LAWS}. May be repeated.",
         ),
     ] = None,
     set_: Annotated[
@@ -75,45 +74,46 @@ def animate(
         typer.Option(
             "--set",
             metavar="PATH=VALUE",
-            help="Change a key first: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.",
+            help="Override a key: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.",
         ),
     ] = None,
     size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="1280x720, or one number.")
+        str | None, typer.Option(metavar="WxH", help="Frame size: 1280x720, or one number.")
     ] = None,
     format_: Annotated[
-        Literal["png", "exr"], typer.Option("--format", help="Of the frames; EXR is linear.")
+        Literal["png", "exr"],
+        typer.Option("--format", help="File format of the frames; EXR is linear."),
     ] = "png",
     bits: Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")] = 8,
     name: Annotated[
-        str | None, typer.Option(metavar="NAME", help="In NAME_00001.png; the film's if left out.")
+        str | None, typer.Option(metavar="NAME", help="Prefix of NAME_00001.png (the film's name).")
     ] = None,
     exposure: Annotated[
         str,
         typer.Option(
             metavar="EV|auto|locked",
-            help="auto follows the light smoothly; locked is the first frame's; or a number.",
+            help="Exposure: auto (smoothly adapting), locked (that of the first frame), or EV.",
         ),
     ] = "auto",
     tone_map: Annotated[
-        str, typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …")
+        str, typer.Option(metavar="NAME", help="Tone map: {color.tone_maps:TONE_MAPS}.")
     ] = "natural",
     encoding: Annotated[
-        Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")
+        Literal["srgb", "gamma"], typer.Option(help="Transfer function of the frames.")
     ] = "srgb",
     primaries: Annotated[
-        Literal["srgb", "display-p3"], typer.Option(help="The picture's primaries.")
+        Literal["srgb", "display-p3"], typer.Option(help="Primaries of the frames.")
     ] = "srgb",
     glare: options.Glare = 1.0,
     wavelengths: Annotated[
-        str | None, typer.Option(metavar="rgb|N|LIST", help="As for render.")
+        str | None, typer.Option(metavar="rgb|N|LIST", help="Wavelengths, as for render.")
     ] = None,
     quality: options.Quality = "default",
     exact: Annotated[
-        bool, typer.Option("--exact", help="March pixel by pixel; of a planet.")
+        bool, typer.Option("--exact", help="Ray-march every pixel; planets only.")
     ] = False,
     samples: Annotated[
-        int | None, typer.Option(metavar="N", help="Samples per side of a pixel, up to 16.")
+        int | None, typer.Option(metavar="N", help="Samples per side of each pixel, up to 16.")
     ] = None,
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,
@@ -133,7 +133,7 @@ def animate(
         plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
         for option, value in display.items():
             if value != plain[option]:
-                raise ParameterError(option, value, f"{plain[option]} beside an MP4")
+                raise ConflictError(option, f"must be {plain[option]} for an MP4")
     level = _exposure(exposure)
     changes: dict[str, Any] = _changes(set_)
     plan = {"frames": frames, "rate": rate, "start": start, "end": end, "zone": zone}
@@ -152,7 +152,7 @@ def animate(
     nm = None
     if wavelengths is not None:
         if not made.planets:
-            raise ParameterError("--wavelengths", wavelengths, "none for a scene without air")
+            raise ConflictError("--wavelengths", "does not apply to a scene without air")
         nm = options.wavelengths(wavelengths, made.planets[0])
         if len(nm) < 3:
             allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
@@ -177,7 +177,7 @@ def animate(
             )  # fmt: skip
     except (KeyboardInterrupt, WorkerError, FileError):
         if count[0]:
-            note(f"{count[0]} frames were drawn; the same command draws the rest")
+            note(f"{count[0]} frames are complete; the same command renders the others")
         raise
     _report(result, movie, columns, rows, time.perf_counter() - started)
 
@@ -185,7 +185,7 @@ def animate(
 def _report(result: Animated, movie: Path | None, columns: int, rows: int, seconds: float) -> None:
     frames = result.frames
     say(f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {columns}x{rows}  "
-          f"{result.drawn} drawn, {result.kept} kept  {seconds:.1f} s"
+          f"{result.drawn} rendered, {result.kept} unchanged  {seconds:.1f} s"
           + ("  linear" if result.exposures is None else
              "  exposure {:+.2f} to {:+.2f} EV".format(*result.exposures)))  # fmt: skip
     if movie is not None:
@@ -198,9 +198,7 @@ def _outputs(paths: list[Path]) -> tuple[Path, Path | None]:
     folders = [path for path in paths if path not in movies]
     shown = " ".join(map(str, paths))
     if len(folders) != 1 or len(movies) > 1:
-        raise ParameterError(
-            "--output", shown, "a folder of frames, and at most one .mp4 beside it"
-        )
+        raise ParameterError("--output", shown, "one folder of frames, and at most one .mp4")
     if folders[0].suffix:
         raise ParameterError("--output", str(folders[0]), "a folder without a suffix, or an .mp4")
     return folders[0], movies[0] if movies else None
@@ -221,7 +219,7 @@ def _changes(set_: list[str] | None) -> dict[str, Any]:
     try:
         return dict(parsed(change) for change in set_ or [])
     except ParameterError as error:
-        raise ParameterError("--set", error.value, error.allowed) from None
+        raise error.named("--set") from None
 
 
 _KEY = re.compile(r"\s*([^=]+?)\s*=\s*(.*?)\s*(?:\s([a-z]+(?:-[a-z]+)*))?\s*", re.DOTALL)

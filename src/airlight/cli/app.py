@@ -6,6 +6,7 @@ import atexit
 import contextlib
 import gc
 import os
+import re
 import sys
 import traceback
 from collections.abc import Sequence
@@ -13,7 +14,7 @@ from importlib import import_module
 from typing import Annotated, Any, Final
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 from airlight.child_processes import SAFE_PATH
 from airlight.cli.console import note, noted_warnings
@@ -52,8 +53,28 @@ COMMANDS: Final = {
 }
 
 
+#: Words of a registry in a help text: ``{module:NAME}``.
+_REGISTRY: Final = re.compile(r"\{([\w.]+):(\w+)\}")
+
+
+def _words(match: re.Match[str]) -> str:
+    return ", ".join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+
+
+class Command(TyperCommand):
+    """Command whose help texts list the words of registries."""
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write the options; registries are imported for it, and not before."""
+        for parameter in self.params:
+            text = getattr(parameter, "help", None)
+            if text:
+                parameter.help = _REGISTRY.sub(_words, text)  # type: ignore[attr-defined]
+        super().format_options(ctx, formatter)
+
+
 class Commands(TyperGroup):
-    """Group of commands, each imported when it is called or asked for its help."""
+    """Group of commands, each imported when it is called or its help is shown."""
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Names of the commands, in the order of the help."""
@@ -66,7 +87,7 @@ class Commands(TyperGroup):
         name = cmd_name.replace("-", "_")
         module = import_module(f"airlight.cli.{name}")
         alone = typer.Typer(**_TYPER)
-        alone.command(cmd_name, epilog=module.EPILOG)(getattr(module, name))
+        alone.command(cmd_name, cls=Command, epilog=module.EPILOG)(getattr(module, name))
         return typer.main.get_command(alone)
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
@@ -106,10 +127,15 @@ def _print_version(asked: bool) -> None:
 def root(
     version: Annotated[
         bool,
-        typer.Option("--version", callback=_print_version, is_eager=True, help="Say the version."),
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version."
+        ),
     ] = False,
     debug: Annotated[
-        bool, typer.Option("--debug", help="Show the traceback of an error; may stand anywhere.")
+        bool,
+        typer.Option(
+            "--debug", help="Show the traceback of an error; allowed anywhere on the command line."
+        ),
     ] = False,
 ) -> None:
     """The light of planetary atmospheres: pictures, radiances, figures and tables."""
@@ -185,7 +211,7 @@ def _one_line(error: Exception) -> str:
     if worded is not None:
         text = str(worded()).replace("Value error, ", "")
     elif isinstance(error, AirlightError):
-        text = str(error)
+        text = str(error).replace("allow overwriting", "add --overwrite")
     elif isinstance(error, MemoryError):
         text = f"not enough memory: {error}".rstrip(": ")
     elif isinstance(error, OSError) and error.filename is not None:

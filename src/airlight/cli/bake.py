@@ -6,16 +6,16 @@ import math
 import re
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from airlight.cli import options
-from airlight.cli.bake_target import bake_target
+from airlight.cli.bake_target import bake_target, check_options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.targets import MODULES
 
 if TYPE_CHECKING:
@@ -38,33 +38,35 @@ def bake(
         str,
         typer.Option(
             metavar="|".join(LAYOUTS),
-            help="bruneton: height, view, sun and the angle between them; atmosphere-plus: "
-            "without that angle; or a program, whose files are written as it loads them.",
+            help="Table layout: bruneton (altitude, view, sun and the angle between them), "
+            "atmosphere-plus (without that angle), or the files of a program.",
         ),
     ],
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", metavar="DIR", help="A folder: new, empty, or of tables."),
+        typer.Option(
+            "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of tables."
+        ),
     ],
     mapping: Annotated[
         Literal["linear", "power", "weighted-power"] | None,
-        typer.Option(help="Of atmosphere-plus (weighted-power)."),
+        typer.Option(help="Atmosphere-plus: mapping of the axes (weighted-power)."),
     ] = None,
     packing: Annotated[
         Literal["rgba", "separate", "phase-included"] | None,
         typer.Option(
-            help="Of atmosphere-plus. rgba: phase functions at look-up, particles in alpha, grey; "
-            "separate: particles in a table of their own; phase-included: radiance at --azimuth."
+            help="Atmosphere-plus: rgba (phase functions at look-up, particles in alpha, grey), "
+            "separate (a table of the particles), phase-included (radiance at --azimuth)."
         ),
     ] = None,
     azimuth: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Of phase-included; 0 is the sun's side (0deg)."),
+        typer.Option(metavar="ANGLE", help="Phase-included: azimuth from the sun (0deg)."),
     ] = None,
     mie: Annotated[
         Literal["separate", "combined"] | None,
         typer.Option(
-            help="Of bruneton: particles' single light in a table of its own, or in alpha with "
+            help="Bruneton: single scattering of particles in a separate table, or in alpha with "
             "colours restored at look-up."
         ),
     ] = None,
@@ -72,8 +74,8 @@ def bake(
         str | None,
         typer.Option(
             metavar="NxNxN",
-            help="Texels: height x view x sun x angle (32x128x32x8), or height x view x sun "
-            "(32x256x32).",
+            help="Table size: altitude x view x sun x angle (32x128x32x8), or altitude x view x "
+            "sun (32x256x32).",
         ),
     ] = None,
     lowest_sun: Annotated[
@@ -81,37 +83,39 @@ def bake(
         typer.Option(
             "--lowest-sun",
             metavar="ANGLE",
-            help="Of bruneton: largest zenith angle of the sun in the tables, 90deg to 180deg (the "
-            "end of twilight).",
+            help="Bruneton: largest sun zenith angle in the tables, 90deg to 180deg (the end of "
+            "twilight).",
         ),
     ] = None,
     smooth_phase: Annotated[
         Literal["own", "rayleigh"] | None,
         typer.Option(
-            help="Of bruneton: divisor of the light that is not the particles' single light. own: "
-            "its own shape, in phase-functions.npz; rayleigh: for shaders with Bruneton's own "
-            "look-up, worse in dusty air (own)."
+            help="Bruneton: phase function that divides all but the particles' single scattering: "
+            "own (fitted, in phase-functions.npz), or rayleigh (for shaders with Bruneton's "
+            "look-up, worse in dusty air) (own)."
         ),
     ] = None,
     precision: Annotated[
-        Literal["half", "single"], typer.Option(help="Of the numbers stored; half is scaled.")
+        Literal["half", "single"], typer.Option(help="Number format; half is scaled.")
     ] = "single",
     order: Annotated[
         str,
-        typer.Option(metavar="K|all", help="Light scattered or reflected exactly K times."),
+        typer.Option(
+            metavar="K|all", help="Scattering order K only, reflections included; or all."
+        ),
     ] = "all",
     cumulative: Annotated[
-        bool, typer.Option("--cumulative", help="With --order K: at most K times.")
+        bool, typer.Option("--cumulative", help="Scattering orders up to K of --order.")
     ] = False,
     wavelengths: Annotated[
         str,
         typer.Option(
             metavar="rgb|N|LIST",
-            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+            help="Wavelengths: rgb (680, 550, 440 nm), a number over the visible, or a list in nm.",
         ),
     ] = "rgb",
     solver: Annotated[
-        Literal["moments", "direct", "montecarlo"], typer.Option(help="Whose light is baked.")
+        Literal["moments", "direct", "montecarlo"], typer.Option(help="Solver.")
     ] = "moments",
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,
@@ -127,23 +131,29 @@ def bake(
     if layout not in LAYOUTS:
         raise ParameterError("--layout", layout, ", ".join(LAYOUTS))
     if layout in MODULES:
-        given = {
+        given: dict[str, Any] = {
             "mapping": mapping,
             "packing": packing,
             "azimuth": azimuth,
             "mie": mie,
-            "size": None if size is None else _size(size, "bruneton"),
-            "lowest_sun": None if lowest_sun is None else options.angle(lowest_sun, "--lowest-sun"),
+            "size": size,
+            "lowest_sun": lowest_sun,
             "smooth_phase": smooth_phase,
             "precision": None if precision == "single" else precision,
             "order": None if order == "all" else order,
             "cumulative": cumulative or None,
         }
+        chosen = {name: value for name, value in given.items() if value is not None}
+        check_options(layout, chosen)
+        if size is not None:
+            chosen["size"] = _size(size, "bruneton")
+        if lowest_sun is not None:
+            chosen["lowest_sun"] = options.angle(lowest_sun, "--lowest-sun")
         bake_target(
             layout,
             planet,
             output,
-            chosen={name: value for name, value in given.items() if value is not None},
+            chosen=chosen,
             wavelengths=None if wavelengths == "rgb" else wavelengths,
             solver=solver,
             quality=quality,
@@ -154,25 +164,25 @@ def bake(
         )
         return
     started = time.perf_counter()
+    from airlight.exports.atomic_folder import check_folder
     from airlight.exports.bake import bake as fill
     from airlight.exports.table_files import FILES, FORMAT, write_tables
-    from airlight.exports.whole_folder import check_folder
     from airlight.planets import replace
 
-    chosen = _packing(layout, packing, mie)
+    packed = _packing(layout, packing, mie)
     if mapping is not None and layout == "bruneton":
-        raise ParameterError("--mapping", mapping, "only with --layout atmosphere-plus")
+        raise ConflictError("--mapping", "requires --layout atmosphere-plus")
     if smooth_phase is not None and layout != "bruneton":
-        raise ParameterError("--smooth-phase", smooth_phase, "only with --layout bruneton")
-    if azimuth is not None and chosen != "phase-included":
-        raise ParameterError("--azimuth", azimuth, "only with --packing phase-included")
+        raise ConflictError("--smooth-phase", "requires --layout bruneton")
+    if azimuth is not None and packed != "phase-included":
+        raise ConflictError("--azimuth", "requires --packing phase-included")
     mu_s_min = _lowest(lowest_sun, layout)
     texels = None if size is None else _size(size, layout)
     number = _order(order, cumulative)
     check_folder(output, FORMAT, FILES, overwrite=overwrite)
     world = options.planet(planet, set_)
     if world.refraction != "none":
-        note("light is drawn straight in tables: refraction is 'none'")
+        note("tables ignore refraction")
         world = replace(world, refraction="none")
     nm = options.wavelengths(wavelengths, world)
 
@@ -192,7 +202,7 @@ def bake(
             solution,
             layout,
             mapping=mapping or "weighted-power",
-            packing=chosen,
+            packing=packed,
             azimuth=0.0 if azimuth is None else options.angle(azimuth, "--azimuth"),
             size=texels,
             precision=precision,
@@ -211,10 +221,10 @@ def bake(
 def _packing(layout: str, packing: str | None, mie: str | None) -> str:
     if layout == "bruneton":
         if packing is not None:
-            raise ParameterError("--packing", packing, "only with --layout atmosphere-plus")
+            raise ConflictError("--packing", "requires --layout atmosphere-plus")
         return mie or "separate"
     if mie is not None:
-        raise ParameterError("--mie", mie, "only with --layout bruneton")
+        raise ConflictError("--mie", "requires --layout bruneton")
     return packing or "rgba"
 
 
@@ -222,7 +232,7 @@ def _lowest(text: str | None, layout: str) -> float | None:
     if text is None:
         return None
     if layout != "bruneton":
-        raise ParameterError("--lowest-sun", text, "only with --layout bruneton")
+        raise ConflictError("--lowest-sun", "requires --layout bruneton")
     zenith = options.angle(text, "--lowest-sun")
     if not 90.0 <= zenith <= 180.0:
         raise ParameterError("--lowest-sun", text, "90deg to 180deg")
@@ -240,7 +250,7 @@ def _size(text: str, layout: str) -> tuple[int, ...]:
 def _order(text: str, cumulative: bool) -> int | None:
     if text.strip().lower() == "all":
         if cumulative:
-            raise ParameterError("--cumulative", True, "only with --order K")
+            raise ConflictError("--cumulative", "requires --order K")
         return None
     if not text.strip().isdecimal() or len(text) > 6 or int(text) < 1:
         raise ParameterError("--order", text, "all, or 1, 2, 3 …")

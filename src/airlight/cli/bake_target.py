@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.targets.target import ErrorRow, Export, Target
@@ -40,7 +40,7 @@ def bake_target(
         Arguments of the command.
     chosen : mapping
         Options of tables that were given, by their names in Python: ``size`` as numbers of texels,
-        ``lowest_sun`` in degrees, others as texts; what was not given is left out.
+        ``lowest_sun`` in degrees, others as texts.
     wavelengths : str, optional
         Text of ``--wavelengths``, if it was given.
     polarisation, cache, overwrite : bool
@@ -53,19 +53,18 @@ def bake_target(
         For an option that the program does not have.
     """
     started = time.perf_counter()
-    from airlight.exports.whole_folder import check_folder
+    from airlight.exports.atomic_folder import check_folder
     from airlight.planets import replace
     from airlight.targets import target_of
 
     program = target_of(name)
-    program.check_options(chosen)
     if wavelengths is not None and program.wavelengths is not None:
         fixed = ", ".join(f"{one:g}" for one in program.wavelengths)
-        raise ParameterError("--wavelengths", wavelengths, f"{program.program} fixes {fixed} nm")
+        raise ConflictError(f"--layout {name}", f"takes no --wavelengths: they are {fixed} nm")
     check_folder(output, program.form, program.files, overwrite=overwrite)
     world = options.planet(planet, set_)
     if world.refraction != "none" and not program.bends_light:
-        note(f"{program.program} draws light straight")
+        note(f"{program.program} ignores refraction")
         world = replace(world, refraction="none")
     text = wavelengths or program.default_wavelengths
     nm = program.wavelengths or options.wavelengths(text, world)
@@ -77,14 +76,30 @@ def bake_target(
             world, wavelengths=nm, quality=quality, solver=solver, polarisation=polarisation,
             cache=cache, progress=report,
         )  # fmt: skip
-        export = program.write(solution, output, overwrite=overwrite, progress=report, **chosen)
+        try:
+            export = program.write(solution, output, overwrite=overwrite, progress=report, **chosen)
+        except ParameterError as error:
+            if error.field not in chosen:
+                raise
+            raise error.named("--" + error.field.replace("_", "-")) from None
     print_export(program, export)
     say()
     say(f"{export.folder}  {time.perf_counter() - started:.1f} s")
 
 
+def check_options(name: str, chosen: Mapping[str, Any]) -> None:
+    """Refuse options of tables that a program does not have."""
+    from airlight.targets import target_of
+
+    try:
+        target_of(name).check_options(chosen)
+    except ConflictError as error:
+        option = "--" + error.field.replace("_", "-")
+        raise ConflictError(f"--layout {name}", f"takes no {option}") from None
+
+
 def print_export(program: Target, export: Export) -> None:
-    """Print the files of a folder, their errors, what was fitted, and what is left out."""
+    """Print the files of a folder, their errors, fitted formulas and notes."""
     say(f"for {program.program} {program.version}")
     for name, size in export.files.items():
         say(f"  {name:<32} {_bytes(size):>10}")

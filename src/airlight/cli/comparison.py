@@ -137,7 +137,7 @@ def _swatches(first: tuple[SkyColor, ...], second: tuple[SkyColor, ...]) -> Text
 
     from airlight.render.sky_color import SUN_ZENITH
 
-    text = Text(f"\nsky from the ground, sun {SUN_ZENITH:.0f} deg from the zenith, at its side\n")
+    text = Text(f"\nsky from the ground, sun zenith angle {SUN_ZENITH:.0f} deg, azimuth 90 deg\n")
     for a, b in zip(first, second, strict=True):
         text.append(f"{a.look:>8}  ")
         for color in (a, b):

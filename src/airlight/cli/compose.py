@@ -12,7 +12,7 @@ from airlight.cli import options, time_and_place
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
@@ -36,114 +36,124 @@ EPILOG = examples(
 def compose(
     color: Annotated[
         Path,
-        typer.Argument(metavar="COLOR.exr", help="The picture without air, linear sRGB."),
+        typer.Argument(
+            metavar="COLOR.exr", help="Rendered picture without atmosphere, linear sRGB."
+        ),
     ],
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", metavar="FILE", help="A linear .exr or .hdr, or a .png."),
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Output picture: linear .exr or .hdr, or .png."
+        ),
     ],
     depth: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Its depth, an .exr; COLOR.exr itself if left out."),
+        typer.Option(metavar="FILE", help="Depth pass, .exr (COLOR.exr)."),
     ] = None,
     depth_kind: Annotated[
         Literal["auto", "planar", "distance", "position", "inverse"],
         typer.Option(
             metavar="KIND",
-            help="planar (along the camera's axis), distance (along the line), position, inverse "
-            "(1 over planar), or auto, by the channel's name.",
+            help="Depth kind: planar (along the camera's axis), distance (along the ray), "
+            "position, inverse (1 / planar), or auto (by the channel's name).",
         ),
     ] = "auto",
     depth_channel: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Of the depth, if it is not found.")
+        str | None, typer.Option(metavar="NAME", help="Channel of the depth, if it is not found.")
     ] = None,
     layer: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Of the colour, where there are several.")
+        str | None, typer.Option(metavar="NAME", help="Layer of the colour, if there are several.")
     ] = None,
     albedo: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE",
-            help="With --normals: surfaces are lit by the planet's sun and sky instead. An .exr "
-            "with R, G, B or Blender's Diffuse Color; may be COLOR.exr.",
+            help="Albedo pass, to relight surfaces by the planet's sun and sky; requires "
+            "--normals. An .exr with R, G, B or Blender's Diffuse Color; may be COLOR.exr.",
         ),
     ] = None,
     normals: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Of the surfaces, in the scene; an .exr with Normal."),
+        typer.Option(
+            metavar="FILE",
+            help="Normal pass in scene coordinates, an .exr with Normal; requires --albedo.",
+        ),
     ] = None,
     shadow: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE",
-            help="Part of the sun that surfaces see, 0 to 1; an .exr of one channel.",
+            help="Shadow pass, visible fraction of the sun, 0 to 1; an .exr of one channel.",
         ),
     ] = None,
     camera: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE",
-            help="A transforms.json; if left out, the matrices worldToCamera and worldToNDC of "
-            "COLOR.exr.",
+            help="Camera file transforms.json (default: worldToCamera and worldToNDC of "
+            "COLOR.exr).",
         ),
     ] = None,
     planet: Annotated[
         str | None,
-        typer.Option(metavar="PLANET", help="A preset or a TOML file (the camera's, or earth)."),
+        typer.Option(
+            metavar="PLANET",
+            help="Planet: preset or TOML file (that of the camera file, or earth).",
+        ),
     ] = None,
     at: time_and_place.At = None,
     time_: time_and_place.Time = None,
     zone: time_and_place.Zone = None,
     season: time_and_place.Season = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the sun at the scene's origin (60deg).")
+        str | None,
+        typer.Option(metavar="ANGLE", help="Sun zenith angle at the scene's origin (60deg)."),
     ] = None,
     sun_azimuth: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Compass bearing of the sun (S).")
+        str | None, typer.Option(metavar="BEARING", help="Compass bearing of the sun (S).")
     ] = None,
     latitude: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the scene's origin (0deg).")
+        str | None, typer.Option(metavar="ANGLE", help="Latitude of the scene's origin (0deg).")
     ] = None,
     longitude: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the scene's origin (0deg).")
+        str | None, typer.Option(metavar="ANGLE", help="Longitude of the scene's origin (0deg).")
     ] = None,
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the scene's origin (0m).")
+        str | None, typer.Option(metavar="LENGTH", help="Altitude of the scene's origin (0m).")
     ] = None,
     heading: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Compass bearing of the scene's +Y: NE, 45deg (N)."),
+        typer.Option(metavar="BEARING", help="Compass bearing of the scene's +Y: NE, 45deg (N)."),
     ] = None,
     metres_per_unit: Annotated[
-        float | None, typer.Option(metavar="NUMBER", help="Length of the scene's unit (1).")
+        float | None,
+        typer.Option(metavar="NUMBER", help="Length of the scene's unit in metres (1)."),
     ] = None,
     up: Annotated[
-        Literal["z", "y"] | None, typer.Option(metavar="AXIS", help="The scene's vertical (z).")
+        Literal["z", "y"] | None, typer.Option(metavar="z|y", help="Up axis of the scene (z).")
     ] = None,
     white: Annotated[
         str,
         typer.Option(
             metavar="NUMBER|radiance",
-            help="Value of a white surface that faces the sun without air; or radiance, for W m⁻² "
-            "sr⁻¹ as airlight writes them.",
+            help="Pixel value of a white surface facing the sun outside the atmosphere; or "
+            "radiance, for pixels in W m⁻² sr⁻¹.",
         ),
     ] = "1",
     exact: Annotated[
         bool,
-        typer.Option("--exact", help="March through the air pixel by pixel, without froxels."),
+        typer.Option("--exact", help="Ray-march every pixel, without froxels."),
     ] = False,
-    disc: Annotated[
-        bool, typer.Option("--disc/--no-disc", help="Draw the sun's own disc in the sky.")
-    ] = True,
+    disc: Annotated[bool, typer.Option("--disc/--no-disc", help="Solar disc in the sky.")] = True,
     exposure: Annotated[
-        str, typer.Option(metavar="EV|auto", help="Of a .png: brightens by 2 to this power.")
+        str, typer.Option(metavar="EV|auto", help="PNG: exposure compensation, a power of 2.")
     ] = "auto",
     tone_map: Annotated[
-        str, typer.Option(metavar="NAME", help="Of a .png: natural, hable, aces, agx …")
+        str, typer.Option(metavar="NAME", help="PNG: tone map: {color.tone_maps:TONE_MAPS}.")
     ] = "natural",
     wavelengths: Annotated[
         str | None,
-        typer.Option(metavar="rgb|N|LIST", help="As for render; 16 if left out."),
+        typer.Option(metavar="rgb|N|LIST", help="Wavelengths, as for render (16)."),
     ] = None,
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,
@@ -162,9 +172,14 @@ def compose(
     ev = options.exposure(exposure)
     per_white = _white(white)
     passes = read_render_passes(color)
-    rgb, alpha = passes.colors(layer)
     holder = passes if depth is None else read_render_passes(depth)
-    away, kind = holder.depth(depth_kind, depth_channel)
+    try:
+        rgb, alpha = passes.colors(layer)
+        away, kind = holder.depth(depth_kind, depth_channel)
+    except ParameterError as error:
+        if error.field not in ("layer", "depth_channel"):
+            raise
+        raise error.named("--" + error.field.replace("_", "-")) from None
     surfaces = _surfaces(albedo, normals, shadow)
     pinhole, block = _camera(camera, color, passes)
     texts = {
@@ -212,11 +227,12 @@ def _surfaces(albedo: Path | None, normals: Path | None, shadow: Path | None) ->
     """Passes by which surfaces are lit anew, as arguments of ``airlight.compose``."""
     from airlight.exports.render_passes import read_render_passes
 
-    for option, one, other in (
-        ("--albedo", albedo, normals), ("--normals", normals, albedo), ("--shadow", shadow, albedo)
+    for option, one, other, required in (
+        ("--albedo", albedo, normals, "--normals"), ("--normals", normals, albedo, "--albedo"),
+        ("--shadow", shadow, albedo, "--albedo and --normals"),
     ):  # fmt: skip
         if one is not None and other is None:
-            raise ParameterError(option, str(one), "only together with --albedo and --normals")
+            raise ConflictError(option, f"requires {required}")
     if albedo is None or normals is None:
         return {}
     found: dict[str, Any] = {
@@ -254,8 +270,7 @@ def _camera(file: Path | None, color: Path, passes: RenderPasses) -> tuple[Pinho
             raise error.in_file(file) from None
     to_camera, to_ndc = (passes.header.get(name) for name in ("worldToCamera", "worldToNDC"))
     if to_camera is None or to_ndc is None:
-        allowed = f"a transforms.json, since {color} lacks worldToCamera and worldToNDC"
-        raise ParameterError("--camera", None, allowed)
+        raise ConflictError("--camera", f"is required: {color} lacks worldToCamera and worldToNDC")
     return camera_from_matrices(to_camera, to_ndc, width, height), {}
 
 
@@ -288,7 +303,7 @@ def _placement(
         if given.get(error.field) is None:
             raise
         option = "--" + error.field.replace("_", "-")
-        raise ParameterError(option, error.value, error.allowed) from None
+        raise error.named(option) from None
 
 
 def _solved(

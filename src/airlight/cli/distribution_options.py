@@ -1,4 +1,4 @@
-"""Options that say who runs many tasks: ``--workers``, ``--scheduler``."""
+"""Options of parallel execution: ``--workers``, ``--scheduler``."""
 
 from __future__ import annotations
 
@@ -12,16 +12,13 @@ from airlight.errors import ParameterError
 
 Scheduler = Annotated[
     str | None,
-    typer.Option(
-        metavar="ADDRESS", help="Of a Dask cluster, tcp://host:8786, whose workers do the work."
-    ),
+    typer.Option(metavar="ADDRESS", help="Address of a Dask scheduler, tcp://host:8786."),
 ]
 Workers = Annotated[
     int | None,
     typer.Option(
         metavar="N",
-        help="Processes of this machine, which share its processors; 1 is this process alone. If "
-        "left out as many as there are processors.",
+        help="Number of local processes; 1: this process only (number of CPU cores).",
     ),
 ]
 
@@ -34,4 +31,4 @@ def named() -> Iterator[None]:
     except ParameterError as error:
         if error.field not in ("scheduler", "workers"):
             raise
-        raise ParameterError(f"--{error.field}", error.value, error.allowed) from None
+        raise error.named(f"--{error.field}") from None

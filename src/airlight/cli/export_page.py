@@ -24,19 +24,20 @@ EPILOG = examples(
 def export_page(
     planet: options.Planet_,
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="The page, a .html.")
+        Path, typer.Option("--output", "-o", metavar="FILE", help="Output page, .html.")
     ],
     view: Annotated[
         list[str] | None,
         typer.Option(
             "--view",
             metavar="NAME=VALUE",
-            help="Where the page begins: altitude=400e3 (m), sun_zenith=85 (deg), heading, "
-            "look_zenith, field_of_view, projection … May be given several times.",
+            help="Initial view: altitude=400e3 (m), sun_zenith=85 (deg), heading, look_zenith, "
+            "field_of_view, projection … May be repeated.",
         ),
     ] = None,
     wavelengths: Annotated[
-        Literal["three", "four"], typer.Option(help="How many are solved; four are truer.")
+        Literal["three", "four"],
+        typer.Option(help="Number of wavelengths; four have better colours."),
     ] = "four",
     quality: options.Quality = "default",
     set_: options.Set = None,

@@ -12,10 +12,10 @@ from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
-    from airlight.fit.fit_sky import Request, SkyFit
+    from airlight.fit.fit_sky import FitSettings, SkyFit
     from airlight.fit.measurements import Measurements
     from airlight.fit.parameter import Prior
 
@@ -40,14 +40,16 @@ def fit(
         str,
         typer.Option(
             metavar="LIST",
-            help="What is fitted: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, "
-            "any number of the planet's file by its path; of the instrument scale, "
+            help="Free parameters: NAME.optical_depth, NAME.angstrom, NAME.column, ground.albedo, "
+            "or the path of a number of the planet's file; of the instrument scale, "
             "pointing.azimuth, pointing.zenith, and white_balance.red, .blue of a photograph.",
         ),
     ],
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", metavar="FILE", help="Planet file with the fitted values."),
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Output planet file with the fitted values."
+        ),
     ],
     data: Annotated[
         Path | None,
@@ -55,77 +57,80 @@ def fit(
     ] = None,
     photo: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="A photograph instead: PNG, JPEG, or linear EXR."),
+        typer.Option(
+            metavar="FILE", help="Photograph, instead of --data: PNG, JPEG, or linear EXR."
+        ),
     ] = None,
     report: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="A page .html, or .md with pictures beside it."),
+        typer.Option(metavar="FILE", help="Report: .html, or .md with a folder of pictures."),
     ] = None,
     each_scan: Annotated[
         str,
-        typer.Option(metavar="LIST", help="Of the instrument's parameters, those of every scan."),
+        typer.Option(metavar="LIST", help="Instrument parameters fitted per scan."),
     ] = "",
     bounds: Annotated[
-        str, typer.Option(metavar="LIST", help="Narrower bounds, such as ground.albedo=0..0.4.")
+        str, typer.Option(metavar="LIST", help="Bounds of parameters, e.g. ground.albedo=0..0.4.")
     ] = "",
     prior: Annotated[
         str,
-        typer.Option(metavar="LIST", help="What is known before, such as ozone.column=320±20."),
+        typer.Option(
+            metavar="LIST", help="Prior values with standard deviations, e.g. ozone.column=320±20."
+        ),
     ] = "",
     start: Annotated[
-        str, typer.Option(metavar="LIST", help="Values to begin with, instead of the planet's.")
+        str, typer.Option(metavar="LIST", help="Starting values (those of the planet).")
     ] = "",
     uncertainty: Annotated[
         str | None,
         typer.Option(
-            metavar="SHARE",
-            help="Relative standard deviation of the values, such as 3%; by default the file's, or "
-            "estimated from the residuals.",
+            metavar="FRACTION",
+            help="Relative standard deviation of the data, e.g. 3% (that of the file, or estimated "
+            "from the residuals).",
         ),
     ] = None,
     loss: Annotated[
         str,
-        typer.Option(
-            metavar="linear|soft_l1|huber|cauchy", help="How much outliers count: linear, fully."
-        ),
+        typer.Option(metavar="linear|soft_l1|huber|cauchy", help="Loss function of the residuals."),
     ] = "linear",
     exclude_sun: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="Leave out directions nearer to the sun (radiances: none; photograph: 15).",
+            help="Exclude directions closer to the sun (photograph: 15deg).",
         ),
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of a photograph: where the sun is.")
+        str | None, typer.Option(metavar="ANGLE", help="Photograph: sun zenith angle.")
     ] = None,
     altitude: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Of a photograph: where the camera is.")
+        str, typer.Option(metavar="LENGTH", help="Photograph: altitude of the camera.")
     ] = "0m",
     projection: Annotated[
-        str, typer.Option(metavar="NAME", help="Of a photograph: fisheye, perspective, …")
+        str,
+        typer.Option(
+            metavar="NAME", help="Photograph: projection: {scene.projections:PROJECTIONS}."
+        ),
     ] = "fisheye",
     fov: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of a photograph: field of view.")
+        str | None, typer.Option(metavar="ANGLE", help="Photograph: field of view.")
     ] = None,
     look: Annotated[
         str | None,
         typer.Option(
-            metavar="ZENITH,AZIMUTH", help="Of a photograph: direction, from the sun's side."
+            metavar="ZENITH,AZIMUTH", help="Photograph: camera direction; azimuth from the sun."
         ),
     ] = None,
-    roll: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of a photograph: turn of the camera.")
-    ] = "0",
+    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Photograph: camera roll.")] = "0",
     encoding: Annotated[
-        str, typer.Option(metavar="srgb|gamma|linear", help="Of a photograph that is no EXR.")
+        str, typer.Option(metavar="srgb|gamma|linear", help="Photograph: encoding, unless EXR.")
     ] = "srgb",
     tone_map: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Of a photograph: tone map to take back."),
+        typer.Option(metavar="NAME", help="Photograph: tone map to invert."),
     ] = None,
     above: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Of a photograph: lowest altitude that counts.")
+        str, typer.Option(metavar="ANGLE", help="Photograph: lowest elevation angle used.")
     ] = "5",
     quality: options.Quality = "default",
     set_: options.Set = None,
@@ -134,9 +139,9 @@ def fit(
 ) -> None:
     """Fit parameters of a planet to measured radiances, or to a photograph of its sky.
 
-    An interrupted fit goes on where it was if it is started again.
+    An interrupted fit resumes when it is started again.
     """
-    from airlight.exports.whole_file import check_target, whole_file
+    from airlight.exports.atomic_file import atomic_file, check_target
 
     check_target(output)
     if output.suffix.lower() != ".toml":
@@ -144,9 +149,9 @@ def fit(
     if report is not None:
         _check_report(report, overwrite)
     if (data is None) == (photo is None):
-        shown = "missing" if data is None else f"{data} beside --photo {photo}"
-        raise ParameterError("--data", shown, "--data FILE or --photo FILE, one of them")
-    request = _request(
+        conflict = "or --photo is required" if data is None else "cannot be combined with --photo"
+        raise ConflictError("--data", conflict)
+    settings = _settings(
         free, each_scan, bounds, prior, start, uncertainty, loss, quality, set_, not no_cache
     )
     shot: dict[str, str | None] = {
@@ -156,15 +161,15 @@ def fit(
     with shown_progress() as progress, _named_options():
         if photo is not None:
             sky = _photograph(
-                planet, photo, shot, projection, encoding, tone_map, request, progress
+                planet, photo, shot, projection, encoding, tone_map, settings, progress
             )
         else:
             assert data is not None
-            sky = _radiances(planet, data, exclude_sun, request, progress)
+            sky = _radiances(planet, data, exclude_sun, settings, progress)
     from airlight.fit.fitted_file import fitted_file
     from airlight.fit.report import result_lines, warnings_of
 
-    with whole_file(output) as part:
+    with atomic_file(output) as part:
         part.write_text(fitted_file(sky), encoding="utf-8")
     for line in result_lines(sky):
         say(line)
@@ -177,23 +182,21 @@ def fit(
 
 
 class _named_options:
-    """Errors of the library's request with the names of the options."""
+    """Errors of the library's settings with the names of the options."""
 
     def __enter__(self) -> None:
         return None
 
     def __exit__(self, kind: object, error: object, trace: object) -> None:
         names = {"free": "--free", "bounds": "--bounds", "prior": "--prior", "start": "--start",
-                 "loss": "--loss", "each-scan": "--each-scan", "encoding": "--encoding",
+                 "loss": "--loss", "per_scan": "--each-scan", "encoding": "--encoding",
                  "tone_map": "--tone-map", "override": "--set"}  # fmt: skip
         if isinstance(error, ParameterError) and error.field in names:
-            raise ParameterError(
-                names[error.field], error.value, error.allowed, error.file
-            ) from None
+            raise error.named(names[error.field]) from None
 
 
 def _radiances(
-    planet: str, file: Path, exclude_sun: str | None, request: Request, progress: Any
+    planet: str, file: Path, exclude_sun: str | None, settings: FitSettings, progress: Any
 ) -> SkyFit:
     from airlight.fit.fit_sky import fit_radiances
 
@@ -202,7 +205,7 @@ def _radiances(
         measured = measured.where(
             measured.angle_from_sun >= options.angle(exclude_sun, "--exclude-sun")
         )
-    return fit_radiances(planet, measured, request, progress=progress)
+    return fit_radiances(planet, measured, settings, progress=progress)
 
 
 def _measurements(file: Path) -> Measurements:
@@ -217,7 +220,7 @@ def _measurements(file: Path) -> Measurements:
 
 def _photograph(
     planet: str, file: Path, shot: dict[str, str | None], projection: str, encoding: str,
-    tone_map: str | None, request: Request, progress: Any,
+    tone_map: str | None, settings: FitSettings, progress: Any,
 ) -> SkyFit:  # fmt: skip
     from airlight.fit.fit_sky import fit_photograph
     from airlight.fit.photograph import Shot, read_photograph
@@ -225,7 +228,7 @@ def _photograph(
 
     sun = shot["sun_zenith"]
     if sun is None:
-        raise typer.BadParameter("--sun-zenith is missing: an angle such as 55deg, for --photo")
+        raise ConflictError("--photo", "requires --sun-zenith, such as 55deg")
     look = (None, 0.0) if shot["look"] is None else options.direction(shot["look"], "--look")
     given = Shot(
         projection=options.projection(projection),
@@ -240,14 +243,14 @@ def _photograph(
         above=options.angle(shot["above"] or "5", "--above"),
         exclude_sun=options.angle(shot["exclude_sun"] or "15", "--exclude-sun"),
     )
-    return fit_photograph(planet, read_photograph(file, given), request, progress=progress)
+    return fit_photograph(planet, read_photograph(file, given), settings, progress=progress)
 
 
-def _request(
+def _settings(
     free: str, each_scan: str, bounds: str, prior: str, start: str, uncertainty: str | None,
     loss: str, quality: str, set_: list[str] | None, keep: bool,
-) -> Request:  # fmt: skip
-    from airlight.fit.fit_sky import Request
+) -> FitSettings:  # fmt: skip
+    from airlight.fit.fit_sky import FitSettings
     from airlight.fit.loss import LOSSES
     from airlight.planets.reading.overrides import parsed
     from airlight.units import quantity
@@ -261,10 +264,10 @@ def _request(
     if uncertainty is not None:
         share = quantity(uncertainty, "1", "--uncertainty")
         if not 0.0 < share < 10.0:
-            raise ParameterError("--uncertainty", uncertainty, "a share such as 3% or 0.03")
-    return Request(
+            raise ParameterError("--uncertainty", uncertainty, "a fraction such as 3% or 0.03")
+    return FitSettings(
         free=names,
-        each_scan=_listed(each_scan),
+        per_scan=_listed(each_scan),
         bounds={name: _bound(name, text) for name, text in _pairs(bounds, "--bounds")},
         priors={name: _prior(name, text) for name, text in _pairs(prior, "--prior")},
         starts={
@@ -309,8 +312,8 @@ def _prior(name: str, text: str) -> Prior:
 
 
 def _check_report(report: Path, overwrite: bool) -> None:
+    from airlight.exports.atomic_file import check_target
     from airlight.exports.report_pictures import check_pictures
-    from airlight.exports.whole_file import check_target
     from airlight.plots.figure import require_matplotlib
 
     check_target(report)
@@ -327,17 +330,17 @@ def _pictures(report: Path) -> Path:
 
 
 def _write_report(sky: SkyFit, report: Path, overwrite: bool) -> None:
+    from airlight.exports.atomic_file import atomic_file
     from airlight.exports.report_pictures import write_pictures
-    from airlight.exports.whole_file import whole_file
     from airlight.fit.report import html, markdown, parts_of
     from airlight.reports.markdown import files_of
 
     if report.suffix.lower() != ".md":
-        with whole_file(report) as part:
+        with atomic_file(report) as part:
             part.write_text(html(sky), encoding="utf-8")
         return
     parts = parts_of(sky)
     folder = _pictures(report)
     write_pictures(folder, files_of(parts), overwrite=overwrite)
-    with whole_file(report) as part:
+    with atomic_file(report) as part:
         part.write_text(markdown(sky, parts, folder.name), encoding="utf-8")

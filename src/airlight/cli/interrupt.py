@@ -106,10 +106,10 @@ def leave(status: int) -> None:
     status : int
         Exit status.
     """
-    begun = sys.modules.get("airlight.exports.beginnings")
+    partial_outputs = sys.modules.get("airlight.exports.partial_outputs")
     try:
-        if begun is not None:
-            begun.remove_all()
+        if partial_outputs is not None:
+            partial_outputs.remove_all()
         if not answered.is_set():
             say_cancelled()
         _saying.acquire(timeout=PATIENCE)

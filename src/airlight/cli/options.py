@@ -8,113 +8,115 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from airlight.cli.console import note
-from airlight.errors import ParameterError, changed
+from airlight.errors import ConflictError, ParameterError, changed
 from airlight.units import UNDERSTOOD, quantities, quantity, values_in
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
 
 Planet_ = Annotated[
-    str, typer.Argument(metavar="PLANET", help="A preset's name, or the path of a TOML file.")
+    str, typer.Argument(metavar="PLANET", help="Name of a preset, or path of a TOML file.")
 ]
-Quality = Annotated[
-    Literal["preview", "default", "fine"], typer.Option(help="How closely the air is solved.")
-]
+Quality = Annotated[Literal["preview", "default", "fine"], typer.Option(help="Solver accuracy.")]
 Set = Annotated[
     list[str] | None,
     typer.Option(
         "--set",
         metavar="PATH=VALUE",
-        help="Change a key of PLANET's file first: ground.albedo=0.3, "
-        "dust.profile.scale_height='8 km'; PATH= takes it away. May be given several times.",
+        help="Override a key of PLANET's file: ground.albedo=0.3, "
+        "dust.profile.scale_height='8 km'; PATH= removes it. May be repeated.",
     ),
 ]
 Glare = Annotated[
     float,
     typer.Option(
         metavar="AMOUNT",
-        help="Of light that a lens spreads around the sun: 1 is a lens, 0 none, at most 10.",
+        help="Lens glare around the sun: 1 is a typical lens, 0 none, at most 10.",
     ),
 ]
 GroundAlbedo = Annotated[
     str | None,
     typer.Option(
         metavar="ALBEDO",
-        help="Of the ground below the air that is solved: 0.3; 440:0.2,550:0.3,680:0.35 by "
-        "wavelength in nm; or the name of a table. If left out, that of the ground around the "
-        "observer by the planet's map, of a planet without map its file's.",
+        help="Surface albedo used by the solver: 0.3; 440:0.2,550:0.3,680:0.35 by wavelength in "
+        "nm; or the name of a table. Default: the planet's map around the observer, or the "
+        "planet's file if there is no map.",
     ),
 ]
 Latitude = Annotated[
     str | None,
     typer.Option(
         metavar="ANGLE",
-        help="Of the observer, with --longitude: the air is solved for the ground around him by "
-        "the planet's map; without, for the mean of the planet.",
+        help="Observer latitude; requires --longitude. The solver uses the surface albedo around "
+        "it by the planet's map; without, the planet's mean.",
     ),
 ]
 Longitude = Annotated[
-    str | None, typer.Option(metavar="ANGLE", help="Of the observer, with --latitude; east is +.")
+    str | None,
+    typer.Option(metavar="ANGLE", help="Observer longitude, east positive; requires --latitude."),
 ]
 SunZenith = Annotated[
     str | None,
-    typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer: 72deg."),
+    typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer, e.g. 72deg."),
 ]
 SunAzimuth = Annotated[
     str | None,
-    typer.Option(metavar="BEARING", help="Of the sun, for map and bearings: 105deg, ESE."),
+    typer.Option(metavar="BEARING", help="Compass bearing of the sun: 105deg, ESE."),
 ]
 Wavelengths = Annotated[
     str | None,
     typer.Option(
         metavar="rgb|N|LIST",
-        help="680, 550, 440 nm; or how many over the visible; or a list in nm. If left out: "
-        "16, on a GPU the four that show colours best, with a matrix fitted to the star.",
+        help="Wavelengths: rgb (680, 550, 440 nm), a number over the visible, or a list in nm. "
+        "Default: 16; on a GPU the four with the best colours.",
     ),
 ]
 Device = Annotated[
     Literal["auto", "cpu", "gpu"],
     typer.Option(
-        metavar="NAME",
-        help="Who draws: cpu; gpu, at most four wavelengths, and where it cannot the processor "
-        "with a line that says why; auto, gpu where there is a real one.",
+        metavar="auto|cpu|gpu",
+        help="Renderer: cpu; gpu, up to 4 wavelengths, falls back to cpu; auto, gpu if there is a "
+        "hardware GPU.",
     ),
 ]
 Exact = Annotated[
     bool,
     typer.Option(
         "--exact",
-        help="March through the air pixel by pixel. Without it the air's light is read from a "
-        "table of what the observer sees around himself, to a few parts in 10000.",
+        help="Ray-march every pixel, instead of interpolating the sky-view LUT, which is accurate "
+        "to a few parts in 10000.",
     ),
 ]
 Exposure = Annotated[
     str | None,
     typer.Option(
         metavar="EV|auto",
-        help="Brightens by 2 to this power. If left out, auto: as an eye that has adapted.",
+        help="Exposure compensation, a power of 2; default auto, like an adapted eye.",
     ),
 ]
-ToneMap = Annotated[str, typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …")]
-Encoding = Annotated[Literal["srgb", "gamma"], typer.Option(help="The picture's transfer curve.")]
-Primaries = Annotated[Literal["srgb", "display-p3"], typer.Option(help="The picture's primaries.")]
+ToneMap = Annotated[
+    str, typer.Option(metavar="NAME", help="Tone map: {color.tone_maps:TONE_MAPS}.")
+]
+Encoding = Annotated[
+    Literal["srgb", "gamma"], typer.Option(help="Transfer function of the picture.")
+]
+Primaries = Annotated[Literal["srgb", "display-p3"], typer.Option(help="Primaries of the picture.")]
 Bits = Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")]
 NoPolarisation = Annotated[
     bool,
     typer.Option(
         "--no-polarisation",
-        help="Solve scalar transfer, to compare: light that is taken as unpolarised is off by some "
-        "percent.",
+        help="Scalar radiative transfer, for comparison: radiances are off by some percent.",
     ),
 ]
 NoCache = Annotated[
-    bool, typer.Option("--no-cache", help="Neither read nor keep solutions on disk.")
+    bool, typer.Option("--no-cache", help="Disable the cache of solutions on disk.")
 ]
 Overwrite = Annotated[
     bool,
     typer.Option(
         "--overwrite",
-        help="Replace files too that airlight has not written, or that were changed since.",
+        help="Also replace files that airlight has not written, or that have changed since.",
     ),
 ]
 
@@ -145,8 +147,8 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
     """
     from airlight.cli.progress import shown_progress
     from airlight.planets import load_planet
-    from airlight.planets.cut_air import cut_air
     from airlight.planets.reading.overrides import FIELD, parsed
+    from airlight.planets.truncated_constituents import truncated_constituents
 
     try:
         paths = dict(parsed(change) for change in changes or [])
@@ -157,10 +159,10 @@ def planet(name: str, changes: list[str] | None = None) -> Planet:
         def of_the_option(one: ParameterError) -> ParameterError:
             if one.field != FIELD:
                 return one
-            return ParameterError("--set", one.value, one.allowed, one.file)
+            return one.named("--set")
 
         raise changed(error, of_the_option) from None
-    for line in cut_air(loaded):
+    for line in truncated_constituents(loaded):
         note(line)
     return loaded
 
@@ -226,20 +228,20 @@ def with_solved_ground(
     numbers = {o.strip("-"): angle(text, o) for o, text in given.items() if text is not None}
     if numbers and ground_albedo is not None:
         option = f"--{next(iter(numbers))}"
-        raise ParameterError(option, given[option], "not together with --ground-albedo")
+        raise ConflictError(option, "cannot be combined with --ground-albedo")
     if ground_albedo is not None:
         return with_ground_albedo(planet, ground_albedo)
     if not numbers:
         return planet
     if len(numbers) == 1:
-        option = f"--{next(iter(numbers))}"
-        raise ParameterError(option, given[option], "both of --latitude and --longitude")
+        option, other = sorted(given, key=lambda one: given[one] is None)
+        raise ConflictError(option, f"requires {other}")
     from airlight.scene.local_ground import local_ground
 
     try:
         return local_ground(planet, **numbers, altitude=altitude)
     except ParameterError as error:
-        raise ParameterError(f"--{error.field}", error.value, error.allowed) from None
+        raise error.named(f"--{error.field}") from None
 
 
 def length(text: str, option: str) -> float:
@@ -433,8 +435,8 @@ def only_for_png(
 
     if suffix not in LINEAR and not shown:
         return
-    allowed = f"left out for an {suffix}, which is linear radiance"
-    allowed = "left out beside --show, whose colours are a scale" if shown else allowed
+    phrase = f"does not apply to {suffix} files, which hold linear radiance"
+    phrase = "cannot be combined with --show, whose colours are a scale" if shown else phrase
     given = {
         "--exposure": (exposure, None), "--iso": (iso, None), "--aperture": (aperture, None),
         "--shutter": (shutter, None), "--tone-map": (tone_map, "natural"),
@@ -443,7 +445,7 @@ def only_for_png(
     }  # fmt: skip
     for option, (value, left_out) in given.items():
         if value != left_out:
-            raise ParameterError(option, value, allowed)
+            raise ConflictError(option, phrase)
 
 
 def camera(
@@ -461,9 +463,10 @@ def camera(
     if not given:
         return exposure("auto" if exposure_text is None else exposure_text)
     if exposure_text is not None:
-        raise ParameterError("--exposure", exposure_text, f"left out beside {given[0]}")
+        raise ConflictError("--exposure", f"cannot be combined with {given[0]}")
     if iso is None or aperture is None or shutter is None:
-        raise ParameterError(given[0], numbers[given[0]], "all of --iso, --aperture and --shutter")
+        missing = " and ".join(name for name in numbers if name not in given)
+        raise ConflictError(given[0], f"requires {missing}")
     from airlight.color.exposure import camera_exposure
 
     stop = quantity(aperture.strip().lower().removeprefix("f/"), "1", "--aperture")

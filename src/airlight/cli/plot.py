@@ -42,7 +42,7 @@ def _print_kinds(asked: bool) -> None:
 
     table = Table(box=None, pad_edge=False)
     table.add_column("kind", style="bold", no_wrap=True)
-    table.add_column("what it shows")
+    table.add_column("description")
     for name, kind in KINDS.items():
         table.add_row(name, kind.sentence)
     console().print(table)
@@ -51,32 +51,34 @@ def _print_kinds(asked: bool) -> None:
 
 def plot(
     planet: options.Planet_,
-    kind: Annotated[
-        str, typer.Argument(metavar="KIND", help="What to show; --list says all kinds.")
-    ],
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="Kind of figure; see --list.")],
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="FILE", help="A .png, .svg or .pdf.")
+        Path,
+        typer.Option("--output", "-o", metavar="FILE", help="Output figure: .png, .svg or .pdf."),
     ],
     wavelengths: Annotated[
         str | None,
         typer.Option(
             metavar="rgb|N|LIST",
-            help="680, 550, 440 nm; or how many over the visible; or a list in nm.",
+            help="Wavelengths: rgb (680, 550, 440 nm), a number over the visible, or a list in nm.",
         ),
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun.")
+        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle.")
     ] = None,
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the observer above the ground.")
+        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground.")
     ] = None,
     quality: Annotated[
         Literal["preview", "default", "fine"] | None,
-        typer.Option(help="How closely the air is solved, where it must be."),
+        typer.Option(help="Solver accuracy."),
     ] = None,
     no_polarisation: options.NoPolarisation = False,
     dpi: Annotated[
-        float, typer.Option(metavar="NUMBER", help="Pixels an inch; figures are 8 inches wide.")
+        float,
+        typer.Option(
+            metavar="NUMBER", help="Resolution in pixels per inch; figures are 8 inches wide."
+        ),
     ] = 150.0,
     list_: Annotated[
         bool, typer.Option("--list", callback=_print_kinds, is_eager=True, help="List all kinds.")
@@ -86,9 +88,9 @@ def plot(
 ) -> None:
     """Draw a figure of a planet: its star, its air, its light, its tables.
 
-    An option that the kind does not use is refused.
+    Options that the kind does not use are rejected.
     """
-    from airlight.exports.whole_file import check_target, whole_file
+    from airlight.exports.atomic_file import atomic_file, check_target
     from airlight.plots.figure import require_matplotlib, write_figure
 
     kind_named(kind)
@@ -110,12 +112,10 @@ def plot(
     try:
         check_choices(kind, choices)
     except ParameterError as error:
-        if error.field == "polarisation":
-            raise ParameterError("--no-polarisation", True, error.allowed) from None
-        option = f"--{error.field.replace('_', '-')}"
-        raise ParameterError(option, error.value, error.allowed) from None
+        name = "no-polarisation" if error.field == "polarisation" else error.field
+        raise error.named(f"--{name.replace('_', '-')}") from None
     with shown_progress() as report:
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
-    with whole_file(output) as part, part.open("wb") as file:
+    with atomic_file(output) as part, part.open("wb") as file:
         write_figure(figure, file, suffix.removeprefix("."), dpi)
     say(f"{output}  {kind} of {world.name}")

@@ -11,7 +11,7 @@ from airlight.cli import distribution_options, options, time_and_place
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.input_files import LARGEST_CASES, check_input
 
 if TYPE_CHECKING:
@@ -46,28 +46,28 @@ def radiance(
         str | None,
         typer.Option(
             metavar="LENGTH",
-            help="Of the observer above the ground (0m); several: "
-            "0m,2km or 0:10:2km, here and below, print a table.",
+            help="Observer altitude above ground (0m). Lists (0m,2km) and ranges (0:10:2km), here "
+            "and below, print a table.",
         ),
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
+        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer.")
     ] = None,
     view_zenith: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Zenith angle of the line of sight at the observer."),
+        typer.Option(metavar="ANGLE", help="View zenith angle at the observer."),
     ] = None,
     azimuth: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Between view and sun; 0 is the sun's side (0deg)."),
+        typer.Option(metavar="ANGLE", help="Azimuth between view and sun (0deg)."),
     ] = None,
     input_: Annotated[
         str | None,
         typer.Option(
             "--input",
             metavar="FILE",
-            help="A CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is "
-            "the standard input.",
+            help="Input CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is "
+            "standard input.",
         ),
     ] = None,
     output: Annotated[
@@ -76,22 +76,22 @@ def radiance(
             "--output",
             "-o",
             metavar="FILE",
-            help="With --input: a .csv, the same with radiance_<nm>nm appended, or a .nc (netCDF); "
-            "- is the standard output. A .csv that was stopped is continued.",
+            help="Output, with --input: .csv (the input with radiance_<nm>nm appended) or .nc "
+            "(netCDF); - is standard output. An interrupted .csv is continued.",
         ),
     ] = "-",
     stokes: Annotated[
         bool,
         typer.Option(
             "--stokes",
-            help="Polarised light: I, Q and U, the degree of linear polarisation (dolp) and its "
-            "angle (aolp, from the plane of line and zenith, counterclockwise, in degrees).",
+            help="Stokes parameters I, Q and U, degree (dolp) and angle of linear polarisation "
+            "(aolp, from the meridian plane, counterclockwise, in degrees).",
         ),
     ] = False,
     wavelengths: Annotated[
         str | None,
         typer.Option(
-            metavar="LIST", help="In nm, such as 680,550,440; the planet's own if left out."
+            metavar="LIST", help="Wavelengths in nm, e.g. 680,550,440 (the planet's default)."
         ),
     ] = None,
     quality: options.Quality = "default",
@@ -100,20 +100,20 @@ def radiance(
         str,
         typer.Option(
             metavar="|".join(SOLVERS),
-            help="montecarlo traces each answer anew and adds its standard error.",
+            help="Solver; montecarlo traces every radiance and adds its standard error.",
         ),
     ] = "moments",
     relative_error: Annotated[
         float | None,
         typer.Option(
             metavar="NUMBER",
-            help="Of montecarlo: standard error over radiance that is small enough (preview 0.03, "
-            "default 0.005, fine 0.001).",
+            help="Monte Carlo: target relative standard error (preview 0.03, default 0.005, fine "
+            "0.001).",
         ),
     ] = None,
     seed: Annotated[
         int | None,
-        typer.Option(metavar="NUMBER", help="Of montecarlo's random numbers (1)."),
+        typer.Option(metavar="NUMBER", help="Monte Carlo: seed of the random numbers (1)."),
     ] = None,
     latitude: options.Latitude = None,
     longitude: options.Longitude = None,
@@ -129,9 +129,9 @@ def radiance(
     """
     settings = _settings(solver, quality, relative_error, seed)
     if stokes and solver == "direct":
-        raise ParameterError("--stokes", True, "with --solver moments or montecarlo")
+        raise ConflictError("--stokes", "requires --solver moments or montecarlo")
     if stokes and no_polarisation:
-        raise ParameterError("--stokes", True, "without --no-polarisation")
+        raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
     single = {
         "--altitude": altitude,
         "--sun-zenith": sun_zenith,
@@ -144,8 +144,7 @@ def radiance(
     long = input_ not in (None, "-") and solver == "moments" and not labelled
     if not long and (scheduler is not None or workers is not None):
         option = "--workers" if scheduler is None else "--scheduler"
-        allowed = "beside --input FILE and a .csv, of moments"
-        raise ParameterError(option, workers or scheduler, allowed)
+        raise ConflictError(option, "requires --input FILE, a .csv output and --solver moments")
     if long:
         assert input_ is not None
         _check_many({**single, "--latitude": latitude, "--longitude": longitude}, output)
@@ -168,9 +167,9 @@ def radiance(
         height = float(cases.values[0, 0])
         several = bool((cases.values[:, 0] != height).any())
         if latitude is not None and several:
-            raise ParameterError("--altitude", altitude, "one altitude, beside --latitude")
+            raise ConflictError("--latitude", "requires a single --altitude")
         if several and cases.values[:, 0].min() < 0.0:
-            raise ParameterError("--altitude", altitude, "one altitude, where it is below 0")
+            raise ParameterError("--altitude", altitude, "a single altitude if below 0")
         world, above = time_and_place.on_floor(world, height)
         if above != height:
             height = cases.values[:, 0] = above
@@ -217,7 +216,7 @@ def radiance(
         _print(nm, values, errors, histories)
     missed = _missed(solution, cases)
     if missed:
-        note(f"lines of sight that miss the planet's air, with 0: {missed} of {len(cases.values)}")
+        note(f"{missed} of {len(cases.values)} lines of sight miss the atmosphere: radiance 0")
     if solution.report.ground:
         note(solution.report.ground)
     if sampled and solution.report.unreached:
@@ -296,12 +295,12 @@ def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
 
 
 def _check_many(single: dict[str, str | None], output: str) -> None:
-    """Refuse options of one observer beside a file of them, and a target that cannot be written."""
+    """Refuse options of one observer with a file of observers, and an unwritable target."""
     from airlight.sweep.cases import check_table
 
     for option, text in single.items():
         if text is not None:
-            raise ParameterError(option, text, "not together with --input")
+            raise ConflictError(option, "cannot be combined with --input")
     check_table(output)
 
 
@@ -309,7 +308,9 @@ def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
     """Warn of columns that the input has already."""
     repeated = [column for column in columns if column in header]
     if repeated:
-        note(f"{', '.join(repeated)} stood in the input already; ours are the last columns")
+        note(
+            f"the input already has {', '.join(repeated)}; computed values are in the last columns"
+        )
 
 
 def _settings(solver: str, quality: str, relative_error: float | None, seed: int | None) -> Any:
@@ -319,9 +320,9 @@ def _settings(solver: str, quality: str, relative_error: float | None, seed: int
     given = {"relative_error": relative_error, "seed": seed}
     given = {name: value for name, value in given.items() if value is not None}
     if solver != "montecarlo":
-        for name, value in given.items():
+        for name in given:
             option = "--" + name.replace("_", "-")
-            raise ParameterError(option, value, "only together with --solver montecarlo")
+            raise ConflictError(option, "requires --solver montecarlo")
         return quality
     from dataclasses import replace
 
@@ -331,7 +332,7 @@ def _settings(solver: str, quality: str, relative_error: float | None, seed: int
         return replace(settings_for(quality), **given)  # type: ignore[arg-type]
     except ParameterError as error:
         option = "--" + error.field.replace("_", "-")
-        raise ParameterError(option, error.value, error.allowed) from None
+        raise error.named(option) from None
 
 
 def _observers(texts: dict[str, str | None], output: str) -> Cases:

@@ -12,7 +12,7 @@ from airlight.cli import options, scene_file, second_lights, time_and_place, who
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
@@ -58,7 +58,9 @@ def render(
     planet: options.Planet_,
     output: Annotated[
         Path,
-        typer.Option("--output", "-o", metavar="FILE", help="A .png, or a linear .exr or .hdr."),
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Output picture: .png, or linear .exr or .hdr."
+        ),
     ],
     at: time_and_place.At = None,
     time_: time_and_place.Time = None,
@@ -69,47 +71,45 @@ def render(
         str | None,
         typer.Option(
             metavar="LENGTH",
-            help="Of the observer above the ground: 10m. 2m if left out.",
+            help="Observer altitude above ground, e.g. 10m (2m).",
         ),
     ] = None,
     look: Annotated[
         str | None,
         typer.Option(
             metavar="ZENITH,AZIMUTH",
-            help="Where to look; azimuth 0 is the sun's side, 90 to its right. If left out: the "
-            "horizon at azimuth -75; for a fisheye the zenith.",
+            help="Camera direction; azimuth 0 is towards the sun, 90 to its right. Default: the "
+            "horizon at azimuth -75; the zenith for a fisheye.",
         ),
     ] = None,
     look_at: Annotated[
         str | None,
         typer.Option(
-            metavar="WORD|BEARING",
-            help="Instead: horizon, nadir, zenith; sun or, with --time, moon where they are seen; "
-            "or a compass bearing, NE or 315, with an elevation 315/20, without on the horizon.",
+            metavar="horizon|nadir|zenith|sun|moon|BEARING",
+            help="Camera target, instead of --look: moon requires --time; a compass bearing is NE "
+            "or 315, with an elevation 315/20.",
         ),
     ] = None,
-    roll: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line.")
-    ] = "0deg",
+    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Camera roll, clockwise.")] = "0deg",
     polariser: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="An ideal polarising filter in front of the camera: angle of its axis from the "
-            "camera's up, counterclockwise.",
+            help="Axis of an ideal polarising filter in front of the camera, counterclockwise "
+            "from the camera's up.",
         ),
     ] = None,
     show: Annotated[
         Literal["dolp", "aolp"] | None,
         typer.Option(
             metavar="dolp|aolp",
-            help="Instead of colours, degree or angle of linear polarisation with a legend; of an "
-            ".exr a channel beside the layers of --stokes.",
+            help="Quantity shown instead of colours: degree or angle of linear polarisation, "
+            "with a legend; a channel of an .exr.",
         ),
     ] = None,
     stokes: Annotated[
         bool,
-        typer.Option("--stokes", help="Layers Q and U beside the colours of an .exr."),
+        typer.Option("--stokes", help="Stokes layers Q and U in an .exr."),
     ] = False,
     sun_zenith: options.SunZenith = None,
     moon: second_lights.Moon = None,
@@ -119,43 +119,46 @@ def render(
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="Perspective: from left to right (60deg); fisheye: across the circle (180deg); "
-            "orthographic: the length from left to right (14000km; the whole disc if left out).",
+            help="Field of view: horizontal (60deg); of a fisheye across the circle (180deg); of "
+            "orthographic a width, e.g. 14000km (the whole disc).",
         ),
     ] = None,
     projection: Annotated[
         str,
         typer.Option(
             metavar="NAME",
-            help="perspective, fisheye (dome master), equirectangular (panorama), cubemap, "
-            "octahedral (a square of equal solid angles) or orthographic (parallel lines of sight: "
-            "the planet's disc, with north up).",
+            help="Projection: {scene.projections:PROJECTIONS}. orthographic shows the planet's "
+            "disc, north up.",
         ),
     ] = "perspective",
     size: Annotated[
         str | None,
         typer.Option(
             metavar="WxH",
-            help="1280x720; one number: a square's, a panorama's or a cube face's width.",
+            help="Picture size, e.g. 1280x720; one number: side of a square or cube face, or "
+            "width of a panorama.",
         ),
     ] = None,
     crop: Annotated[
         str | None,
         typer.Option(
             metavar="X,Y,W,H",
-            help="Window of the picture that is drawn, in pixels from its left and top edge: a "
-            "tile. With --exposure EV and --glare 0, and for an .exr or .hdr, only it is computed.",
+            help="Window of the picture to render, in pixels from the left and top edge. Only it "
+            "is computed for an .exr or .hdr, or with --exposure EV and --glare 0.",
         ),
     ] = None,
     exposure: options.Exposure = None,
     iso: Annotated[
-        float | None, typer.Option(metavar="ISO", help="Instead, a camera's sensitivity: 100,")
+        float | None,
+        typer.Option(
+            metavar="ISO", help="Camera sensitivity, e.g. 100; requires --aperture and --shutter."
+        ),
     ] = None,
     aperture: Annotated[
-        str | None, typer.Option(metavar="F", help="its aperture, f/8, and")
+        str | None, typer.Option(metavar="F", help="Camera aperture, e.g. f/8.")
     ] = None,
     shutter: Annotated[
-        str | None, typer.Option(metavar="TIME", help="its shutter time, 1/250 s.")
+        str | None, typer.Option(metavar="TIME", help="Camera shutter time, e.g. 1/250s.")
     ] = None,
     tone_map: options.ToneMap = "natural",
     encoding: options.Encoding = "srgb",
@@ -171,23 +174,27 @@ def render(
         int,
         typer.Option(
             metavar="N",
-            help="Samples per side of every pixel, up to 16. The horizon is smooth without.",
+            help="Samples per side of each pixel, up to 16; the horizon is antialiased anyway.",
         ),
     ] = 1,
     latitude: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the ground below, by its map: 25deg.")
+        str | None,
+        typer.Option(metavar="ANGLE", help="Observer latitude, for the ground map, e.g. 25deg."),
     ] = None,
     longitude: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Of the ground below, by its map; east is +: 30deg."),
+        typer.Option(
+            metavar="ANGLE",
+            help="Observer longitude, east positive, for the ground map, e.g. 30deg.",
+        ),
     ] = None,
     sun_azimuth: options.SunAzimuth = None,
     ground: Annotated[
         Literal["plain", "detailed"],
         typer.Option(
-            metavar="WORD",
-            help="plain: its map alone; detailed: with noise below the map's resolution, which is "
-            "decoration.",
+            metavar="plain|detailed",
+            help="Ground: plain (the map) or detailed (with decorative noise below the map's "
+            "resolution).",
         ),
     ] = "detailed",
     ground_albedo: options.GroundAlbedo = None,
@@ -218,7 +225,7 @@ def render(
     if is_scene_file(planet):
         for option, value in (("--show", show), ("--stokes", stokes or None)):
             if value is not None:
-                raise ParameterError(option, value, "none of a scene file: a planet's picture")
+                raise ConflictError(option, "is not available for scene files")
         given = scene_file.SceneOptions(
             at=at, time=time_, zone=zone, altitude=altitude, latitude=latitude,
             longitude=longitude, look_at=look_at, fov=fov, polariser=polariser, changes=set_,
@@ -228,7 +235,7 @@ def render(
         frame, window = scene_file.painted(
             planet, given, size, crop, wavelengths, quality, samples if samples > 1 else None,
             whole=whole, cache=not no_cache,
-            beside={
+            excluded={
                 "--look": look, "--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth,
                 "--ground-albedo": ground_albedo, "--ls": season, "--exact": exact,
                 "--no-polarisation": no_polarisation,
@@ -322,16 +329,15 @@ def _check_polarised(
 ) -> None:
     """Refuse options of polarised light that contradict each other, or the file."""
     given = {"--polariser": polariser, "--show": show, "--stokes": stokes or None}
-    there = {option: value for option, value in given.items() if value is not None}
-    for option, value in there.items():
+    for option in (option for option, value in given.items() if value is not None):
         if scalar:
-            raise ParameterError(option, value, "without --no-polarisation")
+            raise ConflictError(option, "cannot be combined with --no-polarisation")
         if option != "--polariser" and polariser is not None:
-            raise ParameterError("--polariser", polariser, f"left out beside {option}")
+            raise ConflictError("--polariser", f"cannot be combined with {option}")
     if stokes and suffix != ".exr":
-        raise ParameterError("--stokes", True, "beside a name that ends in .exr")
+        raise ConflictError("--stokes", "requires an .exr file")
     if show is not None and suffix == ".hdr":
-        raise ParameterError("--show", show, "beside a name that ends in .png or .exr")
+        raise ConflictError("--show", "requires a .png or .exr file")
 
 
 def _check_legend(width: int) -> None:
@@ -343,7 +349,7 @@ def _check_legend(width: int) -> None:
     try:
         check_width(width)
     except ParameterError as error:
-        raise ParameterError("--size", error.value, error.allowed) from None
+        raise error.named("--size") from None
 
 
 def _shown(
@@ -389,7 +395,7 @@ def _target(
     from airlight.scene import look_at as looking_at
 
     if look is not None and look_at is not None:
-        raise ParameterError("--look", look, "one of --look and --look-at")
+        raise ConflictError("--look", "cannot be combined with --look-at")
     if look is not None:
         return options.direction(look, "--look")
     if look_at is None and projection != "perspective":
@@ -405,7 +411,7 @@ def _target(
             planet=planet,
         )
     except ParameterError as error:
-        raise ParameterError("--look-at", error.value, error.allowed) from None
+        raise error.named("--look-at") from None
     return zenith, azimuth if look_at is not None else _ACROSS
 
 
@@ -433,7 +439,7 @@ def _painted(
         raise ParameterError("--wavelengths", wavelengths, allowed)
 
     def refused(reason: str) -> None:
-        note(f"the processor renders instead: {reason}")
+        note(f"falling back to the CPU: {reason}")
 
     with shown_progress() as report:
         return paint_scene(

@@ -12,7 +12,7 @@ import numpy as np
 
 from airlight.cli import options
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.scene.frame import Frame
@@ -61,7 +61,7 @@ def painted(
     *,
     whole: bool,
     cache: bool,
-    beside: Mapping[str, object],
+    excluded: Mapping[str, object],
 ) -> tuple[Frame, tuple[int, int, int, int] | None]:
     """Draw a scene, with progress on the standard error stream; and its window.
 
@@ -75,8 +75,8 @@ def painted(
         Options of ``airlight render``.
     whole : bool
         Whether the whole picture is drawn, also of a window.
-    beside : mapping
-        Options that a scene file answers itself, which must be left out.
+    excluded : mapping
+        Options that are not available for scene files.
 
     Raises
     ------
@@ -85,9 +85,9 @@ def painted(
     """
     from airlight.paint.paint_system import paint_system
 
-    for option, value in beside.items():
+    for option, value in excluded.items():
         if value:
-            raise ParameterError(option, value, "none beside a scene file, which says it")
+            raise ConflictError(option, "is not available for scene files")
     system = changed(name, given)
     columns, rows = options.picture_size(size, system.view.projection)
     window = options.crop(crop, columns, rows)
@@ -95,7 +95,7 @@ def painted(
     nm = None
     if wavelengths is not None:
         if first is None:
-            raise ParameterError("--wavelengths", wavelengths, "none for a scene without air")
+            raise ConflictError("--wavelengths", "does not apply to a scene without air")
         nm = options.wavelengths(wavelengths, first)
     with shown_progress() as report:
         frame = paint_system(
@@ -138,7 +138,7 @@ def changed(name: str, given: SceneOptions) -> System:
     except ParameterError as error:
         if error.field != FIELD:
             raise
-        raise ParameterError("--set", error.value, error.allowed, error.file) from None
+        raise error.named("--set") from None
 
 
 def _of_place(given: SceneOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
@@ -149,8 +149,7 @@ def _of_place(given: SceneOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
     if not there:
         return {}
     if "body" not in tables.get("observer", {}):
-        raise ParameterError(there[0], named[there[0]], "none in a scene whose observer has a "
-                             "position; observer.body is above one")  # fmt: skip
+        raise ConflictError(there[0], "requires a scene whose observer is above a body")
     changes: dict[str, Any] = {}
     height = given.altitude
     if given.at is not None:
@@ -158,10 +157,10 @@ def _of_place(given: SceneOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
 
         for option in there[1:]:
             if option != "--altitude":
-                raise ParameterError(option, named[option], "left out beside --at")
+                raise ConflictError(option, "cannot be combined with --at")
         latitude, longitude, above = read_place(given.at, "--at")
         if above is not None and height is not None:
-            raise ParameterError("--altitude", height, "left out beside an altitude in --at")
+            raise ConflictError("--altitude", "cannot be combined with an altitude in --at")
         height = above if height is None else height
         changes = {"observer.latitude": f"{latitude!r} deg",
                    "observer.longitude": f"{longitude!r} deg"}  # fmt: skip
@@ -182,8 +181,7 @@ def _moment(given: SceneOptions, tables: Mapping[str, Any], system: System) -> d
     assert given.time is not None
     parts = [*tables.get("bodies", []), *tables.get("lights", [])]
     if not any("ephemeris" in one for one in parts if isinstance(one, dict)):
-        raise ParameterError("--time", given.time, "none in a scene without an ephemeris, whose "
-                             "bodies and lights stand still")  # fmt: skip
+        raise ConflictError("--time", "requires a scene with an ephemeris")
     observer = system.observer
     planet = None if observer.body is None else system.planets.get(observer.body)
     world = "earth" if planet is None or planet.body is None else planet.world.name
@@ -195,7 +193,7 @@ def _moment(given: SceneOptions, tables: Mapping[str, Any], system: System) -> d
         return read_time(given.time, place, zone=given.zone, field="--time")
     except ParameterError as error:
         field = "--zone" if error.field == "zone" else error.field
-        raise ParameterError(field, error.value, error.allowed) from None
+        raise error.named(field) from None
 
 
 def _of_camera(

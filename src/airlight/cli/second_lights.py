@@ -1,4 +1,4 @@
-"""Options of lights beside the sun: ``--moon``, ``--second-star``, ``--stars``."""
+"""Options of secondary lights: ``--moon``, ``--second-star``, ``--stars``."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ Moon = Annotated[
     str | None,
     typer.Option(
         metavar="none|Z,AZ[,PHASE]",
-        help="The Moon as a second light: zenith angle, azimuth from the sun's side and phase "
-        "angle (0 full, 90 half). On Earth with --time it is where it stands then; none: left out.",
+        help="Moon as a second light: zenith angle, azimuth from the sun and phase angle (0 full, "
+        "90 half); none to exclude it. Default: by --at and --time.",
     ),
 ]
 SecondStar = Annotated[
     str | None,
     typer.Option(
         metavar="Z,AZ,KELVIN[,RADIUS]",
-        help="A second sun, as in a binary: zenith angle, azimuth from the first one's side, "
-        "temperature, and angular radius (if left out 0.27deg): 80,12,3500K.",
+        help="Second star: zenith angle, azimuth from the first, temperature, and angular radius "
+        "(0.27deg), e.g. 80,12,3500K.",
     ),
 ]
 
@@ -36,17 +36,17 @@ Stars = Annotated[
     bool,
     typer.Option(
         "--stars",
-        help="Stars to magnitude 6.5, with --at and --time where they are then, otherwise by the "
-        "place of the sun; by day outshone.",
+        help="Stars to magnitude 6.5, by --at and --time or by the position of the sun; invisible "
+        "by day.",
     ),
 ]
 
-#: Angular radius of a second star if nobody says. [deg]
+#: Default angular radius of a second star. [deg]
 _RADIUS = 0.27
 
 
 def given(moon: str | None, second_star: str | None, placed: Placed) -> tuple[LightPosition, ...]:
-    """Lights beside the sun, from the options' texts, or from place and time.
+    """Secondary lights, from the texts of the options, or from place and time.
 
     Parameters
     ----------

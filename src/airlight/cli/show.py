@@ -12,7 +12,7 @@ from airlight.cli.comparison import print_comparison
 from airlight.cli.console import console
 from airlight.cli.examples import examples
 from airlight.cli.scene_description import print_scene
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -29,7 +29,7 @@ EPILOG = examples(
     "airlight show earth --set 'ozone.absorption.ozone=200 DU' --compare earth",
 )
 
-#: Wavelengths between which missing bands are named. [nm]
+#: Range in which omitted absorption bands are listed. [nm]
 _SHORTEST, _LONGEST = 780.0, 20_000.0
 
 
@@ -39,7 +39,7 @@ def show(
         str | None,
         typer.Option(
             metavar="OTHER",
-            help="Show what differs from PLANET to this one instead, and by how much.",
+            help="Planet to compare with: show the differences instead.",
         ),
     ] = None,
     latitude: options.Latitude = None,
@@ -61,7 +61,7 @@ def show(
                  "--ground-albedo": ground_albedo}  # fmt: skip
         for option, value in given.items():
             if value is not None:
-                raise ParameterError(option, value, "none of a scene, which is described alone")
+                raise ConflictError(option, "is not available for scene files")
         print_scene(scene_file.changed(planet, scene_file.SceneOptions(changes=set_)))
         return
     world = options.planet(planet, set_)
@@ -95,8 +95,8 @@ def _spectral(values: Any) -> str:
 def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     import numpy as np
 
-    from airlight.planets.gas_bands import bands_left_out
-    from airlight.planets.missing_bands import missing_bands
+    from airlight.planets.gas_bands import omitted_bands
+    from airlight.planets.omitted_absorption_bands import omitted_absorption_bands
 
     table = _table(planet.name, "")
     if planet.description:
@@ -105,19 +105,21 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     height = (planet.top_radius - planet.bottom_radius) / 1e3
     table.add_row("top of the air", f"{planet.top_radius / 1e3:.8g} km ({height:.6g} km up)")
     low, high = planet.wavelength_limits
-    table.add_row("known from", f"{low:.5g} to {high:.5g} nm")
-    for line in missing_bands(planet, np.arange(max(low, _SHORTEST), min(high, _LONGEST), 10.0)):
-        table.add_row("but", line)
+    table.add_row("wavelength range", f"{low:.5g} to {high:.5g} nm")
+    for line in omitted_absorption_bands(
+        planet, np.arange(max(low, _SHORTEST), min(high, _LONGEST), 10.0)
+    ):
+        table.add_row("warning", line)
     table.add_row("wavelengths", f"{_spectral(medium.wavelengths)} nm")
     table.add_row("ground albedo", _spectral(medium.ground_albedo))
     if medium.surface.map is not None:
         table.add_row("ground map", medium.surface.map)
     if medium.surface.map is not None or medium.surface.clouds is not None:
-        table.add_row("ground below the air", "as given" if given else _ground_below(planet))
+        table.add_row("solver albedo", "as given" if given else _ground_below(planet))
     if medium.surface.clouds is not None:
         table.add_row("clouds", f"{medium.surface.clouds}, mean cover {medium.ground.cover:.4g}")
-    for left_out in bands_left_out(planet, medium.wavelengths):
-        table.add_row("left out", str(left_out))
+    for omitted in omitted_bands(planet, medium.wavelengths):
+        table.add_row("omitted absorption", str(omitted))
     table.add_row("star", _parameters(planet.star))
     table.add_row("starlight", f"{_spectral(medium.solar_irradiance)} W m⁻² nm⁻¹")
     degrees = planet.star.angular_radius_degrees
@@ -126,9 +128,9 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
 
 
 def _ground_below(planet: Planet) -> str:
-    """Region whose ground the air is solved for."""
+    """Region whose surface albedo the solver uses."""
     known = planet.ground.local_line(planet.wavelengths[len(planet.wavelengths) // 2])
-    return known or "that of the whole planet; pictures have that around their observer"
+    return known or "mean of the planet; pictures use the surroundings of the observer"
 
 
 def _constituents(planet: Planet) -> Table:
@@ -139,7 +141,7 @@ def _constituents(planet: Planet) -> Table:
     for one in planet.constituents:
         phase: Any = one.phase_function
         if phase is None:
-            words = "its own" if one.scatters else "none, it only absorbs"
+            words = "Rayleigh" if one.scatters else "none, absorbs only"
         else:
             words = _parameters(phase)
         column = one.profile.column(planet.thickness)
@@ -153,7 +155,7 @@ def _composition(planet: Planet) -> Table:
 
     from airlight.planets.parameter_values import made_of
 
-    table = Table(box=None, title="what it is made of", title_justify="left")
+    table = Table(box=None, title="composition", title_justify="left")
     table.title_style = "italic"
     table.add_column("constituent", style="bold", no_wrap=True)
     table.add_column("quantity", no_wrap=True)
@@ -196,7 +198,7 @@ def _metres(value: float) -> str:
 
 def _parameters(thing: Any) -> str:
     """Describe a parameter object: its kind, as in planet files, and its values."""
-    from airlight.planets.schema.record import fields_of
+    from airlight.planets.schema.toml_model import fields_of
 
     words = [thing.keyword or type(thing).__name__.lower()]
     declared = fields_of(type(thing))
@@ -225,11 +227,11 @@ def _swatch(planet: Planet, *, cache: bool) -> RenderableType:
     from airlight.cli.progress import shown_progress
     from airlight.render.sky_color import SUN_ZENITH, sky_colors
 
-    text = Text(f"sky from the ground, sun {SUN_ZENITH:.0f} deg from the zenith, at its side\n")
+    text = Text(f"sky from the ground, sun zenith angle {SUN_ZENITH:.0f} deg, azimuth 90 deg\n")
     try:
         with shown_progress() as report:
             colors = sky_colors(planet, cache=cache, progress=report)
-    except ParameterError as error:  # a planet that is not known in the visible has no colour
+    except ParameterError as error:  # no data in the visible
         return text.append(f"no colour: {error}")
     for color in colors:
         text.append("        ", style=f"on {color.code}")

@@ -13,7 +13,7 @@ from airlight.cli import options, second_lights, time_and_place
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.environment.consumers import Consumer
@@ -37,48 +37,50 @@ def sky(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="An .exr or .hdr, linear; or a .png to look at."
+            "--output", "-o", metavar="FILE", help="Output map: linear .exr or .hdr, or .png."
         ),
     ],
     for_: Annotated[
         Literal["blender", "mitsuba", "usd", "godot", "three", "unity", "pbrt", "dome"],
-        typer.Option("--for", help="Who reads it: which bearing is in the middle, and its axes."),
+        typer.Option("--for", help="Target program; sets orientation and axes."),
     ],
     sun: Annotated[
         Literal["include", "exclude", "light"],
         typer.Option(
-            help="Discs of sun and moon: in the map; left out; or lights of their own in the JSON "
-            "and, for usd and mitsuba, in a scene."
+            help="Discs of sun and moon: in the map, excluded, or separate lights in the JSON (usd "
+            "and mitsuba: in a scene)."
         ),
     ] = "include",
     ground: Annotated[
         Literal["neutral", "map", "black"],
-        typer.Option(help="Lower half: grey of the ground's albedo; the planet's own; or nothing."),
+        typer.Option(
+            help="Lower half of the map: grey of the ground's albedo, the planet's map, or black."
+        ),
     ] = "neutral",
     size: Annotated[
-        str | None, typer.Option(metavar="N", help="Width; of a square map its side. 2048, 1024.")
+        str | None, typer.Option(metavar="N", help="Map width (2048; 1024 if square).")
     ] = None,
     front: Annotated[
-        str | None, typer.Option(metavar="BEARING", help="Of a dome, at its bottom: S or 180.")
+        str | None, typer.Option(metavar="BEARING", help="Dome: bearing at its bottom, S or 180.")
     ] = None,
     tilt: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of a dome towards its front: 0deg.")
+        str | None, typer.Option(metavar="ANGLE", help="Dome: tilt towards its front (0deg).")
     ] = None,
     up: Annotated[
-        Literal["y", "z"] | None, typer.Option(help="Of usd, the layer's axis: y if left out.")
+        Literal["y", "z"] | None, typer.Option(help="USD: up axis of the layer (y).")
     ] = None,
     precision: Annotated[
-        Literal["float", "half"], typer.Option(help="Of the channels of an .exr.")
+        Literal["float", "half"], typer.Option(help="Number format of EXR channels.")
     ] = "float",
     compression: Annotated[
-        Literal["zip", "dwa", "none"], typer.Option(help="Of an .exr; dwa is small and lossy.")
+        Literal["zip", "dwa", "none"], typer.Option(help="EXR compression; dwa is lossy.")
     ] = "zip",
     scale: Annotated[
         str,
         typer.Option(
             metavar="auto|FACTOR",
-            help="Factor of an .exr's numbers, which its header and the JSON say; auto is 1, and "
-            "where they are kept in half floats a power of two that these can hold.",
+            help="Factor of the stored radiances, recorded in the header and the JSON; auto: 1, or "
+            "a power of two that fits half floats.",
         ),
     ] = "auto",
     at: time_and_place.At = None,
@@ -87,7 +89,7 @@ def sky(
     season: time_and_place.Season = None,
     sun_distance: time_and_place.SunDistance = "true",
     altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Of the observer above the ground (2m).")
+        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground (2m).")
     ] = None,
     sun_zenith: options.SunZenith = None,
     sun_azimuth: options.SunAzimuth = None,
@@ -145,7 +147,7 @@ def sky(
         linear |= {"--scale": (scale, "auto")} if suffix == ".png" else {}
         for option, (value, left_out) in linear.items():
             if value != left_out:
-                raise ParameterError(option, value, f"left out for a {suffix}")
+                raise ConflictError(option, f"does not apply to {suffix} files")
     columns, rows = options.picture_size(size, consumer.projection)
     world = options.planet(planet, set_)
     if ground_albedo is not None:
@@ -158,11 +160,12 @@ def sky(
     if stars:
         check_stars(world.body, consumer.projection, "--stars")
     somewhere = placed is not None or latitude is not None or longitude is not None
-    for option, given, other in (
-        ("--latitude", latitude, longitude), ("--longitude", longitude, latitude),
-    ):  # fmt: skip
+    for option, given, missing, other in (
+        ("--latitude", latitude, "--longitude", longitude),
+        ("--longitude", longitude, "--latitude", latitude),
+    ):
         if given is not None and other is None:
-            raise ParameterError(option, given, "both of --latitude and --longitude")
+            raise ConflictError(option, f"requires {missing}")
     if placed is None:
         placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
     time_and_place.on_floor(world, placed.altitude)
@@ -184,7 +187,7 @@ def sky(
         raise ParameterError("--wavelengths", wavelengths, allowed)
 
     def refused(reason: str) -> None:
-        note(f"the processor renders instead: {reason}")
+        note(f"falling back to the CPU: {reason}")
 
     with shown_progress() as report:
         made = environment_map(
@@ -207,7 +210,7 @@ def sky(
     except ParameterError as error:
         if error.field != "scale":
             raise
-        raise ParameterError("--scale", error.value, error.allowed) from None
+        raise error.named("--scale") from None
     if placed.time is not None:
         say(time_and_place.line(world, placed, sun_distance))
     _report(made, written, precision, time.perf_counter() - started)
@@ -220,12 +223,12 @@ def _consumer(name: str, front: str | None, tilt: str | None, up: str | None) ->
     consumer = consumer_named(name)
     if up is not None:
         if name != "usd":
-            raise ParameterError("--up", up, "beside --for usd")
+            raise ConflictError("--up", "requires --for usd")
         consumer = consumer.with_up(up)
     if consumer.tilt is None:
         for option, text in (("--front", front), ("--tilt", tilt)):
             if text is not None:
-                raise ParameterError(option, text, "beside --for dome")
+                raise ConflictError(option, "requires --for dome")
         return consumer
     bearing = consumer.centre
     if front is not None:
@@ -233,7 +236,7 @@ def _consumer(name: str, front: str | None, tilt: str | None, up: str | None) ->
     try:
         return consumer.facing(bearing, 0.0 if tilt is None else options.angle(tilt, "--tilt"))
     except ParameterError as error:
-        raise ParameterError(f"--{error.field}", error.value, error.allowed) from None
+        raise error.named(f"--{error.field}") from None
 
 
 def _scale(text: str) -> float | None:
@@ -256,7 +259,7 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
         kind = f"exposure {written.exposure:+.2f} EV"
     size = written.path.stat().st_size / 1e3
     say(f"{written.path}  {columns}x{rows}  {size:.0f} kB  {seconds:.1f} s  {kind}")
-    words = {"include": "in the map", "exclude": "left out", "light": "a light of its own"}
+    words = {"include": "in the map", "exclude": "excluded", "light": "a separate light"}
     for one in made.discs:
         east, north, up = one.direction
         bearing = math.degrees(math.atan2(east, north)) % 360.0
@@ -266,11 +269,11 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
             + _moved(one)
         )
     if not made.discs:
-        say("no disc of sun or moon is seen")
+        say("no disc of sun or moon is visible")
     if made.gamut.share > 0.0:
         say(
-            f"outside sRGB: {100.0 * made.gamut.share:.3g} % of the sky's texels, moved to it at "
-            f"their luminance, a channel by at most {made.gamut.largest:.3g} of that"
+            f"outside sRGB: {100.0 * made.gamut.share:.3g} % of the sky's texels, mapped into it "
+            f"at constant luminance, a channel by at most {made.gamut.largest:.3g} of that"
         )
     for path in written.beside:
         say(path)
@@ -279,4 +282,4 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
 def _moved(disc: Disc) -> str:
     """Words about a disc whose colour was beyond sRGB."""
     share = disc.gamut_change
-    return "" if share == 0.0 else f", moved into sRGB: a channel by {share:.2g} of its luminance"
+    return "" if share == 0.0 else f", mapped into sRGB: a channel by {share:.2g} of its luminance"

@@ -28,7 +28,7 @@ EPILOG = examples(
     "airlight spectrum exoplanet --of disc --phase-angles 90 --wavelengths 680,550,440",
 )
 
-#: Figures, beside the files of numbers.
+#: Suffixes of figures.
 _FIGURES: Final = (".png", ".svg", ".pdf")
 #: Wavelengths by default, those at which the planet is known. [nm]
 _FIRST, _LAST, _STEP = 360, 830, 10
@@ -41,48 +41,47 @@ def spectrum(
     of: Annotated[
         Literal["geometric-albedo", "bond-albedo", "phase-curve", "transmission", "limb", "disc"],
         typer.Option(
-            help="geometric-albedo: brightness at full phase; bond-albedo: share of the light that "
-            "leaves again; phase-curve: brightness over the phase angle; transmission: effective "
-            "radius in transit; limb: radiance over the tangent height; disc: light of the whole "
-            "disc, and against the star."
+            help="Observable: geometric-albedo (brightness at full phase), bond-albedo (reflected "
+            "fraction of the incident light), phase-curve (brightness over phase angle), "
+            "transmission (effective radius in transit), limb (radiance over tangent height), disc "
+            "(disc-integrated light, and contrast to the star)."
         ),
     ],
     wavelengths: Annotated[
         str | None,
         typer.Option(
             metavar="rgb|N|LIST|FROM:TO:STEP",
-            help="In nm: 400:900:10; every 10 nm from 360 to 830 if left out.",
+            help="Wavelengths in nm, e.g. 400:900:10 (360:830:10).",
         ),
     ] = None,
     phase_angles: Annotated[
         str | None,
         typer.Option(
             metavar="LIST|FROM:TO:STEP",
-            help="Of disc (0) and phase-curve (0:180:5): between star and observer, seen from the "
-            "planet.",
+            help="Phase angles of disc (0) and phase-curve (0:180:5).",
         ),
     ] = None,
     tangent_heights: Annotated[
         str | None,
         typer.Option(
-            metavar="LIST|FROM:TO:STEP", help="Of limb: 0:100:5km; 60 heights if left out."
+            metavar="LIST|FROM:TO:STEP", help="Limb: tangent heights, e.g. 0:100:5km (60 heights)."
         ),
     ] = None,
     sun_zenith: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Of limb: the sun's at the tangent point (60deg)."),
+        typer.Option(metavar="ANGLE", help="Limb: sun zenith angle at the tangent point (60deg)."),
     ] = None,
     azimuth: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLE",
-            help="Of limb: between the line of sight and the sun, 0 towards it (90deg).",
+            help="Limb: azimuth between line of sight and sun (90deg).",
         ),
     ] = None,
     radius: Annotated[
         str | None,
         typer.Option(
-            metavar="LENGTH", help="Of the reference disc of albedos (that of the ground)."
+            metavar="LENGTH", help="Radius of the reference disc of albedos (that of the ground)."
         ),
     ] = None,
     output: Annotated[
@@ -91,8 +90,8 @@ def spectrum(
             "--output",
             "-o",
             metavar="FILE",
-            help="A .csv, a .nc (netCDF), or a figure as .png, .svg or .pdf; may be given several "
-            "times. Without it the numbers are printed.",
+            help="Output: .csv, .nc (netCDF), or a figure (.png, .svg, .pdf); may be repeated. "
+            "Default: print the numbers.",
         ),
     ] = None,
     quality: options.Quality = "default",
@@ -135,7 +134,7 @@ def spectrum(
             if error.field not in given:
                 raise
             option = "--" + error.field.replace("_", "-")
-            raise ParameterError(option, error.value, error.allowed) from None
+            raise error.named(option) from None
     for path in files:
         _write(path, data)
         say(f"{path}  {of} of {world.name}  {time.perf_counter() - started:.1f} s")
@@ -146,8 +145,8 @@ def spectrum(
 
 def _checked(files: list[Path]) -> list[Path]:
     """Refuse files that cannot be written, before the work."""
+    from airlight.exports.atomic_file import check_target
     from airlight.exports.spectrum_files import SUFFIXES
-    from airlight.exports.whole_file import check_target
 
     for path in files:
         if path.suffix.lower() not in (*SUFFIXES, *_FIGURES):
@@ -175,11 +174,11 @@ def _write(path: Path, data: xarray.Dataset) -> None:
 
         write_spectrum(path, data)
         return
-    from airlight.exports.whole_file import whole_file
+    from airlight.exports.atomic_file import atomic_file
     from airlight.plots.figure import write_figure
     from airlight.plots.spectrum import spectrum as drawn
 
-    with whole_file(path) as part, part.open("wb") as file:
+    with atomic_file(path) as part, part.open("wb") as file:
         write_figure(drawn(data), file, suffix.removeprefix("."), 150.0)
 
 

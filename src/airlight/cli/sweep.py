@@ -12,7 +12,7 @@ from airlight.cli import distribution_options, options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
 from airlight.cli.progress import shown_progress
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 EPILOG = examples(
     "airlight sweep earth --sun-zenith 0:90:5 --view-zenith 0:85:5 --azimuth 0:180:30 -o sky.zarr",
@@ -27,51 +27,52 @@ EPILOG = examples(
 
 def sweep(
     planets: Annotated[
-        list[str], typer.Argument(metavar="PLANET…", help="Presets, or paths of TOML files.")
+        list[str], typer.Argument(metavar="PLANET…", help="Planets: presets or TOML files.")
     ],
     sun_zenith: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Zenith angles of the sun: 0:90:5.")
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Sun zenith angles, e.g. 0:90:5.")
     ],
     view_zenith: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Zenith angles of the view.")
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="View zenith angles.")
     ],
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="DIR", help="Zarr: new, or the sweep to go on with."
+            "--output",
+            "-o",
+            metavar="DIR",
+            help="Output Zarr folder: new, or the sweep to continue.",
         ),
     ],
     altitude: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Of the observer: 0m,2km.")
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Observer altitudes, e.g. 0m,2km.")
     ] = "0m",
     azimuth: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Between view and sun.")
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Azimuths between view and sun.")
     ] = "0deg",
     vary: Annotated[
         list[str] | None,
         typer.Option(
             metavar="PATH=A,B,C",
-            help="Values of a key of the planets' files: an axis of its own. May be given several "
-            "times.",
+            help="Values of a key of the planet files: an additional axis. May be repeated.",
         ),
     ] = None,
     wavelengths: Annotated[
-        str | None, typer.Option(metavar="LIST", help="In nm; the first planet's own if left out.")
+        str | None,
+        typer.Option(metavar="LIST", help="Wavelengths in nm (default of the first planet)."),
     ] = None,
     quality: options.Quality = "default",
     no_polarisation: options.NoPolarisation = False,
     stokes: Annotated[
         bool,
-        typer.Option(
-            "--stokes", help="Q, U, degree and angle of polarisation beside the radiance."
-        ),
+        typer.Option("--stokes", help="Also store Q, U, degree and angle of polarisation."),
     ] = False,
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,
 ) -> None:
     """Compute radiances on a grid, in W m⁻² sr⁻¹ nm⁻¹: only the blocks that are missing or changed.
 
-    Axes are planet, what varies, altitude, sun, view, azimuth and wavelength.
+    Axes: planet, varied keys, altitude, sun, view, azimuth and wavelength.
     """
     started = time.perf_counter()
     from airlight.planets.reading.overrides import FIELD
@@ -80,7 +81,7 @@ def sweep(
     from airlight.sweep.store import check_store
 
     if stokes and no_polarisation:
-        raise ParameterError("--stokes", True, "without --no-polarisation")
+        raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
     check_store(output, "--output")
     first = options.planet(planets[0])
     try:
@@ -96,18 +97,18 @@ def sweep(
     except ParameterError as error:
         name = error.field.partition("[")[0]
         if name == FIELD:
-            raise ParameterError("--vary", error.value, error.allowed, error.file) from None
+            raise error.named("--vary") from None
         if name not in ("altitude", "sun_zenith", "view_zenith", "azimuth"):
             raise
         option = "--" + error.field.replace("_", "-")
-        raise ParameterError(option, error.value, error.allowed) from None
+        raise error.named(option) from None
     with shown_progress() as report, distribution_options.named():
         done = computed(
             grid, output, quality=quality, polarisation=not no_polarisation, stokes=stokes,
             scheduler=scheduler, workers=workers, told=note, progress=report,
         )  # fmt: skip
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
-    say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} kept  "
+    say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} unchanged  "
           f"{time.perf_counter() - started:.1f} s")  # fmt: skip
 
 

@@ -10,7 +10,7 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.console import note
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -24,8 +24,8 @@ At = Annotated[
     typer.Option(
         "--at",
         metavar="LAT,LON[,ALTITUDE]",
-        help="Where, beside --time: 59.33N,18.07E or 59.33,18.07; also ,35km. On Mars and Titan "
-        "planetocentric, east positive.",
+        help="Observer position, with --time: 59.33N,18.07E or 59.33,18.07; optionally ,35km. Mars "
+        "and Titan: planetocentric, east positive.",
     ),
 ]
 Time = Annotated[
@@ -33,16 +33,15 @@ Time = Annotated[
     typer.Option(
         "--time",
         metavar="TIME",
-        help="When, beside --at: 2026-06-21T22:10+02:00, …Z, without a zone beside --zone; or, "
-        "also after a date, sunrise, sunset, noon, moonrise, moonset, civil-dusk, civil-dawn, "
-        "nautical-…, astronomical-….",
+        help="Time, with --at: 2026-06-21T22:10+02:00, …Z, or without a zone with --zone; or an "
+        "event, optionally after a date: {ephemeris.events:WORDS}.",
     ),
 ]
 Zone = Annotated[
     str | None,
     typer.Option(
         metavar="ZONE",
-        help="Of a --time without one: Europe/Stockholm; or solar, local true solar time.",
+        help="Time zone of --time: Europe/Stockholm; or solar, true solar time.",
     ),
 ]
 Season = Annotated[
@@ -50,20 +49,19 @@ Season = Annotated[
     typer.Option(
         "--ls",
         metavar="ANGLE",
-        help="Longitude Ls of the sun, 0 in northern spring: --time is then a word or a local true "
-        "solar time, 14:30 (if left out noon), at the first passage after its date, or after 2000.",
+        help="Solar longitude Ls, 0 at the northern spring equinox; --time is then an event or a "
+        "true solar time such as 14:30 (noon), after its date or after 2000.",
     ),
 ]
 SunDistance = Annotated[
     Literal["true", "file"],
     typer.Option(
-        metavar="WORD",
-        help="With --time, the sun's distance and size: true, those of that time; file, the "
-        "planet's own.",
+        metavar="true|file",
+        help="Sun distance with --time: true at that time, or that of the planet's file.",
     ),
 ]
 
-#: Wavelength of what an eclipse leaves of the sun. [nm]
+#: Wavelength at which the visible fraction of an eclipsed sun is given. [nm]
 _MIDDLE = 550.0
 
 
@@ -155,12 +153,12 @@ def given(
         return None
     if at is None:
         option = next(one for one, text in named.items() if text is not None)
-        raise ParameterError(option, named[option], "beside --at, the place")
+        raise ConflictError(option, "requires --at")
     for option, text in others.items():
         if text is not None:
-            raise ParameterError(option, text, "left out beside --at and --time")
+            raise ConflictError(option, "cannot be combined with --at and --time")
     if time is None and season is None:
-        raise ParameterError("--at", at, "beside --time, or --ls")
+        raise ConflictError("--at", "requires --time or --ls")
     from airlight.ephemeris.place_text import read_place
     from airlight.ephemeris.sky import Place, moon_seen, sun_seen
     from airlight.ephemeris.time_text import read_time
@@ -168,7 +166,7 @@ def given(
 
     latitude, longitude, above = read_place(at, "--at")
     if above is not None and altitude is not None:
-        raise ParameterError("--altitude", altitude, "left out beside an altitude in --at")
+        raise ConflictError("--altitude", "cannot be combined with an altitude in --at")
     height = STANDING
     if above is not None:
         height = options.length(above, "--at")
@@ -179,10 +177,10 @@ def given(
     try:
         moment = read_time(time or "noon", place, zone=zone, season=ls, field="--time")
     except ParameterError as error:
-        names = {"zone": "--zone", "solar_longitude": "--ls", "body": "--time"}
-        value = time if error.field == "body" else error.value
-        field = names.get(error.field, error.field)
-        raise ParameterError(field, value, error.allowed) from None
+        names = {"zone": "--zone", "solar_longitude": "--ls"}
+        if error.field == "body":
+            raise ParameterError("--time", time, error.allowed) from None
+        raise error.named(names.get(error.field, error.field)) from None
     sun = sun_seen(place, moment)
     moon = moon_seen(place, moment) if place.world.has_moon else None
     return Placed(
@@ -211,10 +209,10 @@ def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
     try:
         lowered, height = stands_on_floor(planet, altitude)
     except ParameterError as error:
-        raise ParameterError("--altitude", error.value, error.allowed) from None
+        raise error.named("--altitude") from None
     note(
-        f"the observer stands on the floor of a basin at {altitude - height:.10g} m: all of the "
-        "ground is solved there, and the air goes on below 0 m"
+        f"the observer stands on the floor of a basin: the atmosphere is solved for ground at "
+        f"{altitude - height:.10g} m everywhere"
     )
     return lowered, height
 
@@ -262,10 +260,7 @@ def _eclipse(planet: Planet, place: Place, time: datetime, moon: MoonSighting) -
         return ""
     darkening = planet.lights([_MIDDLE])[0].darkenings
     part = visible_light(sun.angular_radius, [apart], [moon.angular_radius], darkening=darkening)[0]
-    left = f"{100.0 * part:.2g} % of its light is left"
+    left = f"{100.0 * part:.2g} % of its light is visible"
     if part <= 0.0:
-        left = (
-            "total; the sky of totality is that of a scene: airlight render solar-eclipse-2017 "
-            "--at … --time …"
-        )
-    return f"  in front of the sun, {apart:.2f}° from its middle: {left}"
+        left = "total; for the sky of totality: airlight render solar-eclipse-2017 --at … --time …"
+    return f"  in front of the sun, {apart:.2f}° from its centre: {left}"

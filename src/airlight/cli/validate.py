@@ -23,7 +23,7 @@ EPILOG = examples(
     "airlight validate --data reference-data -o docs/validation/report.md",
 )
 
-#: Exit status if a bar is missed.
+#: Exit status if a threshold is missed.
 MISSED = 1
 
 
@@ -31,40 +31,42 @@ def validate(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="A page .html, or .md with pictures beside it."
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="Report: .html, or .md with a folder of pictures.",
         ),
     ],
     suite: Annotated[
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="golden, solvers, spherical, cie, measured, kider, energy, disort, published, "
-            "polarisation or all (all); may be given several times.",
+            help="Suites: {validation.run:SUITES} or all (all). May be repeated.",
         ),
     ] = None,
     data: Annotated[
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Reference data, which spherical, measured and kider need; not shipped.",
+            help="Folder of reference data for spherical, measured and kider; not distributed.",
         ),
     ] = None,
     pictures: Annotated[
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Write a Markdown version too, with its pictures in this folder.",
+            help="Folder of pictures for an additional Markdown version.",
         ),
     ] = None,
     overwrite: options.Overwrite = False,
 ) -> None:
     """Check airlight against published numbers, independent codes and measured skies.
 
-    The exit status is 0 if every bar is met, 1 if one is missed, 2 after an error.
+    The exit status is 0 if every threshold is met, 1 if one is missed, 2 after an error.
     """
     started = time.perf_counter()
+    from airlight.exports.atomic_file import check_target
     from airlight.exports.report_pictures import check_pictures
-    from airlight.exports.whole_file import check_target
     from airlight.validation.run import chosen, run
 
     check_target(output)
@@ -76,26 +78,32 @@ def validate(
     if pictures is not None:
         check_pictures(pictures, _page(output), overwrite=overwrite)
     names = suite or ["all"]
-    chosen(names, data)
+    try:
+        chosen(names, data)
+    except ParameterError as error:
+        raise error.named(f"--{error.field}") from None
     _check_matplotlib()
 
     from airlight.validation.provenance import provenance
-    from airlight.validation.report import Report, result_word
+    from airlight.validation.report import ValidationReport, result_word
 
     suites = []
     with shown_progress() as report:
         for one in run(names, data, progress=report):
             suites.append(one)
-            met = sum(bar.passed for bar in one.bars)
+            met = sum(threshold.passed for threshold in one.thresholds)
             say(
-                f"{one.name:10s} {result_word(one):20s} {met} of {len(one.bars)} bars  "
+                f"{one.name:10s} {result_word(one):20s} {met} of {len(one.thresholds)} thresholds  "
                 f"{one.seconds:.1f} s",
                 flush=True,
             )
-            for bar in one.bars:
-                if not bar.passed:
-                    say(f"  missed: {bar.name}: {bar.got:.4g}, allowed {bar.allowed:.4g}")
-    whole = Report(suites=suites, provenance=provenance(), seconds=time.perf_counter() - started)
+            for threshold in one.thresholds:
+                if not threshold.passed:
+                    got, allowed = threshold.got, threshold.allowed
+                    say(f"  missed: {threshold.name}: {got:.4g}, allowed {allowed:.4g}")
+    whole = ValidationReport(
+        suites=suites, provenance=provenance(), seconds=time.perf_counter() - started
+    )
     _write(whole, output, pictures, overwrite)
     say(f"{output}  {output.stat().st_size / 1e3:.0f} kB  {whole.verdict}")
     if not whole.passed:
@@ -117,19 +125,19 @@ def _page(output: Path) -> Path | None:
 def _write(report: object, output: Path, pictures: Path | None, overwrite: bool) -> None:
     import os
 
+    from airlight.exports.atomic_file import atomic_file
     from airlight.exports.report_pictures import write_pictures
-    from airlight.exports.whole_file import whole_file
     from airlight.validation.markdown import markdown, picture_files
-    from airlight.validation.report import Report, html
+    from airlight.validation.report import ValidationReport, html
 
-    assert isinstance(report, Report)
+    assert isinstance(report, ValidationReport)
     page = output.with_suffix(".md")
     if pictures is not None:
         beside = Path(os.path.relpath(pictures, page.parent)).as_posix()
         text = markdown(report, beside)
         write_pictures(pictures, picture_files(report), _page(output), text, overwrite=overwrite)
-        with whole_file(page) as part:
+        with atomic_file(page) as part:
             part.write_text(text, encoding="utf-8")
     if output.suffix.lower() != ".md":
-        with whole_file(output) as part:
+        with atomic_file(output) as part:
             part.write_text(html(report), encoding="utf-8")

@@ -12,7 +12,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import say
 from airlight.cli.examples import examples
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 EPILOG = examples(
     "airlight view earth",
@@ -29,72 +29,79 @@ def view(
     planet: options.Planet_,
     compare: Annotated[
         str | None,
-        typer.Option(metavar="OTHER", help="Show this planet beside it, behind a line to drag."),
+        typer.Option(metavar="OTHER", help="Second planet, side by side with a draggable divider."),
     ] = None,
     altitude: Annotated[
         str | None,
-        typer.Option(metavar="LENGTH", help="Of the observer above the ground: 400km, 10m."),
+        typer.Option(metavar="LENGTH", help="Observer altitude above ground, e.g. 400km."),
     ] = None,
     look: Annotated[
         str | None,
         typer.Option(
             metavar="ZENITH,AZIMUTH",
-            help="Where to look; azimuth 0 is the sun's side, 90 to its right.",
+            help="Camera direction; azimuth 0 is towards the sun, 90 to its right.",
         ),
     ] = None,
     look_at: Annotated[
         Literal["horizon", "nadir", "zenith", "sun"] | None,
-        typer.Option(metavar="WORD", help="Instead: horizon, nadir, zenith or sun."),
+        typer.Option(metavar="horizon|nadir|zenith|sun", help="Camera target, instead of --look."),
     ] = None,
     roll: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Turns the camera clockwise about its line."),
+        typer.Option(metavar="ANGLE", help="Camera roll, clockwise."),
     ] = None,
     sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Zenith angle of the sun at the observer.")
+        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer.")
     ] = None,
     fov: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Between the picture's sides.")
+        str | None, typer.Option(metavar="ANGLE", help="Horizontal field of view.")
     ] = None,
     projection: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="perspective, fisheye, equirectangular or cubemap."),
+        typer.Option(
+            metavar="NAME", help="Projection, except orthographic: {scene.projections:PROJECTIONS}."
+        ),
     ] = None,
     size: Annotated[
-        str, typer.Option(metavar="WxH", help="Of the window, panels included.")
+        str, typer.Option(metavar="WxH", help="Window size, panels included.")
     ] = "1280x720",
     exposure: Annotated[
-        str, typer.Option(metavar="EV|auto", help="Brightens by 2 to this power.")
+        str, typer.Option(metavar="EV|auto", help="Exposure compensation, a power of 2.")
     ] = "auto",
     tone_map: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Tone map: natural, hable, aces, agx …"),
+        typer.Option(metavar="NAME", help="Tone map: {color.tone_maps:TONE_MAPS}."),
     ] = None,
     glare: options.Glare = 1.0,
     quality: options.Quality = "default",
     latitude: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Of the ground below, for its map.")
+        str | None, typer.Option(metavar="ANGLE", help="Observer latitude, for the ground map.")
     ] = None,
     longitude: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Of the ground below, for its map; east is +."),
+        typer.Option(
+            metavar="ANGLE", help="Observer longitude, east positive, for the ground map."
+        ),
     ] = None,
     sun_azimuth: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Compass bearing of the sun, for the map.")
+        str | None,
+        typer.Option(metavar="BEARING", help="Compass bearing of the sun, for the ground map."),
     ] = None,
     device: Annotated[
         Literal["auto", "gpu", "cpu"],
-        typer.Option(metavar="NAME", help="Who makes the pictures: gpu, cpu, or auto."),
+        typer.Option(metavar="auto|gpu|cpu", help="Renderer."),
     ] = "auto",
     screenshot: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Open no window: write what it would show to a .png."),
+        typer.Option(
+            metavar="FILE", help="Write the window's contents to a .png, without opening it."
+        ),
     ] = None,
     set_: options.Set = None,
 ) -> None:
     """Open a window on a planet: fly, turn the sun, edit every parameter and read the light.
 
-    F1 in the window says what mouse and keys do. The first start compiles, and counts it.
+    F1 in the window lists mouse and key bindings. The first start compiles code, with progress.
     """
     started = time.perf_counter()
     from airlight.viewer.window.start import Start, show
@@ -104,7 +111,7 @@ def view(
         allowed = f"sides of {_SMALLEST} to {_LARGEST} pixels"
         raise ParameterError("--size", size, allowed)
     if look is not None and look_at is not None:
-        raise ParameterError("--look", look, "one of --look and --look-at")
+        raise ConflictError("--look", "cannot be combined with --look-at")
     view = _view_values(
         numbers={
             "view.altitude": (altitude, options.length, "--altitude"),

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from airlight.cli import options
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
@@ -36,9 +36,8 @@ def check(projection: str, given: Mapping[str, str | None], at: str | None) -> b
         given = {**given, "--at": at}
     for option, text in given.items():
         if projection == ORTHOGRAPHIC and text is not None:
-            what = "without an altitude" if option == "--at" else "left out"
-            allowed = f"{what} for {projection}: from far away, north up; --roll turns it"
-            raise ParameterError(option, text, allowed)
+            what = "an altitude in --at" if option == "--at" else option
+            raise ConflictError(f"--projection {projection}", f"takes no {what}")
     return projection == ORTHOGRAPHIC
 
 

@@ -18,7 +18,7 @@ from airlight.composition.aerial_reading import (
     air_transmittance,
     sky_radiance,
 )
-from airlight.composition.stretch import Air
+from airlight.composition.path_radiance import PathRadiance
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, store
@@ -229,7 +229,7 @@ class _March:
     def __init__(self, solution: MomentsSolution, scene: Scene) -> None:
         self.solution = solution
         self.numbers = scene_numbers(scene, solution)
-        self._air = Air(solution, scene)
+        self._air = PathRadiance(solution, scene)
         self._r = solution.medium.bottom_radius + scene.altitude
         self._sun = scene.sun_direction
         colors = solution.lights[0].colors()

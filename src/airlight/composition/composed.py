@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.composition.depth import distances, filled, kind_of
 from airlight.composition.froxels import BAR, CELL, Froxels
+from airlight.composition.path_radiance import PathRadiance
 from airlight.composition.pinhole import Pinhole
-from airlight.composition.placement import Placement, Viewpoint, viewpoint
+from airlight.composition.placement import PinholeView, Placement, pinhole_view
 from airlight.composition.relight import Relight
-from airlight.composition.stretch import Air
 from airlight.composition.surface_light import SurfaceLight
 from airlight.errors import Cancelled, ParameterError, warn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
@@ -167,9 +167,9 @@ def compose(
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "a solution of moments")
-    view = viewpoint(camera, place, solution.medium.bottom_radius)
+    view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
-        _Picture(seen, lit, view, exact, disc)
+        _LightLayer(seen, lit, view, exact, disc)
         for seen, lit, _, _ in lit_scenes(view.scene, solution)
     ]
     surface = SurfaceLight(solution, white)
@@ -275,16 +275,16 @@ def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> No
         raise ParameterError(name, float(values[wrong][0]), allowed + others)
 
 
-class _Picture:
+class _LightLayer:
     """Air and sky of a picture by one light."""
 
     def __init__(
-        self, scene: Scene, solution: MomentsSolution, view: Viewpoint, exact: bool, disc: bool
+        self, scene: Scene, solution: MomentsSolution, view: PinholeView, exact: bool, disc: bool
     ) -> None:
         self._view, self._exact = view, exact
         self._axes = scene.camera.axes
         self.colors = solution.lights[0].colors()
-        self._air = Air(solution, scene)
+        self._air = PathRadiance(solution, scene)
         self._drawing = Drawing(solution, scene, exact=exact, disc=disc)
         self._filled = False
         r = solution.medium.bottom_radius + scene.altitude
@@ -329,7 +329,7 @@ class _Picture:
         Returns
         -------
         radiance, transmittance : array, shape (n, nl)
-            As from ``Air.before``.
+            As from ``PathRadiance.before``.
         told : (float, float, float)
             Numbers of surfaces and of those that were marched, and the froxels' largest error.
         """

@@ -15,7 +15,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.composition.stretch import Air
+from airlight.composition.path_radiance import PathRadiance
 from airlight.geometry.cubic_curves import catmull_rom
 from airlight.kernel import compiled_loop
 from airlight.kernel.threads import run_blocks
@@ -54,12 +54,14 @@ class Froxels:
     usable: NDArray[np.bool_]
 
     @classmethod
-    def fill(cls, air: Air, directions: FloatArray, nearest: float, farthest: float) -> Froxels:
+    def fill(
+        cls, air: PathRadiance, directions: FloatArray, nearest: float, farthest: float
+    ) -> Froxels:
         """March to every node.
 
         Parameters
         ----------
-        air : Air
+        air : PathRadiance
             Air before the observer.
         directions : array, shape (rows, columns, 3)
             Unit vectors of the nodes of the screen, in the observer's local frame. [1]
@@ -99,7 +101,8 @@ class Froxels:
         Returns
         -------
         radiance, transmittance, usable :
-            As from ``Air.before``, shape (n, nl), and whether all nodes around can be used, (n,).
+            As from ``PathRadiance.before``, shape (n, nl), and whether all nodes around are
+            usable, shape (n,).
         """
         count = self.values.shape[3] // 2
         out = np.empty((x.size, 2 * count), np.float32)

@@ -118,7 +118,7 @@ class Placement:
             named = {field: key for key, field in KEYS.items()}
             if error.field in named and given.get(error.field) is None:
                 field = f"airlight.{named[error.field]}"
-                raise ParameterError(field, error.value, error.allowed) from None
+                raise error.named(field) from None
             raise
 
     @property
@@ -141,7 +141,7 @@ class Placement:
 
 
 @dataclass(frozen=True, eq=False)
-class Viewpoint:
+class PinholeView:
     """View of a pinhole camera on a planet.
 
     Attributes
@@ -162,7 +162,7 @@ class Viewpoint:
     axes: FloatArray
 
 
-def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpoint:
+def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> PinholeView:
     """View of a camera whose scene is placed on a planet.
 
     Positions are float64 and relative to the ground below the origin, so that millimetres are kept.
@@ -178,7 +178,7 @@ def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpo
 
     Returns
     -------
-    Viewpoint
+    PinholeView
         View, with the sun as it stands at the camera.
 
     Raises
@@ -193,7 +193,7 @@ def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpo
     # h = (r² - R²)/(r + R), in which r² - R² does not cancel
     altitude = (east**2 + north**2 + high * (2.0 * bottom_radius + high)) / (r + bottom_radius)
     if altitude < _BELOW:
-        allowed = "0 m or above: raise the scene's origin by alt (--altitude)"
+        allowed = "0 m or above: raise the altitude of the scene's origin"
         raise ParameterError("camera's altitude", f"{altitude:.6g} m", allowed)
     up = from_centre / r
     axes = camera.axes @ place.to_east_north_up.T  # rows: east, north, up at the origin
@@ -222,7 +222,7 @@ def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpo
         sun_zenith=math.degrees(math.atan2(float(np.linalg.norm(np.cross(sun, up))), sun @ up)),
         latitude=latitude, longitude=longitude, sun_azimuth=bearing,
     )  # fmt: skip
-    return Viewpoint(
+    return PinholeView(
         scene=scene, left=0.5 * width - centre_x,
         top=0.5 * height - stretch * centre_y, stretch=stretch, axes=scene.camera.axes,
     )  # fmt: skip

@@ -9,7 +9,7 @@ from typing import Final
 
 from airlight.distribution.here import Here
 from airlight.distribution.runner import Runner
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.threads import thread_count
 
 #: Largest number of processes on one machine.
@@ -49,12 +49,10 @@ def opened_runner(
     if workers is not None and not 1 <= workers <= MOST_WORKERS:
         raise ParameterError("workers", workers, f"1 to {MOST_WORKERS}")
     if scheduler is not None and workers is not None:
-        raise ParameterError("workers", workers, "none beside a scheduler, which has its own")
+        raise ConflictError("workers", "cannot be combined with scheduler")
     installed = util.find_spec("distributed") is not None
     if not installed and scheduler is not None:
-        raise ParameterError(
-            "scheduler", scheduler, "none without Dask: pip install airlight[dask]"
-        )
+        raise ConflictError("scheduler", "requires Dask: pip install airlight[dask]")
     if not installed and (workers or 1) > 1:
         raise ParameterError("workers", workers, "1 without Dask: pip install airlight[dask]")
     if workers is None:

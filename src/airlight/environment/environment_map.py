@@ -15,7 +15,7 @@ from airlight.environment.disc import Disc, enu_from_local, seen_disc
 from airlight.environment.gamut import GamutChange, bring_into_gamut
 from airlight.environment.ground import GROUNDS, blacken_ground, grey_ground
 from airlight.environment.texels import texel_solid_angles
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.paint.paint_scene import paint_solved
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.planets.reading.reader import PlanetLike, load_planet
@@ -175,7 +175,7 @@ def environment_map(
         if value not in allowed:
             raise ParameterError(name, value, ", ".join(allowed))
     if scene.camera.polariser is not None:
-        raise ParameterError("camera.polariser", scene.camera.polariser, "none of a map")
+        raise ConflictError("camera.polariser", "does not apply to an environment map")
     planet = load_planet(planet, progress=progress, cancel=cancel)
     camera = map_camera(consumer, scene.camera.width, scene.camera.height, scene.sun_azimuth)
     planet, scene = on_basin_floor(planet, replace(scene, camera=camera))

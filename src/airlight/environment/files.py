@@ -16,11 +16,11 @@ from airlight.environment.sidecar import FORMAT, as_json, described
 from airlight.environment.texels import reaching_poles
 from airlight.environment.usd_scene import usd_scene
 from airlight.errors import FileError, ParameterError
+from airlight.exports.atomic_file import atomic_file, check_target
 from airlight.exports.exr import LARGEST_HALF, write_exr
 from airlight.exports.hdr import write_hdr
 from airlight.exports.manifest import check_replaceable, fingerprint_of, own_files, sealed
 from airlight.exports.picture import LINEAR, picture_suffix, write_picture
-from airlight.exports.whole_file import check_target, whole_file
 from airlight.plain_text import is_plain
 
 if TYPE_CHECKING:
@@ -211,7 +211,7 @@ def _facts(made: EnvironmentMap) -> dict[str, str]:
 
 def _write(path: Path, content: bytes) -> None:
     try:
-        with whole_file(path) as part:
+        with atomic_file(path) as part:
             part.write_bytes(content)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error}") from error

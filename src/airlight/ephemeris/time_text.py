@@ -13,13 +13,13 @@ from airlight.ephemeris.instant import days_of, time_at
 from airlight.ephemeris.place_text import written_place
 from airlight.ephemeris.sky import Place
 from airlight.ephemeris.solar_time import time_of_season, true_solar_time
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.units import Measure, quantity
 
 #: Zone of the sun's own clock.
 SOLAR: Final = "solar"
 _FORM: Final = (
-    "a time with its zone, 2026-06-21T22:10+02:00 or 2026-06-21T20:10Z; one without beside --zone; "
+    "a time with its zone, 2026-06-21T22:10+02:00 or 2026-06-21T20:10Z; without, if a zone is set; "
     f"or, also after a date, {', '.join(WORDS)}"
 )
 _CLOCK = re.compile(r"(?:(\d{4}-\d{2}-\d{2})[T ]+)?(\d{1,2}:\d{2}(?::\d{2}(?:\.\d+)?)?)")
@@ -101,14 +101,15 @@ def read_time(
             clock_time(lambda days: true_solar_time(world, longitude, days), hour, start, end)
         )
     if season is not None:
-        raise ParameterError(field, text, f"beside --ls a local solar time or {', '.join(WORDS)}")
+        allowed = f"with a solar longitude, a local solar time or {', '.join(WORDS)}"
+        raise ParameterError(field, text, allowed)
     try:
         moment = datetime.fromisoformat(words)
     except ValueError:
         raise ParameterError(field, text, _FORM) from None
     if moment.tzinfo is not None:
         if zone is not None:
-            raise ParameterError(field, text, "a time without zone beside --zone")
+            raise ConflictError(field, "has a zone: cannot be combined with another zone")
         days_of(moment, field)
         return moment.astimezone(UTC)
     if zone is None or clock is None:

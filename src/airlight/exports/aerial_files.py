@@ -15,8 +15,8 @@ import numpy as np
 
 from airlight.composition.aerial_perspective import AerialPerspective
 from airlight.composition.aerial_shader import TEXTURES, aerial_shader
+from airlight.exports.atomic_folder import atomic_folder
 from airlight.exports.manifest import MANIFEST, fingerprint, write_manifest
-from airlight.exports.whole_folder import whole_folder
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.wgsl import WGSL
@@ -70,7 +70,7 @@ def write_aerial(
         scene = airlight.Scene(altitude=500.0, sun_zenith=66.0)
         write_aerial("air", AerialPerspective.fill(solution, scene))
     """
-    with whole_folder(folder, FORMAT, FILES, overwrite=overwrite) as part:
+    with atomic_folder(folder, FORMAT, FILES, overwrite=overwrite) as part:
         textures: dict[str, Any] = {}
         for name in TEXTURES:
             file = part / f"{name}.bin"

@@ -85,7 +85,7 @@ class AirLight:
         if order is not None and cumulative:
             self.orders = tuple(range(1, order + 1))
         #: Whether the solver gives the air's light alone for a line marked as ending in the air.
-        self.apart = isinstance(solution, MomentsSolution)
+        self.separates_ground = isinstance(solution, MomentsSolution)
         self._skies: dict[int, tuple[FloatArray, FloatArray]] = {}
 
     @property
@@ -102,7 +102,7 @@ class AirLight:
         ]
         return np.asarray(sum(rest)), first
 
-    def once_and_rest(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
+    def single_and_multiple(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
         """Air's light in the solution's own parts, if it is a moments solution.
 
         With all orders, the light scattered once is that of single scattering proper, and what
@@ -135,7 +135,7 @@ class AirLight:
 
     def under_many_stars(self, sight: Sight) -> FloatArray:
         """Same as a call, faster where neighbours differ in the place of the star alone. [sr⁻¹]"""
-        if not self.apart:
+        if not self.separates_ground:
             return self(sight)
         assert isinstance(self.solution, MomentsSolution)
         orders = 2 if None in self.orders else 1
@@ -143,7 +143,7 @@ class AirLight:
 
     def before_the_ground(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
         """Air's light, and all light of the same orders, the ground's included, (n, nl). [sr⁻¹]"""
-        if self.apart:
+        if self.separates_ground:
             assert isinstance(self.solution, MomentsSolution)
             own, whole = self.solution.before_the_ground(sight, 2 if None in self.orders else 1)
             return own, np.maximum(whole, own)
@@ -159,7 +159,7 @@ class AirLight:
         """Transmittance of the lines that end on the ground, one row for each, (rows, nl). [1]"""
         medium = self.solution.medium
         rows = sight.to_ground
-        if self.apart:
+        if self.separates_ground:
             return np.empty((0, medium.wavelengths.size))
         depth = columns(
             sight.r[rows], sight.mu[rows], sight.length[rows],
@@ -169,10 +169,10 @@ class AirLight:
 
     def _of_order(self, sight: Sight, order: int | None, through: FloatArray) -> FloatArray:
         rows = sight.to_ground
-        if self.apart:
+        if self.separates_ground:
             sight = replace(sight, to_ground=np.zeros_like(rows))
         light = self.solution.relative_radiance(sight, order=order)
-        if rows.any() and not self.apart:
+        if rows.any() and not self.separates_ground:
             light = np.array(light)
             light[rows] -= through * self._ground(sight, order)
         return np.maximum(light, 0.0)

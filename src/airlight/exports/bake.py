@@ -15,16 +15,16 @@ from airlight.exports.air_light import AirLight, described_orders, lines_of_sigh
 from airlight.exports.labelled_tables import Labels, facts, transmittance, unscattered
 from airlight.exports.packing import (
     FIT_AZIMUTHS,
-    Parts,
-    Split,
+    ScatteringGroups,
+    SeparatedLight,
     colours_of,
     combine,
     fit_azimuths,
-    parts_of,
-    split_once,
+    scattering_groups,
+    separate_orders,
 )
 from airlight.exports.smooth_light import smooth_phases
-from airlight.exports.table_errors import ERROR_POINTS, SEED, Errors
+from airlight.exports.table_errors import ERROR_POINTS, SEED, TableErrors
 from airlight.exports.texel_values import balanced, fill_angles, of_views
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
@@ -36,7 +36,7 @@ from airlight.solvers.solution import Solution
 from airlight.solvers.solve import solution_of
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
-from airlight.tables.layout import Layout, Positions
+from airlight.tables.layout import Positions, TableLayout
 from airlight.tables.scattered_light import PhaseFunctions, ScatteredLight
 from airlight.tables.table import Table
 from airlight.units import Measure
@@ -72,14 +72,14 @@ class Baked:
         ``higher-order`` if asked for.
     about : dict
         Planet, fingerprint, solver, orders, wavelengths, irradiance of the star.
-    errors : dict of str to Errors
+    errors : dict of str to TableErrors
         Errors by the name of what was compared.
     """
 
     light: ScatteredLight
     tables: dict[str, Table]
     about: dict[str, Any]
-    errors: dict[str, Errors]
+    errors: dict[str, TableErrors]
 
     def __repr__(self) -> str:
         return f"<Baked tables of {self.about['planet']}: {', '.join(self.tables)}>"
@@ -184,16 +184,16 @@ def bake(
     air = AirLight(solution, order, cumulative=cumulative, peaks_once=smooth_phase == "rayleigh")
     step = _Steps(progress, cancel)
     medium = solution.medium
-    parts = parts_of(medium, each=layout == "bruneton" and packing == "separate")
+    groups = scattering_groups(medium, each=layout == "bruneton" and packing == "separate")
     if packing == "separate" and not air.has_first:  # nothing is left for tables of their own
-        gas = PhaseFunctions(parts.phases.names[:1], parts.phases.values[:1])
-        parts = Parts((), parts.gas, gas)
+        gas = PhaseFunctions(groups.phases.names[:1], groups.phases.values[:1])
+        groups = ScatteringGroups((), groups.gas, gas)
     reference = int(np.argmax(medium.wavelengths))
-    colours = colours_of(medium, parts, reference)
-    phases, rest_shape = parts.phases, np.ones_like(parts.phases.values[0])
+    colours = colours_of(medium, groups, reference)
+    phases, rest_shape = groups.phases, np.ones_like(groups.phases.values[0])
     if layout == "bruneton":
         phases, rest_shape = smooth_phases(
-            air, parts, each=packing == "separate", rayleigh=smooth_phase == "rayleigh"
+            air, groups, each=packing == "separate", rayleigh=smooth_phase == "rayleigh"
         )
     orders = described_orders(order, cumulative)
     label = Labels(medium, {"solver": solution.report.provenance, "orders": orders})
@@ -201,7 +201,7 @@ def bake(
     for name, values, quantity, unit in _scattering(
         air,
         where,
-        parts,
+        groups,
         phases,
         rest_shape,
         packing,
@@ -226,7 +226,7 @@ def _layout(
     azimuth: float,
     size: tuple[int, ...] | None,
     mu_s_min: float | None,
-) -> Layout:
+) -> TableLayout:
     if layout not in LAYOUT_NAMES:
         raise ParameterError("layout", layout, ", ".join(LAYOUT_NAMES))
     wanted = 4 if layout == "bruneton" else 3
@@ -294,8 +294,8 @@ class _Steps:
 
 def _scattering(
     air: AirLight,
-    where: Layout,
-    parts: Parts,
+    where: TableLayout,
+    groups: ScatteringGroups,
     phases: PhaseFunctions,
     rest_shape: FloatArray,
     packing: str,
@@ -319,26 +319,31 @@ def _scattering(
         grey = packing == "rgba"
 
         def fit(block: Positions) -> list[FloatArray]:
-            smooth, dust = fit_azimuths(air, block, parts, grey=grey)
-            return [np.concatenate([smooth, dust], axis=-1)] if grey else [smooth, dust]
+            smooth, mie = fit_azimuths(air, block, groups, grey=grey)
+            return [np.concatenate([smooth, mie], axis=-1)] if grey else [smooth, mie]
 
         fitted = step.run(positions, fit, "scattering")
         note = f"; best fit over {FIT_AZIMUTHS} azimuths"
         if grey:
             return [("scattering", fitted[0], f"{smooth_is}; {dust_is}, grey{note}", "1")]
         out = [("scattering", fitted[0], smooth_is + note, "1")]
-        if parts.particles:
+        if groups.particles:
             out.append(("particles", fitted[1], dust_is + note, "1"))
         return out
 
     def apart(block: Positions) -> list[FloatArray]:
-        split: Split = split_once(air, block, parts, each=packing == "separate")
-        dust = (split.particles[:, k] for k in range(split.particles.shape[1]))
-        return [split.gas, split.rest, *([split.higher] if higher_orders else []), *dust]
+        separated: SeparatedLight = separate_orders(air, block, groups, each=packing == "separate")
+        mie = (separated.mie[:, k] for k in range(separated.mie.shape[1]))
+        return [
+            separated.rayleigh,
+            separated.remainder,
+            *([separated.multiple] if higher_orders else []),
+            *mie,
+        ]
 
     shapes = PhaseFunctions(
         (*phases.names, "gas", "rest"),
-        np.stack([*phases.values, parts.phases.values[0], rest_shape]),
+        np.stack([*phases.values, groups.phases.values[0], rest_shape]),
     )
     # A texel whose angle no view and sun can have holds the light at the nearest possible angle,
     # brought to its own by the light's shape.
@@ -370,32 +375,32 @@ def _scattering(
         return balanced(values) if balance else values
 
     made = step.run(positions, apart, "scattering")
-    smooth, *dust = of_views(texels, where.shape, positions.nu, *made)
+    smooth, *mie = of_views(texels, where.shape, positions.nu, *made)
     apart_too = []
     if higher_orders:
-        part, *dust = dust
+        part, *mie = mie
         quantity = f"{_AIR}: orders from the second on, divided by Rayleigh's phase function"
         apart_too.append(("higher-order", part, quantity, "1"))
     if packing == "combined":
-        if not dust:
-            dust = [np.zeros_like(smooth)]
-        p_dust = shapes.at(phases.names[-1], angles)
-        light = smooth * divisor + dust[0] * p_dust
-        values = combine(light, dust[0], divisor, p_dust, *colours)
+        if not mie:
+            mie = [np.zeros_like(smooth)]
+        p_mie = shapes.at(phases.names[-1], angles)
+        light = smooth * divisor + mie[0] * p_mie
+        values = combine(light, mie[0], divisor, p_mie, *colours)
         nm = medium.wavelengths[colours[1]]
         quantity = f"{smooth_is}; {dust_is}, scattered once, at {nm:g} nm"
         return [("scattering", values, quantity, "1"), *apart_too]
     out = [("scattering", smooth, smooth_is, "1")]
     out += [
         (name, values, f"{dust_is}, scattered once", "1")
-        for name, values in zip(parts.phases.names[1:], dust, strict=True)
+        for name, values in zip(groups.phases.names[1:], mie, strict=True)
     ]
     return out + apart_too
 
 
 def _peaked(
     air: AirLight, light: ScatteredLight, points: int, seed: int, step: _Steps
-) -> dict[str, Errors]:
+) -> dict[str, TableErrors]:
     """Errors where light is peaked, by region, with a search for the largest of each."""
     medium = air.solution.medium
     shell = (medium.bottom_radius, medium.top_radius)
@@ -442,7 +447,7 @@ def _errors(
     points: int,
     seed: int,
     step: _Steps,
-) -> dict[str, Errors]:
+) -> dict[str, TableErrors]:
     medium, solution = air.solution.medium, air.solution
     drawn = (
         "altitude: thickness times the square of an even x; zenith angles even, view 0 to 180, "

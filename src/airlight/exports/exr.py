@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import FileError, ParameterError
+from airlight.exports.atomic_file import atomic_file
 from airlight.exports.exr_bands import write_bands
 from airlight.exports.header import header
-from airlight.exports.whole_file import whole_file
 from airlight.input_files import LARGEST_PICTURE, check_input
 from airlight.kernel.large_arrays import LARGE, bands
 from airlight.kernel.memory import check_picture
@@ -28,7 +28,7 @@ COMPRESSIONS: Final = {
 }  # fmt: skip
 
 #: Precision that a compression keeps, whatever the channels' is.
-_KEPT: Final = {"dwa": "half"}
+_FORCED_PRECISION: Final = {"dwa": "half"}
 #: Largest half float. [IEEE 754-2019, binary16]
 LARGEST_HALF: Final = 65504.0
 
@@ -88,7 +88,10 @@ def write_exr(
         for one in (rgb, *layers.values())
         for band in bands(one)
     )
-    if LARGEST_HALF < largest < np.inf and "half" in (precision, _KEPT.get(compression)):
+    if LARGEST_HALF < largest < np.inf and "half" in (
+        precision,
+        _FORCED_PRECISION.get(compression),
+    ):
         words = f"at most {LARGEST_HALF:g} in half floats: scale it"
         raise ParameterError("rgb", f"{largest:.4g}", words)
     written: dict[str, Any] = {
@@ -101,7 +104,7 @@ def write_exr(
         **(attributes or {}),
     }
     channels, kind = _channels(rgb, layers), PRECISIONS[precision]
-    with whole_file(path) as part:
+    with atomic_file(path) as part:
         try:
             if rgb.nbytes >= LARGE:
                 write_bands(part, written, channels, kind)
@@ -163,7 +166,7 @@ def write_exr_channels(
         "type": OpenEXR.scanlineimage,
         **header(metadata or {}),
     }
-    with whole_file(path) as part:
+    with atomic_file(path) as part:
         try:
             arrays = {name: np.ascontiguousarray(array) for name, array in channels.items()}
             OpenEXR.File(attributes, arrays).write(str(part))

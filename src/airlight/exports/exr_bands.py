@@ -20,7 +20,7 @@ from typing import Any, BinaryIO, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.exports.beginnings import begun
+from airlight.exports.partial_outputs import partial_output
 from airlight.kernel.large_arrays import release
 
 #: Lines of a band: a multiple of the lines of a block, of which no compression has more.
@@ -80,7 +80,7 @@ def _bands(
     import OpenEXR
 
     part = path.with_suffix(".band")
-    with begun(part):
+    with partial_output(part):
         for first in range(0, height, _LINES):
             lines = {name: one[first : first + _LINES] for name, one in channels.items()}
             with np.errstate(over="ignore"):

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
+from airlight.exports.atomic_file import atomic_file
 from airlight.exports.header import PREFIX, header
-from airlight.exports.whole_file import whole_file
 from airlight.input_files import LARGEST_PICTURE, check_input
 
 #: Of sRGB, in the order of the format: red, green, blue and white. [IEC 61966-2-1]
@@ -66,7 +66,7 @@ def write_hdr(
     texts = {"FORMAT": "32-bit_rle_rgbe", "PRIMARIES": _PRIMARIES, "EXPOSURE": f"{scale:.9g}",
              **header(metadata or {})}  # fmt: skip
     lines = "".join(f"{name}={text}\n" for name, text in texts.items())
-    with whole_file(path) as part, part.open("wb") as stream:
+    with atomic_file(path) as part, part.open("wb") as stream:
         stream.write(_MAGIC + lines.encode("utf-8", "replace"))
         stream.write(f"\n-Y {height} +X {width}\n".encode("ascii"))
         stream.write(pixels.tobytes())

@@ -13,7 +13,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.solution import Solution
 from airlight.tables.columns import columns
 from airlight.tables.irradiance import IrradianceLayout
-from airlight.tables.layout import Layout, Positions
+from airlight.tables.layout import Positions, TableLayout
 from airlight.tables.table import Table, stored
 from airlight.tables.transmittance import TransmittanceLayout
 
@@ -36,7 +36,13 @@ class Labels:
         self.provenance = provenance
 
     def table(
-        self, name: str, quantity: str, unit: str, where: Layout, values: FloatArray, precision: str
+        self,
+        name: str,
+        quantity: str,
+        unit: str,
+        where: TableLayout,
+        values: FloatArray,
+        precision: str,
     ) -> Table:
         """Make a table of values, shape (..., nl), or (..., nl + 1) with the particles' light."""
         if not np.isfinite(values).all():

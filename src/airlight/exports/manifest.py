@@ -30,7 +30,7 @@ _LONGEST: Final = 255
 _NAMED: Final = 3
 _LINK: Final = "is a link, which is neither followed nor replaced"
 #: What to do about files that are not airlight's.
-_ADVICE: Final = "name another output, or add --overwrite (overwrite=True) to replace"
+_ADVICE: Final = "name another output, or allow overwriting"
 
 
 def sealed(content: Mapping[str, Any]) -> dict[str, Any]:
@@ -63,7 +63,7 @@ def write_manifest(folder: Path, manifest: dict[str, Any]) -> None:
     Parameters
     ----------
     folder : Path
-        Folder from ``whole_folder``.
+        Folder from ``atomic_folder``.
     manifest : dict
         Its content; ``files`` anywhere in it are names of files with their ``fingerprint``.
     """

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.exports.beginnings import begun
+from airlight.exports.partial_outputs import partial_output
 
 if sys.platform == "win32":
     import msvcrt
@@ -71,7 +71,7 @@ def output_lock(output: Path, lock: Path | None = None, *, wait: float = 0.0) ->
             raise FileError(output, reason)
         time.sleep(_PAUSE)
     try:
-        with begun(lock):
+        with partial_output(lock):
             yield
     finally:
         os.close(handle)

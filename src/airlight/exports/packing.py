@@ -38,7 +38,7 @@ _TINY: Final = 1e-12
 
 
 @dataclass(frozen=True)
-class Parts:
+class ScatteringGroups:
     """Constituents that scatter, grouped for packing.
 
     Attributes
@@ -57,7 +57,7 @@ class Parts:
     phases: PhaseFunctions
 
 
-def parts_of(medium: Medium, *, each: bool) -> Parts:
+def scattering_groups(medium: Medium, *, each: bool) -> ScatteringGroups:
     """Phase functions of the gas and of the particles, by kind or as their mean.
 
     Means are weighted by vertical scattering optical depths. Without gas, Rayleigh's phase function
@@ -87,7 +87,9 @@ def parts_of(medium: Medium, *, each: bool) -> Parts:
     elif particles:
         names.append("particles")
         values.append(mean(particles))
-    return Parts(tuple(particles), tuple(gas), PhaseFunctions(tuple(names), np.stack(values)))
+    return ScatteringGroups(
+        tuple(particles), tuple(gas), PhaseFunctions(tuple(names), np.stack(values))
+    )
 
 
 def slugs(names: Iterable[str]) -> tuple[str, ...]:
@@ -98,8 +100,8 @@ def slugs(names: Iterable[str]) -> tuple[str, ...]:
 
     Examples
     --------
-    >>> slugs(["Fine dust (1.6 µm)", "haze 1", "Haze (1)", "雲"])
-    ('fine-dust-1-6-um', 'haze-1', 'haze-1-2', 'particles')
+    >>> slugs(["Fine mie (1.6 µm)", "haze 1", "Haze (1)", "雲"])
+    ('fine-mie-1-6-um', 'haze-1', 'haze-1-2', 'particles')
     """
     made: list[str] = []
     for name in names:
@@ -115,57 +117,61 @@ def slugs(names: Iterable[str]) -> tuple[str, ...]:
     return tuple(made)
 
 
-class Split(NamedTuple):
-    """Light at points whose ν is known, in parts.
+class SeparatedLight(NamedTuple):
+    """Radiance at points whose ν is known, as Rayleigh, Mie and multiple scattering.
 
     Attributes
     ----------
-    gas : array, shape (n, nl)
-        Light scattered once by the gas, to be multiplied by its phase function. [1]
-    rest : array, shape (n, nl)
+    rayleigh : array, shape (n, nl)
+        Single scattering by the gas over its phase function. [1]
+    remainder : array, shape (n, nl)
         Radiance of the remainder. [sr⁻¹]
-    particles : array, shape (n, kinds, nl)
-        Light scattered once by particles, to be multiplied by each kind's phase function, or by
-        their mean (kinds = 1). [1]
-    higher : array, shape (n, nl)
-        Radiance of the orders from the second on, which the other parts hold as well. [sr⁻¹]
+    mie : array, shape (n, kinds, nl)
+        Single scattering by particles over each kind's phase function, or over their mean
+        (kinds = 1). [1]
+    multiple : array, shape (n, nl)
+        Radiance of the orders from the second on, which is contained in the others. [sr⁻¹]
     """
 
-    gas: FloatArray
-    rest: FloatArray
-    particles: FloatArray
-    higher: FloatArray
+    rayleigh: FloatArray
+    remainder: FloatArray
+    mie: FloatArray
+    multiple: FloatArray
 
 
-def split_once(air: AirLight, positions: Positions, parts: Parts, *, each: bool) -> Split:
-    """Split light into gas, particles and higher orders at points whose ν is known.
+def separate_orders(
+    air: AirLight, positions: Positions, groups: ScatteringGroups, *, each: bool
+) -> SeparatedLight:
+    """Separate radiance into Rayleigh, Mie and multiple scattering at points whose ν is known.
 
-    The light scattered once is the solution's own by each constituent, where it keeps that apart
-    (``AirLight.once_and_rest``). Otherwise it is found by quadrature, and the particles' is scaled
-    to the solution's first order where that is mostly theirs.
+    Single scattering is that of the solution, by constituent, where it has that
+    (``AirLight.single_and_multiple``). Otherwise it is a quadrature, and that of the particles is
+    scaled to the solution's first order where they contribute most of it.
     """
     medium = air.solution.medium
     sight = lines_of_sight(positions, medium)
-    kinds = len(parts.phases.names) - 1
+    kinds = len(groups.phases.names) - 1
     if not air.has_first:
         light = air(sight)
         nothing = np.zeros((len(positions), kinds, light.shape[-1]))
-        return Split(np.zeros_like(light), light, nothing, light)
+        return SeparatedLight(np.zeros_like(light), light, nothing, light)
     own = medium.phase_function(positions.nu)
-    gas, particles = list(parts.gas), list(parts.particles)
-    if air.apart:
-        once, rest = air.once_and_rest(sight)
+    gas, particles = list(groups.gas), list(groups.particles)
+    if air.separates_ground:
+        once, multiple = air.single_and_multiple(sight)
         from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
-        dust = once[:, particles]
+        mie = once[:, particles]
         if kinds and not each:
-            from_particles = (own[:, particles] * dust).sum(axis=1)
-            dust = (from_particles / parts.phases.at("particles", positions.nu))[:, None]
-        return Split(from_gas / parts.phases.at("gas", positions.nu), rest, dust, rest)
+            from_particles = (own[:, particles] * mie).sum(axis=1)
+            mie = (from_particles / groups.phases.at("particles", positions.nu))[:, None]
+        return SeparatedLight(
+            from_gas / groups.phases.at("gas", positions.nu), multiple, mie, multiple
+        )
     light, first = air.with_first(sight)
     once = scattered_once(medium, sight)
     if each:  # as in the look-up
-        for kind, index in zip(parts.phases.names[1:], particles, strict=True):
-            own[:, index] = parts.phases.at(kind, positions.nu)
+        for kind, index in zip(groups.phases.names[1:], particles, strict=True):
+            own[:, index] = groups.phases.at(kind, positions.nu)
     from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
     from_particles = (own[:, particles] * once[:, particles]).sum(axis=1)
     safe = np.maximum(from_particles, 1e-300)
@@ -176,14 +182,14 @@ def split_once(air: AirLight, positions: Positions, parts: Parts, *, each: bool)
     factor = np.minimum(factor, light / safe)
     left = np.maximum(light - factor * from_particles, 0.0)
     of_gas = np.minimum(from_gas, left)
-    smooth = of_gas / parts.phases.at("gas", positions.nu)
+    smooth = of_gas / groups.phases.at("gas", positions.nu)
     if each:
-        dust = once[:, particles] * factor[:, None]
+        mie = once[:, particles] * factor[:, None]
     elif kinds:
-        dust = (factor * from_particles / parts.phases.at("particles", positions.nu))[:, None]
+        mie = (factor * from_particles / groups.phases.at("particles", positions.nu))[:, None]
     else:
-        dust = np.zeros((len(positions), 0, light.shape[-1]))
-    return Split(smooth, left - of_gas, dust, np.maximum(light - first, 0.0))
+        mie = np.zeros((len(positions), 0, light.shape[-1]))
+    return SeparatedLight(smooth, left - of_gas, mie, np.maximum(light - first, 0.0))
 
 
 def combine(
@@ -220,7 +226,7 @@ def combine(
 
 
 def fit_azimuths(
-    air: AirLight, positions: Positions, parts: Parts, *, grey: bool
+    air: AirLight, positions: Positions, groups: ScatteringGroups, *, grey: bool
 ) -> tuple[FloatArray, FloatArray]:
     """Smooth light and particles' light that fit all azimuths best, by relative least squares.
 
@@ -245,46 +251,46 @@ def fit_azimuths(
     each = (np.stack([getattr(one, name) for one in around], axis=-1).ravel() for name in fields)
     light = air.under_many_stars(lines_of_sight(Positions(*each), medium))
     light = np.moveaxis(light.reshape(len(positions), FIT_AZIMUTHS, -1), 1, 0)
-    p_gas = np.stack([parts.phases.at("gas", one.nu) for one in around])
+    p_gas = np.stack([groups.phases.at("gas", one.nu) for one in around])
     weight = 1.0 / np.maximum(light, _DIM * light.max(axis=0) + _TINY) ** 2
     gas_gas = (weight * p_gas * p_gas).sum(axis=0)
     gas_light = (weight * p_gas * light).sum(axis=0)
-    if not parts.particles:
+    if not groups.particles:
         nothing = np.zeros((len(positions), 1 if grey else light.shape[-1]))
         return gas_light / gas_gas, nothing
-    p_dust = np.stack([parts.phases.at("particles", one.nu) for one in around])
+    p_mie = np.stack([groups.phases.at("particles", one.nu) for one in around])
     once = np.zeros(light.shape[1:])
     if air.has_first:
         across = at_azimuth(positions, 90.0)
         scattered = scattered_once(medium, lines_of_sight(across, medium))
-        once = scattered[:, list(parts.particles)].sum(axis=1)
-    gas_dust = (weight * p_gas * p_dust).sum(axis=0)
-    dust_dust = (weight * p_dust * p_dust).sum(axis=0)
-    dust_light = (weight * p_dust * light).sum(axis=0)
-    prior = _PRIOR * dust_dust
-    above = dust_light + prior * once - gas_dust * gas_light / gas_gas
-    below = dust_dust + prior - gas_dust * gas_dust / gas_gas
+        once = scattered[:, list(groups.particles)].sum(axis=1)
+    gas_mie = (weight * p_gas * p_mie).sum(axis=0)
+    mie_mie = (weight * p_mie * p_mie).sum(axis=0)
+    mie_light = (weight * p_mie * light).sum(axis=0)
+    prior = _PRIOR * mie_mie
+    above = mie_light + prior * once - gas_mie * gas_light / gas_gas
+    below = mie_mie + prior - gas_mie * gas_mie / gas_gas
     if grey:
         above, below = above.sum(axis=-1, keepdims=True), below.sum(axis=-1, keepdims=True)
-    dust = np.maximum(above / below, 0.0)
-    smooth = (gas_light - gas_dust * dust) / gas_gas
+    mie = np.maximum(above / below, 0.0)
+    smooth = (gas_light - gas_mie * mie) / gas_gas
     # The smooth part would be negative: the particles' part must fit alone.
-    alone = (weight * p_dust * light).sum(axis=0) / dust_dust
+    alone = (weight * p_mie * light).sum(axis=0) / mie_mie
     if grey:
         alone = alone.min(axis=-1, keepdims=True)
-    dust = np.where((smooth < 0.0).any(axis=-1, keepdims=True) if grey else smooth < 0.0,
-                    np.minimum(dust, alone), dust)  # fmt: skip
-    smooth = np.maximum((gas_light - gas_dust * dust) / gas_gas, 0.0)
-    return smooth, dust
+    mie = np.where((smooth < 0.0).any(axis=-1, keepdims=True) if grey else smooth < 0.0,
+                    np.minimum(mie, alone), mie)  # fmt: skip
+    smooth = np.maximum((gas_light - gas_mie * mie) / gas_gas, 0.0)
+    return smooth, mie
 
 
-def colours_of(medium: Medium, parts: Parts, reference: int) -> FloatArray:
+def colours_of(medium: Medium, groups: ScatteringGroups, reference: int) -> FloatArray:
     """Scattering of particles per scattering of gas, relative to a wavelength, shape (nl,). [1]
 
     Bruneton & Neyret (2008), section 4; 1 everywhere if there is no gas.
     """
-    particles = medium.scattering[list(parts.particles)].sum(axis=0)
-    gas = medium.scattering[list(parts.gas)].sum(axis=0)
+    particles = medium.scattering[list(groups.particles)].sum(axis=0)
+    gas = medium.scattering[list(groups.gas)].sum(axis=0)
     if not particles.any() or not (gas > 0.0).all():
         return np.ones(medium.wavelengths.size)
     ratio = particles / gas

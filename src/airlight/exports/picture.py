@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
+from airlight.exports.atomic_file import check_target
 from airlight.exports.exr import read_exr_header, write_exr
 from airlight.exports.hdr import read_hdr_header, write_hdr
 from airlight.exports.png import read_png_header, write_png
-from airlight.exports.whole_file import check_target
 from airlight.units import Measure, quantity, without_unit
 
 if TYPE_CHECKING:

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
+from airlight.exports.atomic_file import atomic_file
 from airlight.exports.header import header
-from airlight.exports.whole_file import whole_file
 from airlight.input_files import LARGEST_PICTURE, check_input
 from airlight.kernel.large_arrays import LARGE, bands
 
@@ -115,7 +115,7 @@ def write_png(
     chunks = colour_chunks(encoding, primaries)
     texts = header(metadata or {})
     pixels = np.ascontiguousarray(pixels)
-    with whole_file(path) as part, part.open("wb") as stream:
+    with atomic_file(path) as part, part.open("wb") as stream:
         if pixels.dtype == np.uint16 or pixels.nbytes >= LARGE:
             _write_bands(stream, pixels, chunks, texts)
         else:

@@ -101,7 +101,7 @@ class RenderPasses:
         combined = [one for one in found if one.endswith("Combined.")]
         if len(combined) > 1 or (len(found) > 1 and not combined and found[0] != ""):
             names = ", ".join(one.rstrip(".") for one in found)
-            raise ParameterError("--layer", layer, f"one of {names}", self.path)
+            raise ParameterError("layer", layer, f"one of {names}", self.path)
         alpha = self.channels.get(found[0] + "A")
         return self.group(found[0], "RGB"), None if alpha is None else alpha.astype(np.float32)
 
@@ -132,7 +132,7 @@ class RenderPasses:
                 return self.channels[channel], "planar" if kind == "auto" else kind
             if all(f"{channel}.{one}" in self.channels for one in "XYZ"):
                 return self.group(f"{channel}.", "XYZ"), "position"
-            raise self._lacking("--depth-channel", channel)
+            raise self._lacking("depth_channel", channel)
         for ending, means in _DEPTHS:
             if kind == "position" and means != "position":
                 continue

@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import Final
 
 from airlight.errors import FileError
+from airlight.exports.atomic_file import check_target
+from airlight.exports.atomic_folder import atomic_folder, check_folder
 from airlight.exports.manifest import (
     MANIFEST,
     check_replaceable,
@@ -15,8 +17,6 @@ from airlight.exports.manifest import (
     read_manifest,
     write_manifest,
 )
-from airlight.exports.whole_file import check_target
-from airlight.exports.whole_folder import check_folder, whole_folder
 
 #: Format named in the manifest.
 FORMAT: Final = "airlight report pictures 1"
@@ -82,7 +82,7 @@ def write_pictures(
         folder.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
-    with whole_folder(folder, FORMAT, _FILES, overwrite=overwrite) as part:
+    with atomic_folder(folder, FORMAT, _FILES, overwrite=overwrite) as part:
         for name, png in pictures.items():
             (part / name).write_bytes(png)
         checksum = fingerprint_of(text.encode())["sha256"]

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.exports.air_light import AirLight
-from airlight.exports.packing import Parts, split_once
+from airlight.exports.packing import ScatteringGroups, separate_orders
 from airlight.kernel import vectorized
 from airlight.optics.phase_functions import rayleigh as rayleigh_phase
 from airlight.tables.columns import columns
@@ -38,7 +38,7 @@ _LEAST: Final = 1e-4
 
 
 def smooth_phases(
-    air: AirLight, parts: Parts, *, each: bool, rayleigh: bool
+    air: AirLight, groups: ScatteringGroups, *, each: bool, rayleigh: bool
 ) -> tuple[PhaseFunctions, FloatArray]:
     """Phase functions of a look-up, and the shape of the light that is none of the first order.
 
@@ -47,15 +47,15 @@ def smooth_phases(
 
     Parameters
     ----------
-    air, parts, each
-        Arguments of ``split_once``.
+    air, groups, each
+        Arguments of ``separate_orders``.
     rayleigh : bool
         Whether the smooth light is divided by Rayleigh's phase function.
 
     Returns
     -------
     phases : PhaseFunctions
-        ``smooth``, or ``rayleigh``, then those of the particles of ``parts``. [sr⁻¹]
+        ``smooth``, or ``rayleigh``, then those of the particles of ``groups``. [sr⁻¹]
     rest : array, shape (nl, nodes)
         Shape of the smooth light without that scattered once by the gas, on the same nodes. [1]
     """
@@ -64,18 +64,18 @@ def smooth_phases(
     around = np.pi * np.linspace(0.0, 1.0, _ANGLES) ** 1.5  # dense towards the star
     nu = np.clip(mu * mu + (1.0 - mu * mu) * np.cos(around), -1.0, 1.0)
     radius = np.full(nu.size, _radius(air))
-    split = split_once(
-        air, Positions.of(radius, mu, mu, nu, bottom_radius=medium.bottom_radius), parts, each=each
+    separated = separate_orders(
+        air, Positions.of(radius, mu, mu, nu, bottom_radius=medium.bottom_radius), groups, each=each
     )
-    gas = parts.phases.at("gas", nu)
-    nodes = np.linspace(0.0, 1.0, parts.phases.values.shape[-1])
+    gas = groups.phases.at("gas", nu)
+    nodes = np.linspace(0.0, 1.0, groups.phases.values.shape[-1])
     u = np.sqrt(0.5 * (1.0 - nu))
-    whole = _on_nodes(u, split.gas * gas + split.rest, nodes)
+    whole = _on_nodes(u, separated.rayleigh * gas + separated.remainder, nodes)
     # dΩ = 2π sinθ dθ = 8π u du.
     rings = 8.0 * np.pi * nodes * whole
     norm = 0.5 * (rings[:, 1:] + rings[:, :-1]).sum(axis=-1) * nodes[1]
-    rest = _on_nodes(u, split.rest, nodes)
-    own = np.asarray(parts.phases.values[1:])
+    rest = _on_nodes(u, separated.remainder, nodes)
+    own = np.asarray(groups.phases.values[1:])
     if rayleigh:
         even = vectorized(rayleigh_phase)(1.0 - 2.0 * nodes**2, 0.0)
         first, whole = "rayleigh", np.broadcast_to(even, whole.shape)
@@ -84,7 +84,7 @@ def smooth_phases(
         rest = np.ones_like(rest)
     else:
         first, whole = "smooth", whole / norm[:, None]
-    names = (first, *parts.phases.names[1:])
+    names = (first, *groups.phases.names[1:])
     return PhaseFunctions(names, np.concatenate([whole[None], own])), rest
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from airlight.errors import FileError
-from airlight.exports.whole_file import whole_file
+from airlight.exports.atomic_file import atomic_file
 from airlight.plain_text import plain
 from airlight.solvers.provenance import version
 
@@ -39,7 +39,7 @@ def write_spectrum(path: str | Path, data: xarray.Dataset) -> None:
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
         raise FileError(path, f"the name of a spectrum ends in {', '.join(SUFFIXES)}")
-    with whole_file(path) as part:
+    with atomic_file(path) as part:
         if suffix == ".nc":
             data.to_netcdf(part, engine="scipy")
         else:

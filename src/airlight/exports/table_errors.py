@@ -47,7 +47,7 @@ _NEAR_HORIZON: Final = 10.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class Errors:
+class TableErrors:
     """Error of a table against the solution, at points between its texels.
 
     Attributes
@@ -242,7 +242,7 @@ def judge(
     relative: bool = True,
     per: FloatArray | None = None,
     sampled: int | None = None,
-) -> Errors:
+) -> TableErrors:
     """Compare values of a table with the solver's, both of shape (n, nl).
 
     Relative errors are per the solver's values, or per ``per`` of the same shape; only where that
@@ -269,7 +269,7 @@ def judge(
         "table": table[row, column],
         "solver": solver[row, column],
     }
-    return Errors(
+    return TableErrors(
         quantity=quantity,
         where=where,
         points=int(judged.sum()),

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
 from airlight.exports.array_files import read_arrays
+from airlight.exports.atomic_folder import atomic_folder
 from airlight.exports.bake import Baked
 from airlight.exports.exr import write_exr_channels
 from airlight.exports.look_up_code import (
@@ -35,8 +36,7 @@ from airlight.exports.look_up_code import (
     vectors_of,
 )
 from airlight.exports.manifest import MANIFEST, SEAL, fingerprint, read_manifest, write_manifest
-from airlight.exports.table_errors import Errors
-from airlight.exports.whole_folder import whole_folder
+from airlight.exports.table_errors import TableErrors
 from airlight.input_files import read_bytes
 from airlight.kernel.threads import run_blocks
 from airlight.solvers.provenance import version
@@ -101,7 +101,7 @@ def write_tables(folder: str | Path, baked: Baked, *, overwrite: bool = False) -
         If the folder holds other files of these names, or cannot be written to; it is then
         unchanged.
     """
-    with whole_folder(folder, FORMAT, FILES, overwrite=overwrite) as part:
+    with atomic_folder(folder, FORMAT, FILES, overwrite=overwrite) as part:
         manifest = _manifest(baked)
         files = [part / f"{name}.{kind}" for name in baked.tables for kind in ("npz", "exr")]
 
@@ -266,7 +266,7 @@ def load_tables(manifest: str | Path) -> Baked:
             colours=np.array(content["light"]["colours"], float),
             reference=int(content["light"]["reference"]),
         )
-        errors = {name: Errors(**fields) for name, fields in content["errors"].items()}
+        errors = {name: TableErrors(**fields) for name, fields in content["errors"].items()}
         own = {"format", "airlight", "reading", "light", "look_up", "tables", "errors", SEAL}
         about = {name: value for name, value in content.items() if name not in own}
     except _DAMAGE as error:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 FilmExposure = float | Literal["auto", "locked"]
 #: Frames that are prepared before another one has to be read: of a film whose planet changes, each
 #: has its own.
-_KEPT: Final = 512
+_CACHE_SIZE: Final = 512
 #: Frames by which the number of a film's solutions is estimated.
 _SAMPLED: Final = 32
 #: Source that draws frames.
@@ -191,7 +191,7 @@ class _Job:
 
     def still(self, number: int) -> Still:
         if number not in self._stills:
-            if len(self._stills) >= _KEPT:
+            if len(self._stills) >= _CACHE_SIZE:
                 self._stills.clear()
             self._stills[number] = self._film.still(number, *self._size, self._how)
         return self._stills[number]

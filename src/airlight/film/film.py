@@ -16,8 +16,8 @@ from airlight.film.view import PlanetView
 from airlight.planets.planet import Planet
 from airlight.planets.reading.overrides import FIELD
 from airlight.planets.reading.reader import read_tables
-from airlight.planets.schema.record import fields_of
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.toml_model import fields_of
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.scene.basin import on_basin_floor
 from airlight.system.reading import changed_system
 from airlight.system.system import System
@@ -103,7 +103,7 @@ class Film:
             if name not in fields_of(PlanetView):
                 allowed = f"view.{', view.'.join(fields_of(PlanetView))}, or a path of the planet"
                 raise ParameterError("film.keys", f"view.{name}", allowed)
-        view = PlanetView.read(Section({**(self.view or {}), **seen}, "view"))
+        view = PlanetView.read(TomlTable({**(self.view or {}), **seen}, "view"))
         rest = {path: value for path, value in changes.items() if not path.startswith("view.")}
         return view, self._planet if not rest else self._read_planet(rest)
 
@@ -175,4 +175,4 @@ def _of_a_key(error: ParameterError) -> ParameterError:
     """Error about a path, by the name that a film's file has for it."""
     if error.field != FIELD:
         return error
-    return ParameterError("film.keys", error.value, error.allowed, error.file)
+    return error.named("film.keys")

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from airlight.errors import FileError
-from airlight.exports.beginnings import remove
+from airlight.exports.atomic_file import atomic_file
 from airlight.exports.header import PREFIX
 from airlight.exports.output_lock import hidden_file, output_lock
+from airlight.exports.partial_outputs import remove
 from airlight.exports.picture import read_picture_metadata
-from airlight.exports.whole_file import whole_file
 from airlight.film.frame_checksum import has_checksum, is_whole
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ class FramesFolder:
 
     def write(self, number: int, content: bytes) -> None:
         """Write a frame, whole or not at all."""
-        with whole_file(self.path(number)) as part:
+        with atomic_file(self.path(number)) as part:
             part.write_bytes(content)
 
     def others(self) -> list[Path]:

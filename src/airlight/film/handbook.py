@@ -8,10 +8,10 @@ from airlight.film.key_frames import KeyFrames
 from airlight.film.plan import FilmPlan
 from airlight.film.view import PlanetView
 from airlight.planets.reading.handbook import rows_of
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.toml_model import TomlModel
 
 #: Tables of a film file.
-TABLES: Final[dict[str, type[Record]]] = {
+TABLES: Final[dict[str, type[TomlModel]]] = {
     "film": FilmPlan,
     "keys": KeyFrames,
     "view": PlanetView,

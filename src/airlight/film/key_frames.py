@@ -10,21 +10,21 @@ import numpy as np
 from airlight.errors import ParameterError
 from airlight.film.laws import LAWS, LOGARITHMIC
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import LONGEST_LIST, Section
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import LONGEST_LIST, TomlTable
 from airlight.units import quantity
 
 _UNIT: Final = re.compile(r"\s*[-+.\d]+(?:[eE][-+]?\d+)?\s*(.*?)\s*")
 _FORM: Final = "two or more numbers, as the file takes them: ['2 m', '400 km']"
 
 
-def _read_values(section: Section, name: str, wavelengths: Wavelengths) -> Any:
+def _read_values(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
     return section.required(name, _FORM)
 
 
 @parameters
-class KeyFrames(Record):
+class KeyFrames(TomlModel):
     """Values of one number at some moments of a film, and the law between them.
 
     Parameters
@@ -53,19 +53,20 @@ class KeyFrames(Record):
 
     path: Annotated[
         str,
-        Key(label="path", help="Number that changes: `observer.altitude`, `view.sun_zenith`,"
+        Field(label="path", help="Number that changes: `observer.altitude`, `view.sun_zenith`,"
             " `haze.particles.optical_depth`.", kind="text", range=(1, 200),
             example="observer.altitude"),
     ]  # fmt: skip
     values: Annotated[
         Any,
-        Key(label="values", help="Values, with units as their file takes them; lists for a vector.",
+        Field(label="values",
+            help="Values, with units as their file takes them; lists for a vector.",
             listed=True, read=_read_values, example="['2 m', '400 km']"),
     ]  # fmt: skip
     at: (
         Annotated[
             tuple[float, ...],
-            Key(label="moments", help="Moment of each value as a share of the film, ascending;"
+            Field(label="moments", help="Moment of each value as a share of the film, ascending;"
                 " evenly spaced if left out.", range=(0.0, 1.0), listed=True,
                 example="[0, 0.5, 1]"),
         ]
@@ -73,8 +74,8 @@ class KeyFrames(Record):
     ) = None  # fmt: skip
     law: Annotated[
         str,
-        Key(label="law", help="Course between the values.", kind="choice",
-            words=lambda: tuple(LAWS)),
+        Field(label="law", help="Course between the values.", kind="choice",
+            choices=lambda: tuple(LAWS)),
     ] = "linear"  # fmt: skip
 
     def __post_init__(self) -> None:

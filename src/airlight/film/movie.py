@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
-from airlight.exports.whole_file import check_target, whole_file
+from airlight.exports.atomic_file import atomic_file, check_target
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
@@ -77,7 +77,7 @@ def write_movie(
     height, width = (side - side % 2 for side in _pixels(frames[0]).shape[:2])
     if min(width, height) < 2:
         raise FileError(path, "cannot be written: frames have less than two pixels a side")
-    with whole_file(path) as part:
+    with atomic_file(path) as part:
         writer = imageio_ffmpeg.write_frames(
             str(part), (width, height), fps=rate, codec="libx264", macro_block_size=2,
             quality=None, pix_fmt_in="rgb24", pix_fmt_out="yuv420p", ffmpeg_log_level="quiet",

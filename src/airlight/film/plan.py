@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.film.key_frames import KeyFrames
-from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.parameters import parameters
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 
 #: Largest number of frames: five digits of their names.
 MOST_FRAMES: Final = 99_999
 
 
-def _read_keys(section: Section, name: str, wavelengths: Wavelengths) -> tuple[KeyFrames, ...]:
+def _read_keys(section: TomlTable, name: str, wavelengths: Wavelengths) -> tuple[KeyFrames, ...]:
     return tuple(KeyFrames.read(one) for one in section.sections(name, "[[film.keys]] tables"))
 
 
 @parameters
-class FilmPlan(Record):
+class FilmPlan(TomlModel):
     """Course of a film.
 
     Parameters
@@ -39,25 +39,25 @@ class FilmPlan(Record):
 
     frames: Annotated[
         float,
-        Key(label="frames", help="Number of frames.", range=(1, MOST_FRAMES), example="120"),
+        Field(label="frames", help="Number of frames.", range=(1, MOST_FRAMES), example="120"),
     ] = 120.0  # fmt: skip
     rate: Annotated[
         float,
-        Key(label="rate", help="Frames per second when it is shown.", range=(1.0, 1000.0),
+        Field(label="rate", help="Frames per second when it is shown.", range=(1.0, 1000.0),
             example="30"),
     ] = 30.0  # fmt: skip
     start: (
         Annotated[
             str,
-            Key(label="start", help="Time of the first frame, as `--time` takes it; of a scene with"
-                " its zone.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
+            Field(label="start", help="Time of the first frame, as `--time` takes it; of a scene"
+                " with its zone.", kind="text", range=(1, 100), example="2026-06-21T20:00Z"),
         ]
         | None
     ) = None  # fmt: skip
     end: (
         Annotated[
             str,
-            Key(label="end", help="Time of the last frame, beside `start`.", kind="text",
+            Field(label="end", help="Time of the last frame, beside `start`.", kind="text",
                 range=(1, 100), example="2026-06-21T21:30Z"),
         ]
         | None
@@ -65,14 +65,14 @@ class FilmPlan(Record):
     zone: (
         Annotated[
             str,
-            Key(label="zone", help="Zone of times without one, for a planet: `Europe/Stockholm`,"
+            Field(label="zone", help="Zone of times without one, for a planet: `Europe/Stockholm`,"
                 " `solar`.", kind="text", range=(1, 60), example="Europe/Stockholm"),
         ]
         | None
     ) = None  # fmt: skip
     keys: Annotated[
         tuple[KeyFrames, ...],
-        Key(label="keys", help="Numbers that change, below.", kind="table", table="keys",
+        Field(label="keys", help="Numbers that change, below.", kind="table", table="keys",
             read=_read_keys),
     ] = ()  # fmt: skip
 
@@ -81,7 +81,7 @@ class FilmPlan(Record):
             raise ParameterError("frames", self.frames, f"a whole number, 1 to {MOST_FRAMES}")
         for name, other in (("start", "end"), ("end", "start")):
             if getattr(self, name) is None and getattr(self, other) is not None:
-                raise ParameterError(name, MISSING, f"a time, beside {other}")
+                raise ConflictError(other, f"requires {name}")
         paths = [key.path for key in self.keys]
         for path in paths:
             if paths.count(path) > 1:

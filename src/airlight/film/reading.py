@@ -18,7 +18,7 @@ from airlight.planets.reading.reader import (
     planet_names,
     planet_text,
 )
-from airlight.planets.schema.section import Section, suggestion
+from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.system.reading import system_names, system_text
 
 
@@ -77,7 +77,7 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
         what, text_file, inside = dict(tables), file, folder
         title = str(tables.get("name", stem))
     else:
-        section = Section({**tables, "film": plan_table}, folder=folder)
+        section = TomlTable({**tables, "film": plan_table}, folder=folder)
         title = section.text("name", "a title", stem)
         section.text("description", "a sentence", "")
         section.raw("film")
@@ -100,9 +100,9 @@ def _read(tables: dict[str, Any], file: str, folder: Path | None, changes: dict[
     own = overridden(own, mine) if mine else own
     rest = {path: value for path, value in changes.items() if path not in mine}
     what = overridden(what, rest) if rest else what
-    plan = FilmPlan.read(Section(own["film"], "film"))
+    plan = FilmPlan.read(TomlTable(own["film"], "film"))
     if view is not None:
-        PlanetView.read(Section(own["view"], "view", folder))
+        PlanetView.read(TomlTable(own["view"], "view", folder))
     return Film(
         name=title if "name" in tables else stem, plan=plan, tables=what, file=text_file,
         folder=inside, view=own.get("view"),

@@ -6,12 +6,12 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Annotated
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError
 from airlight.paint.star_points import check_stars
 from airlight.planets.parameters import parameters
 from airlight.planets.planet import Planet
-from airlight.planets.schema.key import Key
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.toml_model import TomlModel
 from airlight.scene import Camera, Scene, look_at
 from airlight.scene.compass import read_bearing
 from airlight.scene.ground_detail import GROUNDS
@@ -22,7 +22,7 @@ from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PRO
 
 
 @parameters
-class PlanetView(Record):
+class PlanetView(TomlModel):
     """Observer above a planet, sun and camera, as ``airlight render PLANET`` has them.
 
     Parameters
@@ -55,24 +55,24 @@ class PlanetView(Record):
 
     latitude: Annotated[
         float,
-        Key(label="latitude", help="Latitude of the observer, north positive.", unit="deg",
+        Field(label="latitude", help="Latitude of the observer, north positive.", unit="deg",
             range=(-90.0, 90.0), example="59.3 deg"),
     ] = 25.0  # fmt: skip
     longitude: Annotated[
         float,
-        Key(label="longitude", help="Longitude of the observer, east positive.", unit="deg",
+        Field(label="longitude", help="Longitude of the observer, east positive.", unit="deg",
             range=(-360.0, 360.0), example="18.1 deg"),
     ] = 30.0  # fmt: skip
     altitude: Annotated[
         float,
-        Key(label="altitude", help="Altitude of the observer; below 0, down to the planet's deepest"
-            " basin, of the floor under it. None for `orthographic`.", unit="m",
+        Field(label="altitude", help="Altitude of the observer; below 0, down to the planet's"
+            " deepest basin, of the floor under it. None for `orthographic`.", unit="m",
             range=(DEEPEST_ALTITUDE, HIGHEST_ALTITUDE), example="2 m"),
     ] = 2.0  # fmt: skip
     sun_zenith: (
         Annotated[
             float,
-            Key(label="sun zenith", help="Zenith angle of the sun; 72 deg without a clock.",
+            Field(label="sun zenith", help="Zenith angle of the sun; 72 deg without a clock.",
                 unit="deg", range=(0.0, 180.0), example="85 deg"),
         ]
         | None
@@ -80,7 +80,7 @@ class PlanetView(Record):
     sun_azimuth: (
         Annotated[
             float,
-            Key(label="sun azimuth", help="Compass bearing of the sun; 105 deg without a clock.",
+            Field(label="sun azimuth", help="Compass bearing of the sun; 105 deg without a clock.",
                 unit="deg", range=(-360.0, 360.0), example="270 deg or W", read=read_bearing),
         ]
         | None
@@ -88,8 +88,8 @@ class PlanetView(Record):
     look_at: (
         Annotated[
             str,
-            Key(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, by a clock `moon`, or a"
-                " bearing: `NE`, `315/20`; the horizon below the sun if left out.", kind="text",
+            Field(label="look at", help="`horizon`, `zenith`, `nadir`, `sun`, by a clock `moon`, or"
+                " a bearing: `NE`, `315/20`; the horizon below the sun if left out.", kind="text",
                 range=(1, 40), example="W"),
         ]
         | None
@@ -98,8 +98,8 @@ class PlanetView(Record):
     look_azimuth: (
         Annotated[
             float,
-            Key(label="azimuth", help="Azimuth of the line of sight from the sun's side, 90 to its"
-                " right.", unit="deg", range=(-360.0, 360.0), example="30 deg"),
+            Field(label="azimuth", help="Azimuth of the line of sight from the sun's side, 90 to"
+                " its right.", unit="deg", range=(-360.0, 360.0), example="30 deg"),
         ]
         | None
     ) = None  # fmt: skip
@@ -107,33 +107,33 @@ class PlanetView(Record):
     polariser: Annotated[float, POLARISER] | None = None
     projection: Annotated[
         str,
-        replace(PROJECTION, words=lambda: tuple(PROJECTIONS)),
+        replace(PROJECTION, choices=lambda: tuple(PROJECTIONS)),
     ] = "perspective"
     field_of_view: Annotated[float, FIELD_OF_VIEW] | None = None
     extent: (
         Annotated[
             float,
-            Key(label="extent", help="Length from left to right for `orthographic`, by default the"
-                " whole disc.", unit="m", range=(1.0, HIGHEST_ALTITUDE), example="14000 km"),
+            Field(label="extent", help="Length from left to right for `orthographic`, by default"
+                " the whole disc.", unit="m", range=(1.0, HIGHEST_ALTITUDE), example="14000 km"),
         ]
         | None
     ) = None  # fmt: skip
     ground: Annotated[
         str,
-        Key(label="ground", help="Ground below the map's resolution.", kind="choice",
-            words=lambda: tuple(GROUNDS)),
+        Field(label="ground", help="Ground below the map's resolution.", kind="choice",
+            choices=lambda: tuple(GROUNDS)),
     ] = "detailed"  # fmt: skip
     stars: Annotated[
         bool,
-        Key(label="stars", help="Stars to magnitude 6.5: by the clock, without one by the place of"
-            " the sun.", kind="switch"),
+        Field(label="stars", help="Stars to magnitude 6.5: by the clock, without one by the place"
+            " of the sun.", kind="switch"),
     ] = False  # fmt: skip
 
     def __post_init__(self) -> None:
         if self.look_at is not None:
             for name in ("look_zenith", "look_azimuth"):
                 if getattr(self, name) is not None:
-                    raise ParameterError(name, getattr(self, name), "none beside look_at")
+                    raise ConflictError(name, "cannot be combined with look_at")
 
     def scene(self, planet: Planet, time: datetime | None, width: int, height: int) -> Scene:
         """Scene of the view.
@@ -173,7 +173,7 @@ class PlanetView(Record):
         if time is not None:
             for name in ("sun_zenith", "sun_azimuth"):
                 if getattr(self, name) is not None:
-                    raise ParameterError(name, getattr(self, name), "none beside a clock")
+                    raise ConflictError(name, "cannot be combined with a time")
             scene = Scene.at(
                 planet, latitude=self.latitude, longitude=self.longitude, time=time,
                 altitude=altitude, look_at=target, camera=camera, ground=self.ground,

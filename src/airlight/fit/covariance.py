@@ -17,7 +17,7 @@ FEWEST_SCANS: Final = 5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Errors:
+class ErrorBars:
     """Error bars of p parameters.
 
     Attributes
@@ -69,7 +69,7 @@ def errors_of(
     group: NDArray[np.int64],
     at_bound: NDArray[np.bool_],
     robust: bool,
-) -> Errors:
+) -> ErrorBars:
     r"""Error bars from derivatives and residuals at the least loss.
 
     .. math:: C = (J^T J)^{-1}, \qquad C_\rho = H^{-1} \Big(\sum_i s_i s_i^T\Big) H^{-1}, \qquad
@@ -115,7 +115,7 @@ def errors_of(
     scale = np.where(standard[free] > 0.0, standard[free], np.inf)
     correlation[np.ix_(free, free)] = whole / np.outer(scale, scale)
     np.fill_diagonal(correlation, 1.0)
-    return Errors(
+    return ErrorBars(
         standard=standard,
         by_scans=_by_scans(scores, inverse, group, free, parameters),
         from_data=alone,

@@ -13,13 +13,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ParameterError
-from airlight.fit.free_parameters import Free, free_parameter
-from airlight.fit.least_squares import Data, Fitted, fit
+from airlight.errors import ConflictError, ParameterError
+from airlight.fit.free_parameters import FreeParameter, free_parameter
+from airlight.fit.least_squares import Data, FitResult, fit
 from airlight.fit.measurements import Measurements
-from airlight.fit.parameter import Parameter, Prior
+from airlight.fit.parameter import FitParameter, Prior
 from airlight.fit.photograph import Photograph
-from airlight.fit.sky_model import Directions, Nuisance, SkyModel
+from airlight.fit.sky_model import Nuisance, ObservedDirections, SkyModel
 from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
@@ -48,7 +48,7 @@ _COLOUR_WAVELENGTHS: Final = 12
 
 
 @dataclass(frozen=True, kw_only=True)
-class Request:
+class FitSettings:
     """What is asked of a fit.
 
     Attributes
@@ -57,7 +57,7 @@ class Request:
         Free parameters: those of ``free_parameter``, and of the instrument ``scale``,
         ``pointing.azimuth``, ``pointing.zenith``; of a photograph also ``white_balance.red`` and
         ``white_balance.blue``.
-    each_scan : sequence of str
+    per_scan : sequence of str
         Those of the instrument that each scan has of its own.
     bounds : mapping of str to (float, float)
         Narrower bounds by name.
@@ -78,7 +78,7 @@ class Request:
     """
 
     free: Sequence[str]
-    each_scan: Sequence[str] = ()
+    per_scan: Sequence[str] = ()
     bounds: Mapping[str, tuple[Measure, Measure]] = field(default_factory=dict)
     priors: Mapping[str, Prior] = field(default_factory=dict)
     starts: Mapping[str, Measure] = field(default_factory=dict)
@@ -100,7 +100,7 @@ class SkyFit:
 
     Attributes
     ----------
-    fitted : Fitted
+    fitted : FitResult
         Values, error bars and correlations.
     data : Measurements or Photograph
         What was fitted.
@@ -110,21 +110,21 @@ class SkyFit:
         Tables of the fitted planet's file.
     planet : Planet
         Fitted planet.
-    request : Request
+    settings : FitSettings
     name : str
         Planet that the fit began with.
     solves, rough_solves : int
-        Number of solutions that were computed, at the quality of the request and coarse ones.
+        Number of solutions that were computed, at the quality of the settings and coarse ones.
     seconds : float
         Wall time. [s]
     """
 
-    fitted: Fitted
+    fitted: FitResult
     data: Measurements | Photograph
     first: FloatArray
     tables: Tables
     planet: Planet
-    request: Request
+    settings: FitSettings
     name: str
     solves: int
     rough_solves: int
@@ -132,7 +132,7 @@ class SkyFit:
 
 
 def fit_radiances(
-    planet: str | Path, data: Measurements, request: Request, *,
+    planet: str | Path, data: Measurements, settings: FitSettings, *,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> SkyFit:  # fmt: skip
     """Fit parameters of a planet to measured radiances.
@@ -142,39 +142,39 @@ def fit_radiances(
     planet : str or Path
         Planet to begin with, see ``load_planet``.
     data : Measurements
-    request : Request
+    settings : FitSettings
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Raises
     ------
     ParameterError
-        If a name or value of the request is wrong, a wavelength is outside the planet's range, or
+        If a name or value of the settings is wrong, a wavelength is outside the planet's range, or
         the data do not constrain a parameter.
     ConvergenceError
         If the fit does not converge.
     Cancelled
         If ``cancel`` returned True.
     """
-    base = _Base(planet, request, progress, cancel)
+    base = _Base(planet, settings, progress, cancel)
     _check_wavelengths(base.planet, data)
     directions, row = _directions(data)
     nm = data.wavelengths
     column = np.searchsorted(nm, data.wavelength)
-    uncertainty, known = _uncertainty(data, request)
+    uncertainty, known = _uncertainty(data, settings)
     return _fitted(
         base, data, nm, directions,
         combine=lambda radiance, _: radiance[row, column],
         observed=Data(
             values=data.radiance, uncertainty=uncertainty, known=known, group=data.scan
         ),
-        instrument=lambda _: _instrument(request, data.scans, data.scan),
+        instrument=lambda _: _instrument(settings, data.scans, data.scan),
         identity=row.tobytes() + column.tobytes(),
     )  # fmt: skip
 
 
 def fit_photograph(
-    planet: str | Path, data: Photograph, request: Request, *,
+    planet: str | Path, data: Photograph, settings: FitSettings, *,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> SkyFit:  # fmt: skip
     """Fit parameters of a planet to the colours of a photograph of unknown exposure.
@@ -183,7 +183,7 @@ def fit_photograph(
 
     Parameters
     ----------
-    planet, request, progress, cancel
+    planet, settings, progress, cancel
         See ``fit_radiances``.
     data : Photograph
 
@@ -194,11 +194,11 @@ def fit_photograph(
     """
     from airlight.color.spectral import rgb_weights
 
-    base = _Base(planet, request, progress, cancel)
+    base = _Base(planet, settings, progress, cancel)
     count = data.view_zenith.size
     nm = picture_wavelengths(base.planet, _COLOUR_WAVELENGTHS)
     whole = np.zeros(count, np.int64)
-    directions = Directions(
+    directions = ObservedDirections(
         altitude=np.full(count, data.altitude), sun_zenith=np.full(count, data.sun_zenith),
         view_zenith=data.view_zenith, azimuth=data.azimuth, scan=whole,
     )  # fmt: skip
@@ -206,31 +206,31 @@ def fit_photograph(
     def colours(radiance: FloatArray, solution: Solution) -> FloatArray:
         return np.asarray((radiance @ rgb_weights(nm, solution.lights[0].spectrum)).ravel())
 
-    relative = 1.0 if request.uncertainty is None else request.uncertainty
+    relative = 1.0 if settings.uncertainty is None else settings.uncertainty
     return _fitted(
         base, data, nm, directions,
         combine=colours,
         observed=Data(
             values=data.rgb.ravel(), uncertainty=relative * data.sizes.ravel(),
-            known=request.uncertainty is not None, group=np.repeat(data.part, 3),
+            known=settings.uncertainty is not None, group=np.repeat(data.part, 3),
         ),
-        instrument=lambda first: _camera(request, first, data),
+        instrument=lambda first: _camera(settings, first, data),
         identity=b"colours",
     )  # fmt: skip
 
 
 class _Base:
-    """Planet to begin with: its tables, and the request."""
+    """Planet to begin with: its tables, and the settings."""
 
     def __init__(
-        self, planet: str | Path, request: Request, progress: Progress | None,
+        self, planet: str | Path, settings: FitSettings, progress: Progress | None,
         cancel: Cancel | None,
     ) -> None:  # fmt: skip
-        self.request, self.progress, self.cancel = request, progress, cancel
+        self.settings, self.progress, self.cancel = settings, progress, cancel
         self.name = str(planet)
-        load_planet(planet, request.overrides, progress=progress, cancel=cancel)  # its own errors
+        load_planet(planet, settings.overrides, progress=progress, cancel=cancel)  # its own errors
         text, self.file, self.folder = planet_text(planet)
-        changed = overridden(nested_tables(text, self.file), request.overrides)
+        changed = overridden(nested_tables(text, self.file), settings.overrides)
         self.tables = spelled_out(changed, self.folder)
         self.planet = self.read(self.tables)
 
@@ -242,25 +242,25 @@ class _Base:
             tables, self.file, self.folder, wavelengths=lambda _: wavelengths, cancel=self.cancel
         )
 
-    def free(self, wavelengths: FloatArray) -> list[Free]:
-        """Free parameters of the planet, with the request's starts, bounds and priors."""
+    def free(self, wavelengths: FloatArray) -> list[FreeParameter]:
+        """Free parameters of the planet, with the settings' starts, bounds and priors."""
         own = (SCALE, AZIMUTH, ZENITH, RED, BLUE)
-        names = [name for name in self.request.free if name not in own]
+        names = [name for name in self.settings.free if name not in own]
         found = [free_parameter(name, self.tables, self.planet, wavelengths) for name in names]
-        return [replace(one, parameter=_adapted(one.parameter, self.request)) for one in found]
+        return [replace(one, parameter=_adapted(one.parameter, self.settings)) for one in found]
 
 
 def _fitted(
-    base: _Base, data: Measurements | Photograph, nm: FloatArray, directions: Directions, *,
+    base: _Base, data: Measurements | Photograph, nm: FloatArray, directions: ObservedDirections, *,
     combine: Callable[[FloatArray, Solution], FloatArray], observed: Data,
     instrument: Callable[[FloatArray], list[Nuisance]], identity: bytes,
 ) -> SkyFit:  # fmt: skip
     """Fit a planet to values of any kind."""
     started = perf_counter()
-    check_names(base.request, [SCALE] if isinstance(data, Photograph) else [])
+    check_names(base.settings, [SCALE] if isinstance(data, Photograph) else [])
     free = base.free(nm)
     if not free:
-        raise ParameterError("free", ", ".join(base.request.free), "a parameter of the planet")
+        raise ParameterError("free", ", ".join(base.settings.free), "a parameter of the planet")
 
     def tables_of(values: FloatArray) -> Tables:
         tables = base.tables
@@ -278,8 +278,8 @@ def _fitted(
         directions=directions,
         wavelengths=nm,
         combine=combine,
-        quality=smooth(base.request.quality),
-        identity=hashlib.sha256(whole.encode() + identity).digest() if base.request.keep else b"",
+        quality=smooth(base.settings.quality),
+        identity=hashlib.sha256(whole.encode() + identity).digest() if base.settings.keep else b"",
         progress=base.progress,
         cancel=base.cancel,
         expected=3 * len(free) + 8,
@@ -287,10 +287,10 @@ def _fitted(
     rough = replace(model, quality=smooth("preview"))
     model.nuisances = instrument(rough(np.array([one.parameter.start for one in free])))
     rough.nuisances, parameters = model.nuisances, model.all_parameters
-    begun = fit(rough, observed, parameters, loss=base.request.loss)
+    begun = fit(rough, observed, parameters, loss=base.settings.loss)
     near = base.read(tables_of(begun.values[: len(free)]), nm)
-    model.quality = smooth_near(base.request.quality, near, nm)
-    found = fit(model, observed, parameters, loss=base.request.loss, start=begun.values)
+    model.quality = smooth_near(base.settings.quality, near, nm)
+    found = fit(model, observed, parameters, loss=base.settings.loss, start=begun.values)
     first = rough(np.array([one.start for one in parameters]))
     tables = tables_of(found.values[: len(free)])
     return SkyFit(
@@ -299,7 +299,7 @@ def _fitted(
         first=first,
         tables=tables,
         planet=base.read(tables),
-        request=base.request,
+        settings=base.settings,
         name=base.name,
         solves=model.solves,
         rough_solves=rough.solves,
@@ -307,33 +307,33 @@ def _fitted(
     )
 
 
-def check_names(request: Request, always: Sequence[str] = ()) -> None:
+def check_names(settings: FitSettings, always: Sequence[str] = ()) -> None:
     """Refuse bounds, priors and starts of what is not free, and what is free twice."""
-    free = [*request.free, *request.each_scan]
+    free = [*settings.free, *settings.per_scan]
     free += [name for name in always if name not in free]
     for name in free:
         if free.count(name) > 1:
             raise ParameterError("free", name, "each parameter once")
     for word, given in (
-        ("bounds", request.bounds), ("prior", request.priors), ("start", request.starts),
+        ("bounds", settings.bounds), ("prior", settings.priors), ("start", settings.starts),
     ):  # fmt: skip
         for name in given:
             if name not in free:
                 raise ParameterError(word, name, f"one of the free parameters: {', '.join(free)}")
 
 
-def _adapted(parameter: Parameter, request: Request) -> Parameter:
-    """Parameter with the start, bounds and prior of a request."""
+def _adapted(parameter: FitParameter, settings: FitSettings) -> FitParameter:
+    """Parameter with the start, bounds and prior of the settings."""
     name = parameter.name
     low, high = parameter.low, parameter.high
-    if name in request.bounds:
-        low, high = (parameter.number(one, f"bounds of {name}") for one in request.bounds[name])
+    if name in settings.bounds:
+        low, high = (parameter.number(one, f"bounds of {name}") for one in settings.bounds[name])
         if not parameter.low <= low < high <= parameter.high:
             raise ParameterError(f"bounds of {name}", f"{low:g}..{high:g}", parameter.range_text)
     start = parameter.number(
-        request.starts.get(name, min(max(parameter.start, low), high)), f"start of {name}"
+        settings.starts.get(name, min(max(parameter.start, low), high)), f"start of {name}"
     )
-    prior = request.priors.get(name)
+    prior = settings.priors.get(name)
     if prior is not None:
         mean, sigma = prior.mean, prior.sigma
         mean, sigma = (parameter.number(one, f"prior of {name}") for one in (mean, sigma))
@@ -344,63 +344,65 @@ def _adapted(parameter: Parameter, request: Request) -> Parameter:
 # --- the instrument ---------------------------------------------------------------------------
 
 
-def _instrument(request: Request, scans: Sequence[str], scan: NDArray[np.int64]) -> list[Nuisance]:
+def _instrument(
+    settings: FitSettings, scans: Sequence[str], scan: NDArray[np.int64]
+) -> list[Nuisance]:
     """Parameters of the instrument that are free, for all scans or for each."""
     found = []
-    for name in [*request.free, *request.each_scan]:
+    for name in [*settings.free, *settings.per_scan]:
         if name in (RED, BLUE):
             raise ParameterError("free", name, "a photograph's")
         if name not in (SCALE, AZIMUTH, ZENITH):
-            if name in request.each_scan:
+            if name in settings.per_scan:
                 allowed = ", ".join((SCALE, AZIMUTH, ZENITH))
                 raise ParameterError("each-scan", name, allowed)
             continue
         every = np.ones(len(scans), bool)
-        if name not in request.each_scan:
-            found.append(_nuisance(name, name, request, np.ones(scan.size, bool), every))
+        if name not in settings.per_scan:
+            found.append(_nuisance(name, name, settings, np.ones(scan.size, bool), every))
             continue
         for number, word in enumerate(scans):
             only = np.arange(len(scans)) == number
-            found.append(_nuisance(name, f"{name}, {word}", request, scan == number, only))
+            found.append(_nuisance(name, f"{name}, {word}", settings, scan == number, only))
     return found
 
 
 def _nuisance(
-    kind: str, name: str, request: Request, values: NDArray[np.bool_], scans: NDArray[np.bool_]
+    kind: str, name: str, settings: FitSettings, values: NDArray[np.bool_], scans: NDArray[np.bool_]
 ) -> Nuisance:
     if kind == SCALE:
         low, high = _SCALES
-        plain = Parameter(name=kind, start=1.0, low=low, high=high, least_step=0.01)
+        plain = FitParameter(name=kind, start=1.0, low=low, high=high, least_step=0.01)
         form: Any = "factor"
     else:
-        plain = Parameter(
+        plain = FitParameter(
             name=kind, unit="deg", start=0.0, low=-MOST_TURN, high=MOST_TURN, least_step=0.1
         )
         form = "zenith" if kind == ZENITH else "azimuth"
-    parameter = replace(_adapted(plain, request), name=name)
+    parameter = replace(_adapted(plain, settings), name=name)
     return Nuisance(parameter=parameter, kind=form, values=values, scans=scans)
 
 
-def _camera(request: Request, first: FloatArray, data: Photograph) -> list[Nuisance]:
+def _camera(settings: FitSettings, first: FloatArray, data: Photograph) -> list[Nuisance]:
     """Exposure, and what else of the camera is free."""
-    if request.each_scan:
-        raise ParameterError("each-scan", request.each_scan[0], "nothing for a photograph")
+    if settings.per_scan:
+        raise ConflictError("per_scan", "does not apply to a photograph")
     whole, one = np.ones(first.size, bool), np.ones(1, bool)
     ratio = float(np.median(data.rgb.ravel()) / np.median(first))
-    exposure = Parameter(
+    exposure = FitParameter(
         name=SCALE, start=ratio, low=1e-3 * ratio, high=1e3 * ratio, least_step=0.01 * ratio
     )
     found = [
-        Nuisance(parameter=_adapted(exposure, request), kind="factor", values=whole, scans=one)
+        Nuisance(parameter=_adapted(exposure, settings), kind="factor", values=whole, scans=one)
     ]
     channel = np.arange(first.size) % 3
-    for name in request.free:
+    for name in settings.free:
         if name in (AZIMUTH, ZENITH):
-            found.append(_nuisance(name, name, request, whole, one))
+            found.append(_nuisance(name, name, settings, whole, one))
         elif name in (RED, BLUE):
-            plain = Parameter(name=name, start=1.0, low=0.1, high=10.0, least_step=0.01)
+            plain = FitParameter(name=name, start=1.0, low=0.1, high=10.0, least_step=0.01)
             chosen = channel == (0 if name == RED else 2)
-            parameter = _adapted(plain, request)
+            parameter = _adapted(plain, settings)
             found.append(Nuisance(parameter=parameter, kind="factor", values=chosen, scans=one))
     return found
 
@@ -408,29 +410,29 @@ def _camera(request: Request, first: FloatArray, data: Photograph) -> list[Nuisa
 # --- the data ---------------------------------------------------------------------------------
 
 
-def _directions(data: Measurements) -> tuple[Directions, NDArray[np.int64]]:
+def _directions(data: Measurements) -> tuple[ObservedDirections, NDArray[np.int64]]:
     """Different directions of the data, and the number of each value's."""
     table = np.stack(
         [data.altitude, data.sun_zenith, data.view_zenith, data.azimuth, data.scan], axis=-1
     )
     unique, row = np.unique(table, axis=0, return_inverse=True)
     altitude, sun, view, azimuth, scan = unique.T
-    directions = Directions(
+    directions = ObservedDirections(
         altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth,
         scan=scan.astype(np.int64),
     )  # fmt: skip
     return directions, np.asarray(row, dtype=np.int64).reshape(-1)
 
 
-def _uncertainty(data: Measurements, request: Request) -> tuple[FloatArray, bool]:
+def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray, bool]:
     """Standard deviations, and whether they are known or only relative to each other."""
-    if request.uncertainty is None and data.uncertainty is not None:
+    if settings.uncertainty is None and data.uncertainty is not None:
         return data.uncertainty, True
     sizes = np.maximum(data.radiance, _DARKEST * float(np.median(data.radiance)))
     if not sizes.all():
         raise ParameterError(f"radiance in {data.source}", 0.0, "values of which most are above 0")
-    if request.uncertainty is not None:
-        return request.uncertainty * sizes, True
+    if settings.uncertainty is not None:
+        return settings.uncertainty * sizes, True
     return sizes, False
 
 

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.fit.angstrom import COEFFICIENTS, angstrom_refused, exponent_of, tilted
-from airlight.fit.parameter import Parameter
+from airlight.fit.parameter import FitParameter
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import Tables, get, joined, put
 from airlight.planets.reading.shell_edit import BOTTOM, lifted
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 from airlight.planets.schema.measures import number_in, text_of
 from airlight.spectra.power_law import power_law
 from airlight.units import quantities
@@ -41,24 +41,26 @@ _EXPONENTS: Final = (-2.0, 4.5)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Free:
+class FreeParameter:
     """Free parameter and how its value enters the planet's tables.
 
     Attributes
     ----------
-    parameter : Parameter
+    parameter : FitParameter
     write : callable
         ``write(tables, value)``: copy of the tables with that value.
     order : int
         Lower ones are written first.
     """
 
-    parameter: Parameter
+    parameter: FitParameter
     write: Write
     order: int = 1
 
 
-def free_parameter(name: str, tables: Tables, planet: Planet, wavelengths: FloatArray) -> Free:
+def free_parameter(
+    name: str, tables: Tables, planet: Planet, wavelengths: FloatArray
+) -> FreeParameter:
     """Find a free parameter by its name.
 
     Parameters
@@ -159,7 +161,7 @@ def _constituent(tables: Tables, name: str) -> tuple[int | None, str]:
     return None, name
 
 
-def _number(name: str, path: str, tables: Tables) -> Free:
+def _number(name: str, path: str, tables: Tables) -> FreeParameter:
     """Parameter that is a number of the file, with its declared range."""
     key = key_at(tables, path)
     if key.kind != "number":
@@ -171,7 +173,7 @@ def _number(name: str, path: str, tables: Tables) -> Free:
         raise ParameterError("free", name, "a number that the planet's file has")
     start = number_in(given, key.shown_unit, key.unit, path)
     low, high = _limits(key, start)
-    parameter = Parameter(
+    parameter = FitParameter(
         name=name, unit=key.shown_unit, start=start, low=low, high=high,
         least_step=_least_step(key, start),
     )  # fmt: skip
@@ -180,10 +182,10 @@ def _number(name: str, path: str, tables: Tables) -> Free:
         changed = put(tables, path, text_of(value, key.shown_unit))
         return lifted(changed, tables) if path == BOTTOM else changed
 
-    return Free(parameter=parameter, write=write)
+    return FreeParameter(parameter=parameter, write=write)
 
 
-def _limits(key: Key, start: float) -> tuple[float, float]:
+def _limits(key: Field, start: float) -> tuple[float, float]:
     low, high = key.limits
     reach = 1e3 * max(abs(start), 1e-6)
     low = low if math.isfinite(low) else start - reach
@@ -192,7 +194,7 @@ def _limits(key: Key, start: float) -> tuple[float, float]:
     return min(low + inside, start), max(high - inside, start)
 
 
-def _least_step(key: Key, start: float) -> float:
+def _least_step(key: Field, start: float) -> float:
     low, high = key.ends
     if key.scale == "log" or not math.isfinite(high - low):
         return 5e-3 * abs(start) if start else 1e-3 * (low if math.isfinite(low) and low else 1.0)
@@ -203,7 +205,7 @@ def _least_step(key: Key, start: float) -> float:
 # --- what one says of air and ground ----------------------------------------------------------
 
 
-def _depth(name: str, tables: Tables, planet: Planet, index: int) -> Free:
+def _depth(name: str, tables: Tables, planet: Planet, index: int) -> FreeParameter:
     """Vertical optical depth of a constituent at 550 nm."""
     start = _depth_at(planet, index, AT)
     if not start > 0.0:
@@ -214,7 +216,7 @@ def _depth(name: str, tables: Tables, planet: Planet, index: int) -> Free:
     given = {key: one for key, one in given.items() if one is not None}
     by_amount = not given or any(isinstance(one, dict) for one in given.values())
     high = min(_DEEPEST, 100.0 * start / amount) if by_amount else _DEEPEST
-    parameter = Parameter(
+    parameter = FitParameter(
         name=name, start=start, low=0.0, high=high, least_step=min(0.002, 0.05 * start)
     )
 
@@ -229,7 +231,7 @@ def _depth(name: str, tables: Tables, planet: Planet, index: int) -> Free:
             tables = put(tables, f"{path}.{key}", _times(listed, share, COEFFICIENTS[key]))
         return tables
 
-    return Free(parameter=parameter, write=write)
+    return FreeParameter(parameter=parameter, write=write)
 
 
 def _depth_at(planet: Planet, index: int, nm: float) -> float:
@@ -240,14 +242,14 @@ def _depth_at(planet: Planet, index: int, nm: float) -> float:
 
 def _angstrom(
     name: str, tables: Tables, planet: Planet, index: int, wavelengths: FloatArray
-) -> Free:
+) -> FreeParameter:
     """Ångström exponent of a constituent's optical depth."""
     refused = angstrom_refused(tables["constituents"][index])
     if refused:
         raise ParameterError("free", name, refused)
     start = exponent_of(planet, index)
     low, high = _EXPONENTS
-    parameter = Parameter(
+    parameter = FitParameter(
         name=name, start=start, low=min(low, start), high=max(high, start), least_step=0.05
     )
     path = f"constituents[{index}]"
@@ -257,7 +259,7 @@ def _angstrom(
         table = tilted(get(tables, path), value - start, wavelengths, limits)
         return put(tables, path, table)
 
-    return Free(parameter=parameter, write=write, order=0)
+    return FreeParameter(parameter=parameter, write=write, order=0)
 
 
 def _column_path(tables: Tables, index: int) -> str | None:
@@ -268,7 +270,7 @@ def _column_path(tables: Tables, index: int) -> str | None:
     return None
 
 
-def _albedo(name: str, tables: Tables, planet: Planet) -> Free:
+def _albedo(name: str, tables: Tables, planet: Planet) -> FreeParameter:
     """Albedo of the ground; a list or a table is scaled, and has that value at 550 nm."""
     given = get(tables, name)
     if isinstance(given, (int, float)) or (
@@ -282,7 +284,7 @@ def _albedo(name: str, tables: Tables, planet: Planet) -> Free:
     if not start > 0.0:
         raise ParameterError("free", name, "a ground that reflects at 550 nm")
     brightness = _plain(tables, "ground.brightness", 1.0)
-    parameter = Parameter(
+    parameter = FitParameter(
         name=name, start=start, low=0.0, high=min(1.0, 100.0 * start / brightness),
         least_step=0.005,
     )  # fmt: skip
@@ -290,7 +292,7 @@ def _albedo(name: str, tables: Tables, planet: Planet) -> Free:
     def write(tables: Tables, value: float) -> Tables:
         return put(tables, "ground.brightness", brightness * value / start)
 
-    return Free(parameter=parameter, write=write)
+    return FreeParameter(parameter=parameter, write=write)
 
 
 def _plain(tables: Tables, path: str, default: float) -> float:

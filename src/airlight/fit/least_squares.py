@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ConvergenceError, ParameterError
-from airlight.fit.covariance import Errors, errors_of
+from airlight.fit.covariance import ErrorBars, errors_of
 from airlight.fit.loss import LOSSES, Loss, of_data
-from airlight.fit.parameter import Parameter
+from airlight.fit.parameter import FitParameter
 
 FloatArray = NDArray[np.float64]
 
@@ -70,16 +70,16 @@ class Data:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Fitted:
+class FitResult:
     """Result of a fit.
 
     Attributes
     ----------
-    parameters : tuple of Parameter
+    parameters : tuple of FitParameter
         Parameters as they were declared.
     values : array, shape (p,)
         Fitted values.
-    errors : Errors
+    errors : ErrorBars
         Error bars and correlations.
     predicted : array, shape (n,)
         Model at the fitted values.
@@ -91,9 +91,9 @@ class Fitted:
         Step by the last, fresh derivatives, in error bars.
     """
 
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[FitParameter, ...]
     values: FloatArray
-    errors: Errors
+    errors: ErrorBars
     predicted: FloatArray
     sigma: FloatArray
     rounds: int
@@ -109,9 +109,9 @@ class Fitted:
 
 
 def fit(
-    model: Model, data: Data, parameters: Sequence[Parameter], *, loss: str = "linear",
+    model: Model, data: Data, parameters: Sequence[FitParameter], *, loss: str = "linear",
     start: FloatArray | None = None,
-) -> Fitted:  # fmt: skip
+) -> FitResult:  # fmt: skip
     """Fit parameters of a model to data.
 
     Steps in a trust region within the bounds (``scipy.optimize.least_squares``), with derivatives
@@ -124,7 +124,7 @@ def fit(
     ----------
     model : Model
     data : Data
-    parameters : sequence of Parameter
+    parameters : sequence of FitParameter
     loss : str
         Name from ``airlight.fit.loss.LOSSES``.
     start : array, shape (p,), optional
@@ -159,7 +159,7 @@ def fit(
         # A step that would gain nothing is one within the rounding of the model.
         least = small.all() or (share.max() < 1.0 and problem.cost(x + step) >= problem.cost(x))
         if least and rescaled < 0.01:
-            return Fitted(
+            return FitResult(
                 parameters=problem.parameters,
                 values=x,
                 errors=errors,
@@ -179,7 +179,7 @@ class _Problem:
     """Residuals and their derivatives."""
 
     def __init__(
-        self, model: Model, data: Data, parameters: tuple[Parameter, ...], loss: Loss
+        self, model: Model, data: Data, parameters: tuple[FitParameter, ...], loss: Loss
     ) -> None:
         self.model, self.data, self.parameters = model, data, parameters
         self.loss = of_data(loss, data.values.size)
@@ -202,10 +202,10 @@ class _Problem:
 
     def residuals(self, x: FloatArray) -> FloatArray:
         """Differences over their standard deviations, data then priors."""
-        rest = (self.model(x) - self.data.values) / self.sigma
+        residual = (self.model(x) - self.data.values) / self.sigma
         pairs = zip(self.parameters, x, strict=True)
         priors = [one.sigmas_from_prior(value) for one, value in pairs if one.prior is not None]
-        return np.concatenate([rest, np.array(priors)])
+        return np.concatenate([residual, np.array(priors)])
 
     def cost(self, x: FloatArray) -> float:
         """Loss at the parameters."""
@@ -262,16 +262,16 @@ class _Problem:
         """Estimate an unknown uncertainty from the residuals, and return its relative change."""
         if self.data.known:
             return 0.0
-        rest = (self.model(x) - self.data.values) / self.data.uncertainty
+        residual = (self.model(x) - self.data.values) / self.data.uncertainty
         if self.robust:
-            scale = 1.4826 * float(np.median(np.abs(rest)))  # of a Gaussian: its deviation
+            scale = 1.4826 * float(np.median(np.abs(residual)))  # of a Gaussian: its deviation
         else:
-            freedom = max(rest.size - len(self.parameters), 1)
-            scale = float(np.sqrt(np.square(rest).sum() / freedom))
+            freedom = max(residual.size - len(self.parameters), 1)
+            scale = float(np.sqrt(np.square(residual).sum() / freedom))
         before, self.scale = self.scale, max(scale, _LEAST_UNCERTAINTY)
         return abs(self.scale / before - 1.0)
 
-    def errors(self, x: FloatArray, slopes: FloatArray) -> Errors:
+    def errors(self, x: FloatArray, slopes: FloatArray) -> ErrorBars:
         """Error bars and correlations at the parameters."""
         return errors_of(
             self.with_priors(slopes),
@@ -287,18 +287,18 @@ class _Problem:
         near = 1e-6 * self.sizes(x)
         return np.asarray((x - self.low <= near) | (self.high - x <= near))
 
-    def newton_step(self, x: FloatArray, slopes: FloatArray, errors: Errors) -> FloatArray:
+    def newton_step(self, x: FloatArray, slopes: FloatArray, errors: ErrorBars) -> FloatArray:
         """Step to the least loss of the linear model, 0 for parameters at a bound, shape (p,)."""
-        rest = self.residuals(x)
+        residual = self.residuals(x)
         jacobian = self.with_priors(slopes)
-        weights = self.loss(np.square(rest))[1]
+        weights = self.loss(np.square(residual))[1]
         free = ~errors.at_bound
         step = np.zeros_like(x)
         root = np.sqrt(weights)[:, None]
         if free.any():
-            step[free] = np.linalg.lstsq(root * jacobian[:, free], -root[:, 0] * rest, rcond=None)[
-                0
-            ]
+            step[free] = np.linalg.lstsq(
+                root * jacobian[:, free], -root[:, 0] * residual, rcond=None
+            )[0]
         return np.clip(x + step, self.low, self.high) - x
 
     def check_response(self, slopes: FloatArray) -> None:
@@ -338,7 +338,7 @@ def _over(steps: FloatArray, errors: FloatArray) -> FloatArray:
 
 
 def difference(
-    predict: Callable[[FloatArray], FloatArray], parameters: Sequence[Parameter],
+    predict: Callable[[FloatArray], FloatArray], parameters: Sequence[FitParameter],
     values: FloatArray, index: int, *, central: bool,
 ) -> FloatArray:  # fmt: skip
     """Derivative of predicted values by a parameter, by differences within its bounds.
@@ -347,7 +347,7 @@ def difference(
     ----------
     predict : callable
         Predicted values, shape (n,), for parameters of shape (p,).
-    parameters : sequence of Parameter
+    parameters : sequence of FitParameter
     values : array, shape (p,)
         Where the derivative is taken.
     index : int

@@ -25,7 +25,7 @@ class Prior:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Parameter:
+class FitParameter:
     """Number that a fit may change.
 
     Attributes
@@ -66,7 +66,7 @@ class Parameter:
 
         Examples
         --------
-        >>> height = Parameter(name="h", unit="km", start=1.0, low=0.5, high=9.0, least_step=0.1)
+        >>> height = FitParameter(name="h", unit="km", start=1.0, low=0.5, high=9.0, least_step=0.1)
         >>> height.number("1200 m", "start of h"), height.number(1.2, "start of h")
         (1.2, 1.2)
         """
@@ -80,7 +80,8 @@ class Parameter:
 
         Examples
         --------
-        >>> Parameter(name="h", unit="km", start=1.0, low=0.5, high=9.0, least_step=0.1).range_text
+        >>> height = FitParameter(name="h", unit="km", start=1.0, low=0.5, high=9.0, least_step=0.1)
+        >>> height.range_text
         '0.5 to 9 km'
         """
         return f"{self.low:g} to {self.high:g} {self.unit.removeprefix('1')}".rstrip()
@@ -97,7 +98,7 @@ class Parameter:
 
         Examples
         --------
-        >>> one = Parameter(name="albedo", start=0.1, low=0.0, high=1.0, least_step=0.005)
+        >>> one = FitParameter(name="albedo", start=0.1, low=0.0, high=1.0, least_step=0.005)
         >>> one.step(0.1), one.step(1.0)
         (0.005, -0.02)
         """

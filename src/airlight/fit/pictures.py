@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.fit.fit_sky import SkyFit
-from airlight.fit.least_squares import Fitted
-from airlight.fit.rests import SUN_EDGES, ZENITH_EDGES, Binned, Rests, binned
+from airlight.fit.least_squares import FitResult
+from airlight.fit.residuals import SUN_EDGES, ZENITH_EDGES, Binned, Residuals, binned
 from airlight.plots.figure import GREY, PALETTE, chosen, grid, new_figure, wavelength_ink
-from airlight.reports.parts import Picture
+from airlight.reports.parts import ReportPicture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,21 +26,21 @@ _MOST_DOMES: Final = 3
 _DOME: Final = 12
 
 
-def rest_curves(rests: Rests, title: str = "Residuals") -> Picture:
+def residual_curves(residuals: Residuals, title: str = "Residuals") -> ReportPicture:
     """Residuals by wavelength, by angle from the sun and by view zenith angle.
 
     Parameters
     ----------
-    rests : Rests
+    residuals : Residuals
     title : str
         Title of the picture.
     """
     figure = new_figure(title, size=(12.0, 4.2))
     axes = figure.subplots(1, 3, sharey=True)
     by = (
-        ("wavelength [nm]", binned(rests, rests.wavelength, _wavelength_edges(rests))),
-        ("angle from the sun [°]", binned(rests, rests.from_sun, SUN_EDGES)),
-        ("view zenith angle [°]", binned(rests, rests.view_zenith, ZENITH_EDGES)),
+        ("wavelength [nm]", binned(residuals, residuals.wavelength, _wavelength_edges(residuals))),
+        ("angle from the sun [°]", binned(residuals, residuals.from_sun, SUN_EDGES)),
+        ("view zenith angle [°]", binned(residuals, residuals.view_zenith, ZENITH_EDGES)),
     )
     reach = 1.15 * max(0.1, *(float(bins.spread.max()) for _, bins in by))
     axes[0].set_ylim(-reach, reach)
@@ -49,16 +49,16 @@ def rest_curves(rests: Rests, title: str = "Residuals") -> Picture:
         one.set_xlabel(label)
     axes[0].set_ylabel("fit over measured, less 1 [%]")
     axes[0].legend(fontsize=9, loc="upper left")
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Line: mean of the relative differences. Band: their root mean square about 0. "
         "Grey bars: share of the squared differences, of the axis's height.",
     )  # fmt: skip
 
 
-def _wavelength_edges(rests: Rests) -> FloatArray | None:
+def _wavelength_edges(residuals: Residuals) -> FloatArray | None:
     """Edges of bins where there are more wavelengths than a curve can show."""
-    nm = np.unique(rests.wavelength)
+    nm = np.unique(residuals.wavelength)
     return None if nm.size <= 64 else np.linspace(nm[0], nm[-1] * (1.0 + 1e-9), 49)
 
 
@@ -77,33 +77,33 @@ def _curve(axes: Axes, bins: Binned) -> None:
     share.set_axis_off()
 
 
-def value_plot(rests: Rests, title: str = "Measured and fitted values") -> Picture:
+def value_plot(residuals: Residuals, title: str = "Measured and fitted values") -> ReportPicture:
     """Fitted over measured values, by colour, and the distribution of the residuals.
 
     Parameters
     ----------
-    rests : Rests
+    residuals : Residuals
     title : str
     """
     figure = new_figure(title, size=(10.0, 4.6))
     left, right = figure.subplots(1, 2)
-    nm = np.unique(rests.wavelength)
+    nm = np.unique(residuals.wavelength)
     for k, ink in zip(chosen(nm, 5), wavelength_ink(nm[chosen(nm, 5)]), strict=True):
-        at = rests.wavelength == nm[k]
+        at = residuals.wavelength == nm[k]
         left.plot(
-            rests.measured[at], rests.predicted[at], ".", color=ink, markersize=3,
+            residuals.measured[at], residuals.predicted[at], ".", color=ink, markersize=3,
             label=f"{nm[k]:.4g} nm",
         )  # fmt: skip
-    ends = [float(rests.measured.min()), float(rests.measured.max())]
+    ends = [float(residuals.measured.min()), float(residuals.measured.max())]
     left.plot(ends, ends, color=GREY, linewidth=0.8)
-    if ends[0] > 0.0 and rests.predicted.min() > 0.0:
+    if ends[0] > 0.0 and residuals.predicted.min() > 0.0:
         left.set_xscale("log")
         left.set_yscale("log")
-    left.set_xlabel(f"measured [{rests.unit}]")
-    left.set_ylabel(f"fitted [{rests.unit}]")
+    left.set_xlabel(f"measured [{residuals.unit}]")
+    left.set_ylabel(f"fitted [{residuals.unit}]")
     left.legend(fontsize=8, markerscale=3)
     grid(left)
-    pulls = (rests.predicted - rests.measured) / rests.sigma
+    pulls = (residuals.predicted - residuals.measured) / residuals.sigma
     steps = np.linspace(-5.0, 5.0, 51)
     right.hist(np.clip(pulls, -4.99, 4.99), bins=steps.tolist(), density=True, color=PALETTE[0])
     right.plot(
@@ -113,59 +113,61 @@ def value_plot(rests: Rests, title: str = "Measured and fitted values") -> Pictu
     right.set_ylabel("density")
     right.legend(fontsize=9)
     grid(right)
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Left: one point a value, on the line where both agree. Right: residuals in "
         "standard deviations; what is beyond 5 stands in the last bars.",
     )  # fmt: skip
 
 
-def dome_pictures(rests: Rests, title: str = "Where the rest sits in the sky") -> Picture | None:
+def dome_pictures(
+    residuals: Residuals, title: str = "Where the residual sits in the sky"
+) -> ReportPicture | None:
     """Measured values, fitted values and differences on the dome; None with few directions.
 
     Parameters
     ----------
-    rests : Rests
+    residuals : Residuals
     title : str
     """
-    scans = [k for k in range(len(rests.scans)) if _seen(rests, k)[0].size >= _DOME]
+    scans = [k for k in range(len(residuals.scans)) if _seen(residuals, k)[0].size >= _DOME]
     if not scans:
         return None
     scans = [scans[k] for k in chosen(scans, _MOST_DOMES)]
     figure = new_figure(title, size=(10.5, 3.3 * len(scans) + 0.6))
     panels = figure.subplots(len(scans), 3, squeeze=False)
-    found = [_seen(rests, k) for k in scans]
+    found = [_seen(residuals, k) for k in scans]
     differences = np.concatenate([one[4] for one in found])
     limit = float(np.clip(np.percentile(np.abs(differences), 95.0), _LEAST_LIMIT, _LARGEST_LIMIT))
-    for row, (k, (x, y, measured, fitted, rest)) in enumerate(zip(scans, found, strict=True)):
+    for row, (k, (x, y, measured, fitted, residual)) in enumerate(zip(scans, found, strict=True)):
         top = float(np.percentile(measured, 98.0))
-        sun = float(rests.sun_zenith[rests.scan == k].mean())
+        sun = float(residuals.sun_zenith[residuals.scan == k].mean())
         for axes, values, word in (
             (panels[row, 0], measured, "measured"), (panels[row, 1], fitted, "fitted"),
         ):  # fmt: skip
             shown = axes.scatter(x, y, c=values, s=26, cmap="viridis", vmin=0.0, vmax=top)
-            _frame(axes, f"{rests.scans[k]}, {word}", sun)
-        figure.colorbar(shown, ax=panels[row, :2], shrink=0.8, label=rests.unit)
+            _frame(axes, f"{residuals.scans[k]}, {word}", sun)
+        figure.colorbar(shown, ax=panels[row, :2], shrink=0.8, label=residuals.unit)
         last = panels[row, 2]
-        apart = last.scatter(x, y, c=rest, s=26, cmap="RdBu_r", vmin=-limit, vmax=limit)
-        _frame(last, f"{rests.scans[k]}, fitted over measured", sun)
+        apart = last.scatter(x, y, c=residual, s=26, cmap="RdBu_r", vmin=-limit, vmax=limit)
+        _frame(last, f"{residuals.scans[k]}, fitted over measured", sun)
         figure.colorbar(apart, ax=last, shrink=0.8, label="%")
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Mean over the wavelengths; one dot a direction. Zenith in the middle, rings at "
         "30°, 60° and 90° from it, sun (circle) below.",
     )  # fmt: skip
 
 
-def _seen(rests: Rests, scan: int) -> tuple[FloatArray, ...]:
+def _seen(residuals: Residuals, scan: int) -> tuple[FloatArray, ...]:
     """Places on the dome, measured, fitted and relative difference of a scan's directions."""
-    at = rests.scan == scan
-    places = np.stack([rests.view_zenith[at], rests.azimuth[at]], axis=-1)
+    at = residuals.scan == scan
+    places = np.stack([residuals.view_zenith[at], residuals.azimuth[at]], axis=-1)
     unique, row = np.unique(places, axis=0, return_inverse=True)
     row = row.reshape(-1)
     count = np.bincount(row)
-    measured = np.bincount(row, rests.measured[at]) / count
-    fitted = np.bincount(row, rests.predicted[at]) / count
+    measured = np.bincount(row, residuals.measured[at]) / count
+    fitted = np.bincount(row, residuals.predicted[at]) / count
     around = np.radians(unique[:, 1])
     x, y = unique[:, 0] * np.sin(around), -unique[:, 0] * np.cos(around)
     return x, y, measured, fitted, 100.0 * (fitted / measured - 1.0)
@@ -182,12 +184,12 @@ def _frame(axes: Axes, title: str, sun: float) -> None:
     axes.set_axis_off()
 
 
-def correlation_picture(found: Fitted, title: str = "Correlations") -> Picture | None:
+def correlation_picture(found: FitResult, title: str = "Correlations") -> ReportPicture | None:
     """Correlations of the first parameters as a square of colours; None of a single one.
 
     Parameters
     ----------
-    found : Fitted
+    found : FitResult
     title : str
     """
     count = min(len(found.parameters), 16)
@@ -208,16 +210,16 @@ def correlation_picture(found: Fitted, title: str = "Correlations") -> Picture |
                 color="#ffffff" if dark else "#000000",
             )  # fmt: skip
     figure.colorbar(shown, ax=axes, shrink=0.8)
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure, title=title,
         caption="Two parameters near ±1 can hardly be told apart by these data.",
     )  # fmt: skip
 
 
-def pictures_of(sky: SkyFit, rests: Rests) -> list[Picture]:
+def pictures_of(sky: SkyFit, residuals: Residuals) -> list[ReportPicture]:
     """All pictures of a fit, in the order of its report."""
     found = [
-        rest_curves(rests), dome_pictures(rests), value_plot(rests),
+        residual_curves(residuals), dome_pictures(residuals), value_plot(residuals),
         correlation_picture(sky.fitted),
     ]  # fmt: skip
     return [one for one in found if one is not None]

@@ -1,7 +1,7 @@
 """Files of measured radiances: CSV, a value or a spectrum a line, with units in the header.
 
 A line of the long form is one radiance at one wavelength, a line of the wide form one direction
-with a column for each wavelength, as ``airlight radiance --input`` writes it.
+with a column for each wavelength, as ``airlight radiance`` writes it.
 """
 
 from __future__ import annotations

@@ -10,12 +10,12 @@ import numpy as np
 
 from airlight.fit.fit_sky import SkyFit
 from airlight.fit.measurements import Measurements
-from airlight.fit.parameter import Parameter
+from airlight.fit.parameter import FitParameter
 from airlight.fit.pictures import pictures_of
-from airlight.fit.rests import SUN_EDGES, ZENITH_EDGES, Binned, Rests, binned, rests_of
+from airlight.fit.residuals import SUN_EDGES, ZENITH_EDGES, Binned, Residuals, binned, residuals_of
 from airlight.reports.html import page_html, part_html
 from airlight.reports.markdown import escaped, part_lines
-from airlight.reports.parts import Part, Picture, ReportTable, Text
+from airlight.reports.parts import Part, ReportPicture, ReportTable, Text
 
 #: Correlation above which two parameters are named as hard to tell apart. [1]
 _CLOSE: Final = 0.95
@@ -89,7 +89,7 @@ def _groups(sky: SkyFit) -> str:
 
 def _known(sky: SkyFit) -> bool:
     given = isinstance(sky.data, Measurements) and sky.data.uncertainty is not None
-    return given or sky.request.uncertainty is not None
+    return given or sky.settings.uncertainty is not None
 
 
 def _remark(sky: SkyFit, k: int) -> str:
@@ -114,33 +114,34 @@ def parts_of(sky: SkyFit, *, pictures: bool = True) -> list[Part]:
     pictures : bool
         Whether to draw pictures, which needs matplotlib.
     """
-    rests = rests_of(sky)
+    residuals = residuals_of(sky)
     parts: list[Part] = [Text(text=summary(sky)), _parameters(sky)]
-    drawn: list[Picture] = pictures_of(sky, rests) if pictures else []
-    return [*parts, *drawn, *_rest_tables(rests)]
+    drawn: list[ReportPicture] = pictures_of(sky, residuals) if pictures else []
+    return [*parts, *drawn, *_residual_tables(residuals)]
 
 
 def summary(sky: SkyFit) -> str:
     """Two or three sentences: what was fitted to what, and how near it came."""
-    found, rests = sky.fitted, rests_of(sky)
+    found, residuals = sky.fitted, residuals_of(sky)
     data = sky.data
     what = (
-        f"{rests.measured.size} radiances of {len(rests.scans)} scans at "
-        f"{np.unique(rests.wavelength).size} wavelengths"
+        f"{residuals.measured.size} radiances of {len(residuals.scans)} scans at "
+        f"{np.unique(residuals.wavelength).size} wavelengths"
         if isinstance(data, Measurements)
         else f"the colours of {data.view_zenith.size} directions of a photograph"
     )
-    relative = float(np.sqrt(np.square(rests.relative).mean()))
+    relative = float(np.sqrt(np.square(residuals.relative).mean()))
     noise = (
         f"χ² is {found.errors.chi_square:.4g} for {found.errors.freedom} degrees of freedom"
         if _known(sky)
         else f"the uncertainty, not given, is estimated from the residuals, "
-        f"{100.0 * float(np.median(found.sigma / np.abs(rests.measured))):.2g} %"
+        f"{100.0 * float(np.median(found.sigma / np.abs(residuals.measured))):.2g} %"
     )
     text = (
         f"{len(found.parameters)} parameters of {sky.name} fitted to {what} ({data.source}). "
-        f"The residuals are {relative:.2g} % (root mean square), {rests.rms():.4g} {rests.unit}; "
-        f"{noise}. The last step with fresh derivatives was {found.last_step.max():.2g} of an "
+        f"The residuals are {relative:.2g} % (root mean square), {residuals.rms():.4g} "
+        f"{residuals.unit}; {noise}. "
+        f"The last step with fresh derivatives was {found.last_step.max():.2g} of an "
         f"error bar."
     )
     return "\n\n".join([text, *(one[0].upper() + one[1:] + "." for one in warnings_of(sky))])
@@ -171,15 +172,15 @@ def _parameters(sky: SkyFit) -> ReportTable:
     )  # fmt: skip
 
 
-def _bounds(one: Parameter) -> str:
+def _bounds(one: FitParameter) -> str:
     return f"{one.low:.4g} … {one.high:.4g}"
 
 
-def _rest_tables(rests: Rests) -> list[Part]:
+def _residual_tables(residuals: Residuals) -> list[Part]:
     by = (
-        ("wavelength [nm]", binned(rests, rests.wavelength)),
-        ("angle from the sun [°]", binned(rests, rests.from_sun, SUN_EDGES)),
-        ("view zenith angle [°]", binned(rests, rests.view_zenith, ZENITH_EDGES)),
+        ("wavelength [nm]", binned(residuals, residuals.wavelength)),
+        ("angle from the sun [°]", binned(residuals, residuals.from_sun, SUN_EDGES)),
+        ("view zenith angle [°]", binned(residuals, residuals.view_zenith, ZENITH_EDGES)),
     )
     return [_rest_table(label, bins) for label, bins in by]
 
@@ -206,13 +207,15 @@ def solutions(sky: SkyFit) -> str:
 
 def facts(sky: SkyFit) -> dict[str, str]:
     """What is needed to repeat the fit."""
-    free = ", ".join([*sky.request.free, *(f"{one} of each scan" for one in sky.request.each_scan)])
+    free = ", ".join(
+        [*sky.settings.free, *(f"{one} of each scan" for one in sky.settings.per_scan)]
+    )
     return {
         "planet": sky.name,
         "data": sky.data.source,
         "free": free,
-        "loss": sky.request.loss,
-        "quality": sky.request.quality,
+        "loss": sky.settings.loss,
+        "quality": sky.settings.quality,
         "solutions": solutions(sky),
     }
 

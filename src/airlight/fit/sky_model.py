@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled
 from airlight.fit.least_squares import difference
 from airlight.fit.measurements import IntArray, turned
-from airlight.fit.parameter import Parameter
+from airlight.fit.parameter import FitParameter
 from airlight.kernel import disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress
@@ -30,7 +30,7 @@ _MOST_SOLUTIONS: Final = 2
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Directions:
+class ObservedDirections:
     """Directions in which a sky is seen, nd of them.
 
     Attributes
@@ -61,7 +61,7 @@ class Nuisance:
 
     Attributes
     ----------
-    parameter : Parameter
+    parameter : FitParameter
     kind : str
         ``factor`` of predicted values, or an offset of the ``zenith`` or ``azimuth``. [1] or [deg]
     values : array of bool, shape (n,)
@@ -70,7 +70,7 @@ class Nuisance:
         Scans that it acts on.
     """
 
-    parameter: Parameter
+    parameter: FitParameter
     kind: Literal["factor", "zenith", "azimuth"]
     values: NDArray[np.bool_]
     scans: NDArray[np.bool_]
@@ -84,11 +84,11 @@ class SkyModel:
     ----------
     planet_of : callable
         Planet for its parameters, shape (p,).
-    parameters : sequence of Parameter
+    parameters : sequence of FitParameter
         Parameters of the planet.
     nuisances : sequence of Nuisance
         Parameters of the instrument.
-    directions : Directions
+    directions : ObservedDirections
     wavelengths : array, shape (nl,)
         Wavelengths that are solved. [nm]
     combine : callable
@@ -107,9 +107,9 @@ class SkyModel:
     """
 
     planet_of: Callable[[FloatArray], Planet]
-    parameters: Sequence[Parameter]
+    parameters: Sequence[FitParameter]
     nuisances: Sequence[Nuisance]
-    directions: Directions
+    directions: ObservedDirections
     wavelengths: FloatArray
     combine: Callable[[FloatArray, Solution], FloatArray]
     quality: Any = "default"
@@ -123,7 +123,7 @@ class SkyModel:
     _kept: dict[bytes, FloatArray] = field(default_factory=dict, init=False)
 
     @property
-    def all_parameters(self) -> tuple[Parameter, ...]:
+    def all_parameters(self) -> tuple[FitParameter, ...]:
         """Parameters of the planet, then of the instrument."""
         return (*self.parameters, *(one.parameter for one in self.nuisances))
 

@@ -44,7 +44,7 @@ RATES: Final = {
 #: Rates beyond this factor of those above are of a damaged file.
 _BELIEVED: Final = 1e3
 #: Part that is left of a rate where slower work follows.
-_KEPT: Final = 0.8
+_RATE_DECAY: Final = 0.8
 
 #: Listener to announcements, a line each; None where nobody listens.
 announce: ContextVar[Callable[[str], None] | None] = ContextVar("announce", default=None)
@@ -171,7 +171,7 @@ def _measured(kind: str, count: float, seconds: float) -> None:
         return
     with _lock, contextlib.suppress(OSError):
         known = _rates()
-        rate = max(count / seconds, _KEPT * known[kind])
+        rate = max(count / seconds, _RATE_DECAY * known[kind])
         if not _believed(kind, rate):
             return
         file = _file()

@@ -34,7 +34,7 @@ from numba.core.typed_passes import NativeLowering
 
 from airlight.cache_folders import read_trusted
 from airlight.kernel.compiled_files import CompiledFolder, check_files, one_process
-from airlight.kernel.shipped_code import shipped_code
+from airlight.kernel.prebuilt_cache import prebuilt_cache
 
 #: Word for intermediate code among Numba's words for the forms of a library on disk.
 _INTERMEDIATE: Final = "intermediate"
@@ -189,7 +189,7 @@ class _Cache(FunctionCache):
         super().__init__(py_func)
         check_files(self._cache_file, read_trusted)
         self.trusted = trusted
-        self._shipped = shipped_code(py_func, _Files, folder)
+        self._shipped = prebuilt_cache(py_func, _Files, folder)
 
     @property
     def _places(self) -> tuple[FunctionCache, ...]:
@@ -233,7 +233,7 @@ class CompiledKernel(CPUDispatcher):
         Parameters
         ----------
         folder : Path
-            Its last three names are those of the code's folder in ``shipped_code.SHIPPED`` too.
+            Its last three names are those of the code's folder in ``prebuilt_cache.PREBUILT`` too.
         trusted : bool
             Whether nobody else can have written there; otherwise the folder is left alone.
         """

@@ -14,7 +14,7 @@ from functools import cache
 from typing import Final, TypeAlias
 
 from airlight.errors import Cancelled
-from airlight.kernel.subnormals import count_as_zero, restore
+from airlight.kernel.denormals import flush_denormals, restore
 
 #: Called with the amount done, the total, and a description of the work.
 Progress: TypeAlias = Callable[[int, int, str], None]
@@ -40,7 +40,7 @@ _here = threading.local()
 
 def _enter_pool() -> None:
     _here.inside = True
-    count_as_zero()
+    flush_denormals()
 
 
 @cache
@@ -89,7 +89,7 @@ class _Blocks:
 
 def _run_here(blocks: _Blocks) -> bool:
     """Run the next block in the calling thread; what it calls between blocks has its own mode."""
-    mode = count_as_zero()
+    mode = flush_denormals()
     try:
         return blocks.run_next()
     finally:

@@ -63,7 +63,7 @@ class Geometry:
 
 
 @dataclass(frozen=True)
-class Kind:
+class Observable:
     """Observable.
 
     Attributes
@@ -362,23 +362,23 @@ def _limb(
 
 
 #: Every observable by name.
-KINDS: Final[dict[str, Kind]] = {
-    "geometric-albedo": Kind(
+KINDS: Final[dict[str, Observable]] = {
+    "geometric-albedo": Observable(
         "brightness at full phase over that of a white disc", ("radius",), _geometric_albedo
     ),
-    "bond-albedo": Kind(
+    "bond-albedo": Observable(
         "share of the star's light that the planet sends back", ("radius",), _bond_albedo
     ),
-    "phase-curve": Kind(
+    "phase-curve": Observable(
         "brightness of the disc over the phase angle", ("radius", "phase_angles"), _phase_curve
     ),
-    "transmission": Kind("effective radius in front of the star", (), _transmission),
-    "limb": Kind(
+    "transmission": Observable("effective radius in front of the star", (), _transmission),
+    "limb": Observable(
         "radiance beside the planet's edge over the tangent height",
         ("tangent_heights", "sun_zenith", "azimuth"),
         _limb,
     ),
-    "disc": Kind(
+    "disc": Observable(
         "light of the whole disc at a phase angle, and against the star",
         ("radius", "phase_angles"),
         _disc,

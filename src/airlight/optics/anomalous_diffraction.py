@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.kernel import kernel, vectorized
-from airlight.optics.size_distribution import Sizes
+from airlight.optics.size_distribution import SizeNodes
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -129,12 +129,12 @@ def efficiencies(
     return np.asarray(extinction), np.asarray(extinction - absorption)
 
 
-def cross_sections(sizes: Sizes, wavelength: float, index: complex) -> tuple[float, float]:
+def cross_sections(sizes: SizeNodes, wavelength: float, index: complex) -> tuple[float, float]:
     """Extinction and scattering cross-sections of the mean particle.
 
     Parameters
     ----------
-    sizes : Sizes
+    sizes : SizeNodes
         Sizes from ``optics.size_distribution``.
     wavelength : float
         Wavelength of the light. [nm]

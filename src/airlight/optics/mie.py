@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.threads import Cancel
-from airlight.optics.size_distribution import Sizes
+from airlight.optics.size_distribution import SizeNodes
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
@@ -94,7 +94,7 @@ def efficiencies(size_parameter: float, index: complex) -> tuple[float, float, f
 
 
 def scattering(
-    sizes: Sizes,
+    sizes: SizeNodes,
     wavelength: float,
     index: complex,
     angles: npt.ArrayLike,
@@ -105,7 +105,7 @@ def scattering(
 
     Parameters
     ----------
-    sizes : Sizes
+    sizes : SizeNodes
         Sizes from ``optics.size_distribution``.
     wavelength : float
         Wavelength in the air, taken as that in vacuum. [nm]
@@ -169,7 +169,9 @@ def check_index(index: complex) -> None:
         raise ParameterError("index.imaginary", index.imag, "0 to 10; light is only absorbed")
 
 
-def computed_spheres(sizes: Sizes, wavelength: float, index: complex) -> tuple[Sizes, ComplexArray]:
+def computed_spheres(
+    sizes: SizeNodes, wavelength: float, index: complex
+) -> tuple[SizeNodes, ComplexArray]:
     """Spheres that stand for those of a size parameter above 3000, and the index of each.
 
     In geometric optics light depends on a sphere's area, and on its absorption along a diameter. A
@@ -180,7 +182,7 @@ def computed_spheres(sizes: Sizes, wavelength: float, index: complex) -> tuple[S
 
     Parameters
     ----------
-    sizes : Sizes
+    sizes : SizeNodes
         Sizes from ``optics.size_distribution``. [m]
     wavelength : float
         Wavelength. [nm]
@@ -189,7 +191,7 @@ def computed_spheres(sizes: Sizes, wavelength: float, index: complex) -> tuple[S
 
     Returns
     -------
-    sizes : Sizes
+    sizes : SizeNodes
         Radii up to the largest, those of nearly the same index as one. [m]
     indices : array, shape (n,)
         Refractive index of each. [1]
@@ -207,7 +209,7 @@ def computed_spheres(sizes: Sizes, wavelength: float, index: complex) -> tuple[S
     radii = np.append(sizes.radii[~above], np.full(weights.size, largest))
     absorbing = np.append(np.ones(np.count_nonzero(~above)), mean)
     indices = index.real + 1j * np.minimum(index.imag * absorbing, 10.0)
-    return Sizes(radii, np.append(sizes.weights[~above], weights)), indices
+    return SizeNodes(radii, np.append(sizes.weights[~above], weights)), indices
 
 
 def work(radii: int, size_parameter: float, angles: int) -> float:

@@ -22,7 +22,7 @@ _SMALL_SHARE: Final = 1e-6
 _LARGE_SHARE: Final = 1e-6
 
 
-class Sizes(NamedTuple):
+class SizeNodes(NamedTuple):
     """Radii and the number of particles at each.
 
     Parameters
@@ -183,7 +183,7 @@ def log_normal_limits(median_radius: float, geometric_deviation: float) -> tuple
     return median_radius * math.exp(low), median_radius * math.exp(high)
 
 
-def gamma_sizes(effective_radius: float, effective_variance: float, count: int) -> Sizes:
+def gamma_sizes(effective_radius: float, effective_variance: float, count: int) -> SizeNodes:
     """Nodes over a gamma distribution.
 
     Parameters
@@ -194,10 +194,10 @@ def gamma_sizes(effective_radius: float, effective_variance: float, count: int) 
         Number of nodes.
     """
     radii, widths = _nodes(*gamma_limits(effective_radius, effective_variance), count)
-    return Sizes(radii, widths * gamma_density(radii, effective_radius, effective_variance))
+    return SizeNodes(radii, widths * gamma_density(radii, effective_radius, effective_variance))
 
 
-def log_normal_sizes(median_radius: float, geometric_deviation: float, count: int) -> Sizes:
+def log_normal_sizes(median_radius: float, geometric_deviation: float, count: int) -> SizeNodes:
     """Nodes over a log-normal distribution.
 
     Parameters
@@ -208,14 +208,14 @@ def log_normal_sizes(median_radius: float, geometric_deviation: float, count: in
         Number of nodes.
     """
     radii, widths = _nodes(*log_normal_limits(median_radius, geometric_deviation), count)
-    return Sizes(radii, widths * log_normal_density(radii, median_radius, geometric_deviation))
+    return SizeNodes(radii, widths * log_normal_density(radii, median_radius, geometric_deviation))
 
 
-def single_size(radius: float) -> Sizes:
+def single_size(radius: float) -> SizeNodes:
     """Distribution of particles of one radius [m]."""
     if not radius > 0.0:
         raise ParameterError("radius", radius, "more than 0 m")
-    return Sizes(np.array([radius]), np.array([1.0]))
+    return SizeNodes(np.array([radius]), np.array([1.0]))
 
 
 def _nodes(low: float, high: float, count: int) -> tuple[FloatArray, FloatArray]:

@@ -45,4 +45,4 @@ def check_planet(planet: Planet, wavelengths: int) -> None:
     from airlight.pixels.capacity import check_capacity
 
     constituents = len(planet.constituents) + (planet.refraction != "none")  # "bending" is one
-    check_capacity(wavelengths, constituents, field="--wavelengths")
+    check_capacity(wavelengths, constituents)

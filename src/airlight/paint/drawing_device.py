@@ -73,7 +73,7 @@ def drawing_device(
         device = open_device()
         widest = device.device.limits["max-texture-dimension-2d"]
         if width > widest:
-            raise ParameterError("--size", width, f"at most {widest} pixels in a row on the GPU")
+            raise ParameterError("width", width, f"at most {widest} pixels on this GPU")
     except (NoDevice, ParameterError) as reason:
         if choice == "gpu" and refused is not None:
             refused(str(reason))

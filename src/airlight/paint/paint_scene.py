@@ -24,7 +24,7 @@ from airlight.planets.picture_wavelengths import (
     texel_wavelengths,
 )
 from airlight.planets.reading.reader import PlanetLike, load_planet
-from airlight.render.ahead import DRAWING, drawing_ahead
+from airlight.render.background_compilation import DRAWING, start_sky_view_compiler
 from airlight.scene.basin import on_basin_floor
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -249,7 +249,7 @@ def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
     if not reads_table or thread_count() < 2:
         yield
         return
-    ahead = drawing_ahead()
+    ahead = start_sky_view_compiler()
     try:
         with FIRST_COMPILATION.elsewhere(DRAWING):
             yield

@@ -11,9 +11,10 @@ The policy of command line, window and saved pictures alike:
   without changes the processor draws the finished picture, which, unlike a long pass, leaves the
   device free for the window.
 * The processor also draws until the shaders of live pictures are compiled, which takes seconds;
-  unless its own loops are not compiled either, which takes longer (``render.ahead``): then a
-  hardware device draws first. The first picture of a window is the whole one, which needs no loop
-  that marches each pixel: to compile or to load that, which small pictures take, takes longer.
+  unless its own loops are not compiled either, which takes longer
+  (``render.background_compilation``): then a hardware device draws first. The first picture of a
+  window is the whole one, which needs no loop that marches each pixel: to compile or to load that,
+  which small pictures take, takes longer.
 
 All of them read a table of the sky, unless an exact picture is requested.
 """
@@ -30,7 +31,7 @@ from typing import TYPE_CHECKING, Any, Final
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.memory import give_back
 from airlight.render import render
-from airlight.render.ahead import DRAWING, MARCHING
+from airlight.render.background_compilation import DRAWING, MARCHING
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 
     from airlight.gpu.device.device import Device
     from airlight.gpu.picture.pictures import Pictures
-    from airlight.kernel.ahead import CompiledAhead
+    from airlight.kernel.background_compiler import BackgroundCompiler
     from airlight.kernel.threads import Cancel, Progress
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
@@ -137,11 +138,13 @@ class ScenePainter:
     ----------
     device : Device, optional
         Device that draws, see ``drawing_device``; without one the processor does.
-    ahead : CompiledAhead, optional
+    ahead : BackgroundCompiler, optional
         Process that compiles the processor's loops, which pictures wait for.
     """
 
-    def __init__(self, device: Device | None = None, ahead: CompiledAhead | None = None) -> None:
+    def __init__(
+        self, device: Device | None = None, ahead: BackgroundCompiler | None = None
+    ) -> None:
         self._device = device
         self._ahead = ahead
         self._pictures: Pictures | None = None

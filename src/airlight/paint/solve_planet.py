@@ -21,7 +21,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.capacity import fits
 from airlight.paint.drawing_device import Choice, live_device
 from airlight.planets.medium import Medium
-from airlight.planets.missing_bands import warn_of_missing_bands
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.settings import Settings, settings_for
@@ -97,7 +97,7 @@ def solve_planet(
         from airlight.gpu.solver.solver import ThickAir, solve_on
 
         medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
-        warn_of_missing_bands(planet, nm)
+        warn_of_omitted_bands(planet, nm)
         try:
             settings = settings_for(quality)
             settings = settings if polarisation else replace(settings, polarisation=False)

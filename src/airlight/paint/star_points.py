@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from airlight.ephemeris.instant import days_of
 from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun
 from airlight.ephemeris.world import WORLDS
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError
 from airlight.geometry.bending import apparent_sun_cosine
 from airlight.render.through_air import through_air
 from airlight.scene import Scene
@@ -101,9 +101,9 @@ def check_stars(body: str | None, projection: str, field: str = "stars") -> None
         If the planet is none of the worlds whose sky is known, or lines of sight are parallel.
     """
     if body not in WORLDS:
-        raise ParameterError(field, True, f"a planet whose body is {' or '.join(WORLDS)}")
+        raise ConflictError(field, f"requires a planet whose body is {' or '.join(WORLDS)}")
     if PROJECTIONS[projection].parallel:
-        raise ParameterError(field, True, f"none for {projection}, which sees a single direction")
+        raise ConflictError(field, f"cannot be combined with projection {projection}")
 
 
 def apparent_points(

@@ -6,15 +6,13 @@ from airlight.errors import ParameterError
 from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
 
 
-def check_capacity(wavelengths: int, constituents: int = 1, *, field: str = "wavelengths") -> None:
+def check_capacity(wavelengths: int, constituents: int = 1) -> None:
     """Refuse what exceeds the capacity of the shaders.
 
     Parameters
     ----------
     wavelengths, constituents : int
         Number of wavelengths, and of constituents including the one that bends light.
-    field : str
-        Name of the wavelengths in the error.
 
     Raises
     ------
@@ -28,7 +26,7 @@ def check_capacity(wavelengths: int, constituents: int = 1, *, field: str = "wav
     airlight.errors.ParameterError: wavelengths is 5; allowed: at most 4 on the GPU
     """
     if wavelengths > WAVELENGTHS:
-        raise ParameterError(field, wavelengths, f"at most {WAVELENGTHS} on the GPU")
+        raise ParameterError("wavelengths", wavelengths, f"at most {WAVELENGTHS} on the GPU")
     if constituents > MOST_CONSTITUENTS:
         raise ParameterError(
             "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"

@@ -13,8 +13,8 @@ import numpy as np
 from airlight.geometry.bending import bend_angle
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
+from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
 from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import columns_to_ground
@@ -159,7 +159,7 @@ def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, ou
     out : array, shape (n, w)
         Receives the radiance per irradiance of the unshadowed star. [sr⁻¹]
     """
-    screen, light, shadow, work, spare = borrowed((screen, light, shadow, work, spare))
+    screen, light, shadow, work, spare = without_refcount((screen, light, shadow, work, spare))
     lanes = light.lanes
     found, result = np.empty(2 * lanes, np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)

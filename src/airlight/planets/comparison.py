@@ -14,7 +14,7 @@ from airlight.planets.constituent import Constituent
 from airlight.planets.medium import Medium
 from airlight.planets.parameter_values import parameter_values
 from airlight.planets.planet import RED_GREEN_BLUE, Planet
-from airlight.planets.schema.record import fields_of
+from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.spectral import narrowest
 
 FloatArray = npt.NDArray[np.float64]
@@ -178,7 +178,7 @@ def _bodies(first: Planet, second: Planet, nm: tuple[float, ...]) -> Iterator[Di
 #: Fields that are compared by quantities that follow from them, or that describe the planet.
 _TREATED: Final = (
     "name", "description", "bottom_radius", "top_radius", "ground", "star", "constituents",
-    "own_wavelengths", "albedo", "spectrum", "irradiance", "temperature", "distance", "radius",
+    "default_wavelengths", "albedo", "spectrum", "irradiance", "temperature", "distance", "radius",
     "angular_radius",
 )  # fmt: skip
 

@@ -8,13 +8,13 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.matter.matter import Absorber, Matter, Scatterer
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.profiles import Profile
 from airlight.planets.parameters import MISSING, instance_of, parameters
-from airlight.planets.schema.key import Key, always
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.field import Field, always
+from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.spectral import (
     Limits,
     PerWavelength,
@@ -30,9 +30,9 @@ FloatArray = npt.NDArray[np.float64]
 LARGEST_COEFFICIENT: Final = 1.0
 
 
-def coefficient_key(label: str, text: str, **more: Any) -> Key:
+def coefficient_key(label: str, text: str, **more: Any) -> Field:
     """Key of a coefficient at relative density 1."""
-    return Key(label=label, help=text, unit="1/m", range=(0.0, LARGEST_COEFFICIENT), shown="/km",
+    return Field(label=label, help=text, unit="1/m", range=(0.0, LARGEST_COEFFICIENT), shown="/km",
                slider=(1e-7, 1.0), scale="log", spectral=True, per="wavelengths",
                **{"example": "5.802e-6 /m", **more})  # fmt: skip
 
@@ -44,7 +44,7 @@ def _coefficients_alone(constituent: Mapping[str, Any]) -> bool:
 
 
 @parameters
-class Constituent(Record):
+class Constituent(TomlModel):
     """One constituent of the air.
 
     Parameters
@@ -74,7 +74,7 @@ class Constituent(Record):
 
     name: Annotated[
         str,
-        Key(
+        Field(
             label="name",
             help="Name of the constituent.",
             note="1 to 60 letters.",
@@ -86,7 +86,7 @@ class Constituent(Record):
     profile: Annotated[
         Profile,
         instance_of(Profile),
-        Key(
+        Field(
             label="profile",
             help="Density profile over altitude.",
             note="Optional for a `gas` with a gravity.",
@@ -120,7 +120,7 @@ class Constituent(Record):
         Annotated[
             PhaseFunction,
             instance_of(PhaseFunction),
-            Key(
+            Field(
                 label="phase function",
                 help="Phase function.",
                 note="Required if the constituent scatters and its composition implies none.",
@@ -132,7 +132,7 @@ class Constituent(Record):
     ) = None
     amount: Annotated[
         float,
-        Key(
+        Field(
             label="amount",
             help="Factor applied to scattering and absorption at all wavelengths.",
             note="Refraction is not affected.",
@@ -146,9 +146,11 @@ class Constituent(Record):
 
     def __post_init__(self) -> None:
         if self.matter is not None and self.scattering != 0.0:
-            raise ParameterError("scattering", self.scattering, "none beside matter")
+            raise ConflictError("scattering", "cannot be combined with matter")
         if self.scatters and self._substance is None and self.phase_function is None:
-            raise ParameterError("phase_function", MISSING, "one, since it scatters")
+            raise ParameterError(
+                "phase_function", MISSING, "required, since the constituent scatters"
+            )
 
     @property
     def _substance(self) -> Matter | Scatterer | None:
@@ -177,7 +179,7 @@ class Constituent(Record):
     def limits(self) -> Limits:
         """Wavelengths at which all its properties are known. [nm]"""
         own = (self._substance, self.absorption, self.phase_function)
-        limits = [part.limits for part in own if isinstance(part, Record)]
+        limits = [part.limits for part in own if isinstance(part, TomlModel)]
         given = [self.absorption, *([] if self._follows_fourth_power else [self.scattering])]
         listed = [value.limits for value in given if isinstance(value, PerWavelength)]
         return narrowest([*limits, *listed])

@@ -64,7 +64,7 @@ _VISIBLE: Final = np.arange(380.0, 781.0)
 
 
 @dataclass(frozen=True, kw_only=True)
-class LeftOut:
+class OmittedBands:
     """Bands of one gas that are left out.
 
     Parameters
@@ -102,7 +102,7 @@ def _percent(loss: float) -> str:
     return "0" if loss < LEAST else f"{-100.0 * loss:.2g}"
 
 
-def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut, ...]:
+def omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[OmittedBands, ...]:
     """Bands of the gases of a planet's mixtures that none of its constituents has.
 
     Bands that nowhere take more than 5e-5 of the visible light are none.
@@ -122,7 +122,7 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
     Examples
     --------
     >>> from airlight.planets import load_planet
-    >>> for one in bands_left_out(load_planet("earth"), [764.0]):
+    >>> for one in omitted_bands(load_planet("earth"), [764.0]):
     ...     print(one.name, one.loss.round(2).tolist())
     O2 [0.41]
     H2O [0.0]
@@ -131,7 +131,7 @@ def bands_left_out(planet: Planet, wavelengths: npt.ArrayLike) -> tuple[LeftOut,
     columns = gas_columns(planet)
     tables = [(formula, table) for formula, names in TABLES.items() for table in names or ("",)]
     found = [
-        _left_out(formula, table, columns[formula], wavelengths)
+        _omitted(formula, table, columns[formula], wavelengths)
         for formula, table in (*tables, (PAIR, PAIRS))
         if columns.get(formula, 0.0) > 0.0 and not _absorbs(planet, formula, table)
     ]
@@ -194,10 +194,10 @@ def _squared_column(densities: DensitySegments, index: int) -> float:
     return float(np.trapezoid(squares, densities.node_altitudes))
 
 
-def _left_out(name: str, table: str, column: float, wavelengths: npt.ArrayLike) -> LeftOut:
+def _omitted(name: str, table: str, column: float, wavelengths: npt.ArrayLike) -> OmittedBands:
     nm = values_in(wavelengths, "nm", "wavelengths")
     if not table:
-        return LeftOut(
+        return OmittedBands(
             name=name, table="", loss=np.full(nm.shape, np.nan), strongest=np.nan, wavelength=np.nan
         )
     spectrum = read_spectrum(table)
@@ -206,7 +206,7 @@ def _left_out(name: str, table: str, column: float, wavelengths: npt.ArrayLike) 
     loss[known] = -np.expm1(-AIRMASS * column * spectrum.at(nm[known]))
     visible = -np.expm1(-AIRMASS * column * spectrum.at(_VISIBLE))
     top = int(np.argmax(visible))
-    return LeftOut(
+    return OmittedBands(
         name=name,
         table=table,
         loss=loss,

@@ -12,9 +12,9 @@ from airlight.optics.reflection import LAWS, Reflection, largest_albedo, law_num
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.local_ground import LocalGround
 from airlight.planets.parameters import instance_of, parameters, replace
-from airlight.planets.schema.key import FileTable, Key, Wavelengths, always
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, FileTable, Wavelengths, always
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import Limits, spectral_at, spectral_limits, table_limits
 
 FloatArray = npt.NDArray[np.float64]
@@ -41,7 +41,7 @@ def reflectances() -> tuple[str, ...]:
     return tuple(one.name for one in tables if one.unit == "1" and one.values.ndim == 1)
 
 
-def _read_albedo(section: Section, name: str, wavelengths: Wavelengths) -> Any:
+def _read_albedo(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
     """Read a number, a list, or the name of a table."""
     given = section.raw(name)
     if isinstance(given, str) and given[:1].isalpha():
@@ -55,7 +55,7 @@ def _clouded(table: FileTable) -> bool:
 
 
 @parameters
-class Ground(Record):
+class Ground(TomlModel):
     """Ground: how much it reflects, and where to.
 
     Parameters
@@ -89,7 +89,7 @@ class Ground(Record):
 
     albedo: Annotated[
         Any,
-        Key(
+        Field(
             label="albedo",
             help="Fraction of a uniform sky's light that the ground reflects.",
             note="A number, a list beside `wavelengths`, or the name of a table of reflectances."
@@ -99,14 +99,14 @@ class Ground(Record):
             read=_read_albedo,
             required=True,
             per="wavelengths",
-            words=reflectances,
+            choices=reflectances,
             synonyms=("ground brightness", "reflectance", "colour", "color", "snow", "sand"),
         ),
     ] = 0.0
     map: (
         Annotated[
             str,
-            Key(
+            Field(
                 label="map",
                 help="Name of the map of the ground, or path of a picture of it.",
                 note="`earth`, or a picture of the whole sphere, twice as wide as high, north up,"
@@ -124,7 +124,7 @@ class Ground(Record):
     lights: (
         Annotated[
             str,
-            Key(
+            Field(
                 label="lights",
                 help="Name of a map of the lights of towns, or path of a picture of them.",
                 note="`earth`, or a picture as for the map, white for the brightest towns,"
@@ -139,7 +139,7 @@ class Ground(Record):
     clouds: (
         Annotated[
             str,
-            Key(
+            Field(
                 label="clouds",
                 help="Path of a picture of clouds, drawn as a flat layer that casts shadows.",
                 note="A picture as for the map, black for clear sky, white for full cover; none"
@@ -155,7 +155,7 @@ class Ground(Record):
     ) = None
     cloud_albedo: Annotated[
         float,
-        Key(
+        Field(
             label="albedo of clouds",
             help="Fraction of light that a full cover of clouds reflects.",
             note="0.6: a cloud of optical depth 11.5.",
@@ -165,7 +165,7 @@ class Ground(Record):
     ] = CLOUD_ALBEDO
     cloud_altitude: Annotated[
         float,
-        Key(
+        Field(
             label="altitude of clouds",
             help="Altitude of the layer of clouds, by which their shadows are displaced.",
             unit="m",
@@ -178,7 +178,7 @@ class Ground(Record):
     ] = CLOUD_ALTITUDE
     brightness: Annotated[
         float,
-        Key(
+        Field(
             label="brightness",
             help="Factor applied to the ground's albedo and to its map.",
             note="Albedos are limited to 1, by Lommel and Seeliger's law to 0.409.",
@@ -189,20 +189,20 @@ class Ground(Record):
     ] = 1.0
     law: Annotated[
         str,
-        Key(
+        Field(
             label="law of reflection",
             help="Directions into which the ground reflects: all alike, as porous rock, as water.",
             note="By Lommel and Seeliger's law the full disc of an airless body is as bright at its"
             " limb as in its middle; `water` mirrors, and its albedo is of the light from below.",
             kind="choice",
-            words=lambda: tuple(LAWS),
+            choices=lambda: tuple(LAWS),
             offered=always,
         ),
     ] = "lambert"
     wind: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="wind over water",
                 help="Wind speed, which roughens the water that mirrors star and sky.",
                 note="With it the water of a map mirrors; without it only the law `water` does, at"

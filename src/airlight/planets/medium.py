@@ -46,7 +46,7 @@ BENDING_WAVELENGTH: Final = 550.0
 MOST_WAVELENGTHS: Final = 2000
 #: Number of media that a planet keeps, since reader, solver and pictures request the same, and
 #: their largest number of wavelengths.
-MOST_KEPT: Final = 2
+CACHE_SIZE: Final = 2
 MOST_KEPT_WAVELENGTHS: Final = 64
 
 
@@ -189,7 +189,7 @@ class Medium:
             return kept[nm.tobytes()]
         medium = cls._sampled(planet, nm, progress=progress, cancel=cancel)
         if nm.size <= MOST_KEPT_WAVELENGTHS:
-            while len(kept) >= MOST_KEPT:
+            while len(kept) >= CACHE_SIZE:
                 kept.pop(next(iter(kept)), None)
             kept[nm.tobytes()] = medium
         return medium
@@ -200,7 +200,7 @@ class Medium:
     ) -> Medium:
         for i, one in enumerate(planet.constituents):
             if one.matter is not None:
-                with _blamed(f"constituents[{i}]"):
+                with _prefix_errors(f"constituents[{i}]"):
                     one.matter.prepare(nm, progress=progress, cancel=cancel)
         density = relative_densities(planet)
         height = effective_top(density)
@@ -445,12 +445,12 @@ def _refractivity(planet: Planet) -> FloatArray:
 
 
 @contextlib.contextmanager
-def _blamed(where: str) -> Iterator[None]:
+def _prefix_errors(where: str) -> Iterator[None]:
     """Put a constituent before the field of an error."""
     try:
         yield
     except ParameterError as error:
-        raise ParameterError(f"{where}.{error.field}", error.value, error.allowed) from None
+        raise error.named(f"{where}.{error.field}") from None
 
 
 def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:

@@ -20,11 +20,11 @@ from airlight.planets.constituent import Constituent
 from airlight.planets.matter.particle_sizes import ParticleSizes
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.profiles import Profile
-from airlight.planets.schema.record import fields_of
+from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.spectral import PerWavelength
 
 #: Key of a value: name, unit, wavelength [nm] or None.
-Key = tuple[str, str, float | None]
+ValueKey = tuple[str, str, float | None]
 
 #: Longest tuple that is listed; longer ones are shown by their length and checksum.
 _LONGEST: Final = 8
@@ -44,7 +44,7 @@ _DERIVED_SPECTRA: Final = {
 
 def parameter_values(
     constituent: Constituent, thickness: float, wavelengths: tuple[float, ...]
-) -> dict[Key, float | str]:
+) -> dict[ValueKey, float | str]:
     """Collect all given values of a constituent, and its column.
 
     Parameters
@@ -69,7 +69,7 @@ def parameter_values(
     (1200.0, 'henyey-greenstein')
     """
     nm = wavelengths
-    found: dict[Key, float | str] = {}
+    found: dict[ValueKey, float | str] = {}
     for name in ("profile", "matter", "scattering", "absorption", "phase_function"):
         part = getattr(constituent, name)
         if dataclasses.is_dataclass(part) and not isinstance(part, PerWavelength):

@@ -14,8 +14,8 @@ from airlight.errors import ParameterError
 from airlight.planets.constituent import Constituent
 from airlight.planets.ground import Ground
 from airlight.planets.parameters import MISSING, instance_of, parameters
-from airlight.planets.schema.key import WAVELENGTHS, Key, always
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.field import WAVELENGTHS, Field, always
+from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.spectral import (
     LONGEST,
     SHORTEST,
@@ -44,7 +44,7 @@ LARGEST_RATIO: Final = 10.0
 
 
 @parameters
-class Planet(Record):
+class Planet(TomlModel):
     """Spherical ground under a shell of air, lit by a star.
 
     Parameters
@@ -57,7 +57,7 @@ class Planet(Record):
     star : Star
     constituents : tuple of Constituent
         Constituents, 1 to 64.
-    own_wavelengths : tuple of float, optional
+    default_wavelengths : tuple of float, optional
         Default wavelengths of the planet. [nm]
     description : str, optional
         Nature and sources of the numbers, in a sentence or two.
@@ -81,7 +81,7 @@ class Planet(Record):
 
     name: Annotated[
         str,
-        Key(
+        Field(
             label="name",
             help="Name of the planet.",
             note="1 to 60 letters.",
@@ -92,7 +92,7 @@ class Planet(Record):
     ]
     description: Annotated[
         str,
-        Key(
+        Field(
             label="description",
             help="Short description, with the source of the data.",
             note="Listed by `airlight planets`.",
@@ -101,7 +101,7 @@ class Planet(Record):
             offered=always,
         ),
     ] = ""
-    own_wavelengths: (
+    default_wavelengths: (
         Annotated[
             tuple[float, ...],
             dataclasses.replace(
@@ -116,12 +116,12 @@ class Planet(Record):
     body: (
         Annotated[
             str,
-            Key(
+            Field(
                 label="body",
                 help="World whose sky it has by place and time.",
                 note="For `airlight render --at --time` and `airlight.Scene.at`.",
                 kind="choice",
-                words=lambda: tuple(WORLDS),
+                choices=lambda: tuple(WORLDS),
                 mode="advanced",
             ),
         ]
@@ -129,18 +129,18 @@ class Planet(Record):
     ) = None
     refraction: Annotated[
         str,
-        Key(
+        Field(
             label="refraction",
             help="Refraction by the gases, which lifts and flattens the low star.",
             note="Rejected where rays would be trapped by super-refraction, as on Venus.",
             kind="choice",
-            words=lambda: ("none", "bouguer"),
+            choices=lambda: ("none", "bouguer"),
             offered=always,
         ),
     ] = "none"
     bottom_radius: Annotated[
         float,
-        Key(
+        Field(
             label="radius of the ground",
             help="Radius of the ground; the atmosphere keeps its thickness when it is edited.",
             unit="m",
@@ -154,7 +154,7 @@ class Planet(Record):
     ]
     top_radius: Annotated[
         float,
-        Key(
+        Field(
             label="radius of the top of the air",
             help="Radius of the top of the atmosphere, up to ten times that of the ground.",
             unit="m",
@@ -168,7 +168,7 @@ class Planet(Record):
     ground: Annotated[
         Ground,
         instance_of(Ground),
-        Key(
+        Field(
             label="ground",
             help="Surface of the planet.",
             kind="table",
@@ -179,11 +179,11 @@ class Planet(Record):
     star: Annotated[
         Star,
         instance_of(Star),
-        Key(label="star", help="Star that lights the planet.", kind="table", table="star"),
+        Field(label="star", help="Star that lights the planet.", kind="table", table="star"),
     ]
     constituents: Annotated[
         tuple[Annotated[Constituent, instance_of(Constituent)], ...],
-        Key(
+        Field(
             label="constituents",
             help="Constituents of the atmosphere.",
             note="1 to 64 of them, each with a name of its own.",
@@ -228,9 +228,9 @@ class Planet(Record):
                 self._limits_by_part(),
                 "parts that are known at a common wavelength",
             )
-        if self.own_wavelengths is not None:
-            check_wavelength_list(self.own_wavelengths)
-            self.check_wavelengths(self.own_wavelengths)
+        if self.default_wavelengths is not None:
+            check_wavelength_list(self.default_wavelengths)
+            self.check_wavelengths(self.default_wavelengths)
 
     @property
     def thickness(self) -> float:
@@ -304,19 +304,18 @@ class Planet(Record):
             If it names none.
         """
         if self.body is None:
-            allowed = f"one of {', '.join(WORLDS)}, in the planet's file or by --set body=earth"
-            raise ParameterError("body", MISSING, allowed)
+            raise ParameterError("body", MISSING, f"one of {', '.join(WORLDS)}")
         return world_named(self.body)
 
     @property
     def wavelengths(self) -> tuple[float, ...]:
         """Own wavelengths of the planet. [nm]
 
-        ``own_wavelengths`` if given; otherwise 680, 550 and 440 if every part is known there;
+        ``default_wavelengths`` if given; otherwise 680, 550 and 440 if every part is known there;
         otherwise those of the first part that names any.
         """
-        if self.own_wavelengths is not None:
-            return self.own_wavelengths
+        if self.default_wavelengths is not None:
+            return self.default_wavelengths
         low, high = self.wavelength_limits
         if low <= min(RED_GREEN_BLUE) and max(RED_GREEN_BLUE) <= high:
             return RED_GREEN_BLUE

@@ -32,4 +32,4 @@ def _row(planet: Planet, index: int) -> Row:
         return planet.constituents[index].profile.row(planet.thickness)
     except ParameterError as error:
         field_name = f"constituents[{index}].profile.{error.field}"
-        raise ParameterError(field_name, error.value, error.allowed) from None
+        raise error.named(field_name) from None

@@ -12,11 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.constants import ASTRONOMICAL_UNIT, SOLAR_RADIUS
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section, spectral_of
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable, spectral_of
 from airlight.planets.spectral import (
     EVERYWHERE,
     Limits,
@@ -38,11 +38,11 @@ BLACK_BODY: Final = "black body"
 IRRADIANCE: Final = "W/m^2/nm"
 
 
-def _read_spectrum(section: Section, name: str, wavelengths: Wavelengths) -> str:
+def _read_spectrum(section: TomlTable, name: str, wavelengths: Wavelengths) -> str:
     return section.text(name, "the name of a spectrum, 'astm-g173'")
 
 
-def _read_irradiance(section: Section, name: str, wavelengths: Wavelengths) -> Any:
+def _read_irradiance(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
     """Read one number, a list, or the spectrum of a file at the planet's distance. [W m⁻² nm⁻¹]"""
     if name not in section:
         return None
@@ -52,7 +52,7 @@ def _read_irradiance(section: Section, name: str, wavelengths: Wavelengths) -> A
     return spectral_of(value, IRRADIANCE, field, wavelengths)
 
 
-def _spectrum_of_file(section: Section, name: str, field: str) -> PerWavelength:
+def _spectrum_of_file(section: TomlTable, name: str, field: str) -> PerWavelength:
     from airlight.spectra.tables import read_spectrum_file
 
     file = section.beside(name)
@@ -66,12 +66,12 @@ def _spectrum_of_file(section: Section, name: str, field: str) -> PerWavelength:
         if here is None:
             raise ParameterError(
                 section.name_of("distance"), MISSING,
-                f"a length, beside a spectrum that is given at {spectrum.distance}",
+                f"a length: the spectrum is for {spectrum.distance}",
             )  # fmt: skip
         if not (there > 0.0 and here > 0.0):
             raise ParameterError(f"distance of {file.name}", spectrum.distance, "a length above 0")
         factor *= (there / here) ** 2
-    with section.blamed():
+    with section.prefix_errors():
         return PerWavelength(
             wavelengths=tuple(spectrum.wavelengths.tolist()),
             values=tuple((factor * spectrum.values).tolist()),
@@ -79,7 +79,7 @@ def _spectrum_of_file(section: Section, name: str, field: str) -> PerWavelength:
 
 
 @parameters
-class Star(Record):
+class Star(TomlModel):
     """Incoming light: a measured spectrum, given values, or a black body.
 
     Exactly one of ``spectrum``, ``irradiance`` and ``temperature`` is given.
@@ -111,15 +111,15 @@ class Star(Record):
     spectrum: (
         Annotated[
             str,
-            Key(
+            Field(
                 label="spectrum",
                 help="Measured solar spectrum at 1 au, or a black body.",
                 note="`distance` scales it.",
                 kind="choice",
                 read=_read_spectrum,
-                words=lambda: (SUN,),
+                choices=lambda: (SUN,),
                 synonyms=("sunlight", "colour", "color", "kind of star", "red dwarf"),
-                stand_in=BLACK_BODY,
+                placeholder=BLACK_BODY,
                 offered=lambda star: "temperature" in star,
             ),
         ]
@@ -128,7 +128,7 @@ class Star(Record):
     irradiance: (
         Annotated[
             Spectral,
-            Key(
+            Field(
                 label="irradiance",
                 help="Spectral irradiance at the planet, on a plane facing the star.",
                 note="One value or a list, or the path to a CSV file.",
@@ -147,7 +147,7 @@ class Star(Record):
     temperature: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="temperature",
                 help="Effective temperature of the star, a black body.",
                 synonyms=("colour", "color", "red dwarf", "hot", "cool"),
@@ -165,7 +165,7 @@ class Star(Record):
     radius: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="radius of the star",
                 help="Radius; with the distance it gives irradiance and angular radius.",
                 unit="m",
@@ -182,7 +182,7 @@ class Star(Record):
     distance: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="distance",
                 help="Distance from the star to the planet.",
                 unit="m",
@@ -200,7 +200,7 @@ class Star(Record):
     angular_radius: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="angular radius",
                 help="Angular radius of the star's disc; 0 for a point.",
                 note="From radius and distance where those are known; required beside an"
@@ -227,9 +227,11 @@ class Star(Record):
         if self.temperature is not None:
             for name in ("distance", "radius"):
                 if getattr(self, name) is None:
-                    raise ParameterError(name, MISSING, "a length, beside a temperature")
+                    raise ConflictError("temperature", f"requires {name}")
         if self.irradiance is not None and self.distance is not None and self.radius is None:
-            raise ParameterError("distance", self.distance, "none beside an irradiance")
+            raise ConflictError(
+                "distance", "cannot be combined with irradiance, unless radius is given"
+            )
         if self.known_radius is not None and self.known_distance is not None:
             if self.known_radius > 0.5 * self.known_distance:
                 raise ParameterError("radius", self.known_radius, "at most half the distance")

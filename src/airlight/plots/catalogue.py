@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -51,7 +51,7 @@ class Work:
 
 
 @dataclass(frozen=True)
-class Kind:
+class PlotKind:
     """Kind of figure.
 
     Attributes
@@ -206,76 +206,76 @@ def _order_convergence(planet: Planet, choices: Choices, work: Work) -> Figure:
 
 
 #: Every kind, from the star's spectrum to the sky.
-KINDS: Final[dict[str, Kind]] = {
-    "solar-spectrum": Kind(
+KINDS: Final[dict[str, PlotKind]] = {
+    "solar-spectrum": PlotKind(
         "The star's spectrum at the planet, the visible band in its colours.",
         ("wavelengths",),
         _solar_spectrum,
     ),
-    "spectral-to-rgb": Kind(
+    "spectral-to-rgb": PlotKind(
         "RGB of pure wavelengths with the normalisations none, sum and peak.",
         ("wavelengths",),
         _spectral_to_rgb,
     ),
-    "cie": Kind(
+    "cie": PlotKind(
         "CIE 1931 matching functions, and the sky's colours in the chromaticity diagram.",
         ("wavelengths", "quality", "polarisation"),
         _cie,
     ),
-    "density": Kind(
+    "density": PlotKind(
         "Density of each constituent over altitude, linear and logarithmic.", (), _density
     ),
-    "phase": Kind(
+    "phase": PlotKind(
         "Phase function of each constituent that scatters, polar and Cartesian.",
         ("wavelengths",),
         _phase,
     ),
-    "optical-depth": Kind(
+    "optical-depth": PlotKind(
         "Vertical optical depth of each constituent over wavelength.",
         ("wavelengths",),
         _optical_depth,
     ),
-    "transmittance-surface": Kind(
+    "transmittance-surface": PlotKind(
         "Mean transmittance over altitude and view zenith angle, as a surface.",
         ("wavelengths",),
         _transmittance_surface,
     ),
-    "transmittance-map": Kind(
+    "transmittance-map": PlotKind(
         "Mean transmittance over altitude and view zenith angle, as a map.",
         ("wavelengths",),
         _transmittance_map,
     ),
-    "mapping-regions": Kind(
+    "mapping-regions": PlotKind(
         "Regions U, L and S of the weighted power mapping, on the ground and aloft.",
         ("altitude",),
         _mapping_regions,
     ),
-    "mapping-comparison": Kind(
+    "mapping-comparison": PlotKind(
         "The scattering table on the linear and on the weighted power mapping.",
         ("wavelengths", "quality", "polarisation"),
         _mapping_comparison,
     ),
-    "sky-profile": Kind(
+    "sky-profile": PlotKind(
         "Radiance of the sky through the sun and around at the sun's height.",
         ("wavelengths", "sun_zenith", "altitude", "quality", "polarisation"),
         _sky_profile,
     ),
-    "polarisation-plane": Kind(
+    "polarisation-plane": PlotKind(
         "Degree of polarisation in the plane of sun and zenith, with the neutral points.",
         ("wavelengths", "sun_zenith", "altitude", "quality"),
         _polarisation_plane,
     ),
-    "polarisation-dome": Kind(
+    "polarisation-dome": PlotKind(
         "Degree and angle of polarisation over the sky, with bars along which light swings.",
         ("wavelengths", "sun_zenith", "altitude", "quality"),
         _polarisation_dome,
     ),
-    "limb": Kind(
+    "limb": PlotKind(
         "Radiance of the limb over tangent height, seen from space.",
         ("wavelengths", "sun_zenith", "quality", "polarisation"),
         _limb,
     ),
-    "order-convergence": Kind(
+    "order-convergence": PlotKind(
         "Radiance by order of scattering, and what is missing after each.",
         ("wavelengths", "sun_zenith", "quality"),
         _order_convergence,
@@ -283,7 +283,7 @@ KINDS: Final[dict[str, Kind]] = {
 }
 
 
-def kind_named(name: str) -> Kind:
+def kind_named(name: str) -> PlotKind:
     """Return the kind of the given name.
 
     Raises
@@ -339,4 +339,4 @@ def check_choices(kind: str, choices: Choices) -> None:
         value = getattr(choices, field.name)
         if value is not None and field.name not in takes:
             named = ", ".join(one.replace("_", "-") for one in takes) or "nothing"
-            raise ParameterError(field.name, value, f"none: {kind} takes {named}")
+            raise ConflictError(field.name, f"does not apply to {kind}, which takes {named}")

@@ -6,7 +6,7 @@ import base64
 from collections.abc import Sequence
 from html import escape
 
-from airlight.reports.parts import Part, Picture, ReportTable, cell_text
+from airlight.reports.parts import Part, ReportPicture, ReportTable, cell_text
 
 _STYLE = """
 :root { --ink: #1c2530; --paper: #fff; --line: #d8dee6; --met: #0a6b3d; --missed: #b3261e;
@@ -64,7 +64,7 @@ def part_html(part: Part) -> str:
     """Table, picture or text in HTML."""
     if isinstance(part, ReportTable):
         return _table(part)
-    if isinstance(part, Picture):
+    if isinstance(part, ReportPicture):
         return _picture(part)
     return "\n".join(f"<p>{escape(paragraph)}</p>" for paragraph in part.text.split("\n\n"))
 
@@ -99,7 +99,7 @@ def _table(table: ReportTable) -> str:
     return f"<h3>{escape(table.title)}</h3>{body}{note}"
 
 
-def _picture(picture: Picture) -> str:
+def _picture(picture: ReportPicture) -> str:
     data = base64.b64encode(picture.png).decode("ascii")
     return (
         f'<figure><img alt="{escape(picture.title)}" src="data:image/png;base64,{data}"/>'

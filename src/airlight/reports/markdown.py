@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from html import escape
 from urllib.parse import quote
 
-from airlight.reports.parts import Cell, Part, Picture, ReportTable, cell_text
+from airlight.reports.parts import Cell, Part, ReportPicture, ReportTable, cell_text
 
 
 def files_of(parts: Sequence[Part]) -> dict[str, bytes]:
@@ -18,7 +18,7 @@ def files_of(parts: Sequence[Part]) -> dict[str, bytes]:
     ValueError
         If two pictures have the same name.
     """
-    pictures = [part for part in parts if isinstance(part, Picture)]
+    pictures = [part for part in parts if isinstance(part, ReportPicture)]
     files = {picture.file_name: picture.png for picture in pictures}
     if len(files) < len(pictures):
         raise ValueError("two pictures have the same title")
@@ -36,7 +36,7 @@ def part_lines(part: Part, pictures: str) -> list[str]:
     """
     if isinstance(part, ReportTable):
         return _table(part)
-    if isinstance(part, Picture):
+    if isinstance(part, ReportPicture):
         return [
             f"![{escaped(part.title)}]({quote(pictures)}/{part.file_name})",
             "",

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 #: Content of a cell; a float is written with four significant digits.
 Cell = str | float | int
-#: Style of a row: plain, bar met, bar missed, or highlighted (our own row of a league table).
+#: Style of a row: plain, threshold met, threshold missed, or highlighted (our row of a ranking).
 Mark = Literal["", "pass", "fail", "ours"]
 
 
@@ -65,7 +65,7 @@ class ReportTable:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Picture:
+class ReportPicture:
     """Picture with its caption.
 
     Attributes
@@ -85,7 +85,7 @@ class Picture:
     @classmethod
     def from_figure(
         cls, figure: Figure, *, title: str, caption: str = "", dpi: int = 80
-    ) -> Picture:
+    ) -> ReportPicture:
         """Draw a matplotlib figure as a small PNG of at most 256 colours."""
         from PIL import Image
 
@@ -104,7 +104,7 @@ class Picture:
 
         Examples
         --------
-        >>> Picture(title="Kider 2013-05-27: error, scan by scan", png=b"").file_name
+        >>> ReportPicture(title="Kider 2013-05-27: error, scan by scan", png=b"").file_name
         'kider-2013-05-27-error-scan-by-scan.png'
         """
         return re.sub(r"[^a-z0-9]+", "-", self.title.lower()).strip("-") + ".png"
@@ -118,4 +118,4 @@ class Text:
 
 
 #: Part of a suite's section.
-Part = ReportTable | Picture | Text
+Part = ReportTable | ReportPicture | Text

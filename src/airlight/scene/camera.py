@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.scene.directions import camera_axes, filter_axis
 from airlight.scene.limits import HIGHEST_ALTITUDE, within
 from airlight.scene.projections import PROJECTIONS, Projection
@@ -136,7 +136,7 @@ class Camera:
         name, given = self.projection, self.field_of_view
         if not self.parallel:
             if self.extent is not None:
-                raise ParameterError("camera.extent", self.extent, f"none for {name}")
+                raise ConflictError("camera.extent", f"does not apply to {name}")
             return
         form = f"a length from left to right, such as '14000 km', for {name}"
         if self.extent is None:
@@ -144,7 +144,7 @@ class Camera:
         extent = within("camera.extent", self.extent, 1.0, HIGHEST_ALTITUDE, "m")
         angle = math.degrees(2.0 * math.asin(0.5 * extent / HIGHEST_ALTITUDE))
         if given is not None and values_in(given, "deg", "camera.field_of_view") != angle:
-            raise ParameterError("camera.field_of_view", given, f"none for {name}: extent says it")
+            raise ConflictError("camera.field_of_view", f"does not apply to {name}: use extent")
         zenith = self.look_zenith
         if zenith is not None and values_in(zenith, "deg", "camera.look_zenith") != 180.0:
             allowed = f"180 deg for {name}, which looks at the planet's centre"

@@ -6,8 +6,8 @@ import re
 from typing import Final
 
 from airlight.errors import ParameterError
-from airlight.planets.schema.key import Wavelengths
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Wavelengths
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.scene.limits import within
 from airlight.units import Measure
 
@@ -85,7 +85,7 @@ def bearing(value: Measure, field: str) -> float:
         raise ParameterError(field, value, allowed) from None
 
 
-def read_bearing(section: Section, name: str, wavelengths: Wavelengths) -> float:
+def read_bearing(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
     """Bearing of a key of a file: a point of the compass, or an angle with its unit. [deg]"""
     value = section.raw(name)
     if isinstance(value, str) and compass_bearing(value) is not None and value[-1:].isalpha():

@@ -17,7 +17,7 @@ from airlight.color.texels import CHANNELS
 from airlight.errors import FileError
 from airlight.planets.cloud_cover import cloud_pixels
 from airlight.planets.map_picture import map_pixels
-from airlight.scene.kept_maps import kept_levels
+from airlight.scene.map_cache import cached_levels
 from airlight.scene.map_levels import Levels
 from airlight.scene.surface_map import SurfaceMap, levels_of, packed_texels
 
@@ -74,7 +74,7 @@ def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap 
     if lights is None and clouds is None:
         return None
     files = lights_file(lights) if lights else None, Path(clouds) if clouds else None
-    levels = kept_levels(Path(__file__), files, lambda: _decoded(lights, clouds))
+    levels = cached_levels(Path(__file__), files, lambda: _decoded(lights, clouds))
     return SurfaceMap(name=f"{lights}, {clouds}", **levels._asdict())
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.ephemeris.instant import universal_time
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.scene.camera import Camera
 from airlight.scene.compass import bearing
 from airlight.scene.ground_detail import GROUNDS
@@ -103,8 +103,7 @@ class Scene:
         object.__setattr__(self, "sun_azimuth", azimuth)
         if self.camera.parallel:
             if self.altitude not in (0.0, STANDING, HIGHEST_ALTITUDE):
-                allowed = "none for an orthographic camera, which is far away"
-                raise ParameterError("scene.altitude", self.altitude, allowed)
+                raise ConflictError("scene.altitude", "does not apply to an orthographic camera")
             object.__setattr__(self, "altitude", HIGHEST_ALTITUDE)
 
     @classmethod

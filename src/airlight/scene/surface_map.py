@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.color.texels import CHANNELS, DECODED, decoded_texels
 from airlight.errors import FileError
 from airlight.planets.map_picture import map_pixels
-from airlight.scene.kept_maps import kept_levels
+from airlight.scene.map_cache import cached_levels
 from airlight.scene.map_levels import Levels, empty_levels, fill_levels, level_views, reduced
 
 _DATA = Path(__file__).parent / "data"
@@ -273,7 +273,7 @@ def surface_map(name: str) -> SurfaceMap:
         If there is no such map, or ``map_pixels`` refuses a file, or the sizes differ.
     """
     pictures = map_file(name), water_file(name)
-    levels = kept_levels(Path(__file__), pictures, lambda: _decoded(name, *pictures))
+    levels = cached_levels(Path(__file__), pictures, lambda: _decoded(name, *pictures))
     return SurfaceMap(name=name, **levels._asdict())
 
 

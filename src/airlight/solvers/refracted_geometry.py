@@ -25,7 +25,7 @@ from airlight.tables.refraction_table import NONE, bending, refraction_table
 FloatArray = NDArray[np.float64]
 
 #: Number of tables of the apparent star that are kept.
-_KEPT: Final = 4
+_CACHE_SIZE: Final = 4
 _lifts: OrderedDict[tuple[Any, ...], FloatArray] = OrderedDict()
 _lock = threading.Lock()
 #: Newton steps from a true length to a length by optical radius; each squares the error.
@@ -158,7 +158,7 @@ def _refraction_table_of(shell: RefractingShell) -> FloatArray:
     made = refraction_table(shell.bottom, shell.top, shell.density, shell.bend)
     with _lock:
         _lifts[key] = made
-        while len(_lifts) > _KEPT:
+        while len(_lifts) > _CACHE_SIZE:
             _lifts.popitem(last=False)
     return made
 

@@ -14,7 +14,7 @@ from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_memory
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
-from airlight.planets.missing_bands import warn_of_missing_bands
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.planet import Planet
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.solvers.solution import Solution
@@ -174,7 +174,7 @@ def solve(
     if solver == "moments":
         _check_memory(settings, np.size(nm))
     medium = Medium.from_planet(planet, nm, progress=progress, cancel=cancel)
-    warn_of_missing_bands(planet, medium.wavelengths)
+    warn_of_omitted_bands(planet, medium.wavelengths)
     solution: Solution = import_module(module).solve(
         medium, settings, cache=cache, progress=progress, cancel=cancel
     )

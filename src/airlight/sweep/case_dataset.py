@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError
-from airlight.exports.whole_file import whole_file
+from airlight.exports.atomic_file import atomic_file
 from airlight.solvers.named_axes import COORDINATES, WAVELENGTH
 from airlight.solvers.stokes_frame import STOKES
 from airlight.sweep.cases import COLUMNS, Cases
@@ -93,7 +93,7 @@ def write_dataset(path: str, data: xarray.Dataset) -> None:
     FileError
         If it cannot be written, or netCDF does not allow a name in it.
     """
-    with whole_file(path) as part:
+    with atomic_file(path) as part:
         try:
             data.to_netcdf(part, engine="scipy")
         except ValueError as error:

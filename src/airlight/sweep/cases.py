@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
-from airlight.exports.whole_file import check_target, whole_file
+from airlight.exports.atomic_file import atomic_file, check_target
 from airlight.solvers.stokes_frame import (
     STOKES,
     angle_of_polarisation,
@@ -325,7 +325,7 @@ def write_cases(
         _write(sys.stdout, cases, wavelengths, radiance, standard_error, stokes)
         return
     with (
-        whole_file(path) as part,
+        atomic_file(path) as part,
         part.open("w", encoding="utf-8", newline="") as stream,
     ):
         _write(stream, cases, wavelengths, radiance, standard_error, stokes)

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from airlight.distribution import opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
 from airlight.errors import FileError
+from airlight.exports.atomic_file import check_target
 from airlight.exports.output_lock import output_lock
-from airlight.exports.whole_file import check_target
 from airlight.kernel.cost import LINES, announce_all
 from airlight.planets.planet import Planet
 from airlight.sweep.cases import (

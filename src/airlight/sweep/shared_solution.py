@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from airlight.solvers.moments.solution import MomentsSolution
 
 #: Solution of the last task, which the next one mostly shares.
-_KEPT: Final[dict[str, MomentsSolution]] = {}
+_CACHED: Final[dict[str, MomentsSolution]] = {}
 
 
 def shared_solution(
@@ -44,11 +44,11 @@ def shared_solution(
         See ``airlight.kernel.threads``.
     """
     key = digest((planet, tuple(wavelengths), quality, polarisation))
-    if key not in _KEPT:
+    if key not in _CACHED:
         found = solve(
             planet, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
             cache=cache, progress=progress,
         )  # fmt: skip
-        _KEPT.clear()
-        _KEPT[key] = found
-    return _KEPT[key]
+        _CACHED.clear()
+        _CACHED[key] = found
+    return _CACHED[key]

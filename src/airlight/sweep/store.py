@@ -21,9 +21,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
-from airlight.exports.beginnings import begun, remove
+from airlight.exports.atomic_folder import check_folder_name
 from airlight.exports.output_lock import hidden_file
-from airlight.exports.whole_folder import check_folder_name
+from airlight.exports.partial_outputs import partial_output, remove
 from airlight.solvers.provenance import software
 from airlight.sweep.grid import Grid
 from airlight.sweep.store_layout import (
@@ -251,7 +251,7 @@ class SweepStore:
                 self._put_block(self._folder, block, chunks)
             else:
                 part = hidden_file(self._folder, "part")
-                with begun(part):
+                with partial_output(part):
                     remove(part)  # of a run that was killed
                     part.mkdir()
                     self._lay_out(part)
@@ -385,6 +385,6 @@ def _content(file: Path, largest: int) -> bytes | None:
 def _put(file: Path, content: bytes) -> None:
     """Replace a file of the group, whole or not at all; a lock keeps other writers out."""
     part = hidden_file(file, "part")
-    with begun(part):
+    with partial_output(part):
         part.write_bytes(content)
         part.replace(file)

@@ -18,7 +18,7 @@ from airlight.errors import ParameterError
 from airlight.exports.output_lock import output_lock
 from airlight.kernel.cost import LINES, announce_all
 from airlight.kernel.memory import check_memory
-from airlight.planets.missing_bands import warn_of_missing_bands
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.solve import solve_work
@@ -77,7 +77,7 @@ class Swept:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Block:
+class CaseBlock:
     """Lines of sight of one block.
 
     Attributes
@@ -249,7 +249,7 @@ def _announce(
     """Announce the work, and warn of what planets are not known for: nobody sees a worker's."""
     quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
-        warn_of_missing_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
+        warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)
     lines = sum(_lines(grid, block) for block in missing)
     amounts = [
         ("solve", len(variants) * solve_work(quality, len(grid.nm))),
@@ -281,7 +281,7 @@ def _indices(shape: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
 _PLANETS: Final[dict[tuple[Any, ...], Planet]] = {}
 
 
-def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> Block:
+def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> CaseBlock:
     quality, polarisation, stokes = how
     *variant, altitude, _, _ = block
     suns, views = grid.region(block)[-4:-2]
@@ -289,7 +289,7 @@ def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> B
     if key not in _PLANETS:
         _PLANETS.clear()
         _PLANETS[key] = grid.planet(tuple(variant))
-    return Block(
+    return CaseBlock(
         planet=_PLANETS[key], quality=quality, polarisation=polarisation, stokes=stokes,
         altitude=grid.altitude[altitude],
         sun_zenith=tuple(grid.sun_zenith[suns]), view_zenith=tuple(grid.view_zenith[views]),
@@ -300,20 +300,20 @@ def _block(grid: Grid, block: tuple[int, ...], how: tuple[str, bool, bool]) -> B
 # --- on a worker ------------------------------------------------------------------------------
 
 
-def solved(block: Block, code: str) -> None:
+def solved(block: CaseBlock, code: str) -> None:
     """Solve a block's planet, and keep the solution on the disk of this machine."""
     check_code(code, _SOURCE)
     _solution(block)
 
 
-def radiances(block: Block, code: str) -> NDArray[np.float32]:
+def radiances(block: CaseBlock, code: str) -> NDArray[np.float32]:
     """Arrays of a block, shape (1 or 5, suns, views, azimuths, wavelengths).
 
     The radiance [W m⁻² sr⁻¹ nm⁻¹], and with Stokes parameters ``POLARISED``.
 
     Parameters
     ----------
-    block : Block
+    block : CaseBlock
         Lines of sight.
     code : str
         Hash of the source of the process that sent it.
@@ -333,7 +333,7 @@ def radiances(block: Block, code: str) -> NDArray[np.float32]:
     return np.stack([np.asarray(one, np.float32) for one in layers])
 
 
-def _solution(block: Block) -> MomentsSolution:
+def _solution(block: CaseBlock) -> MomentsSolution:
     return shared_solution(
         block.planet, block.wavelengths, block.quality, polarisation=block.polarisation
     )

@@ -15,7 +15,7 @@ from airlight.errors import ParameterError
 from airlight.planets.reading.declared_keys import key_at, spelled_out
 from airlight.planets.reading.overrides import indexed_path
 from airlight.planets.reading.reader import PlanetLike, nested_tables, planet_text
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 from airlight.planets.schema.measures import DOBSON, number_in
 
 #: Number and the symbol of its unit; other units are converted.
@@ -68,7 +68,7 @@ def varied_axis(planet: PlanetLike, path: str, values: Sequence[Any]) -> tuple[N
     return np.array(numbers), replace(key, unit=unit).unit_words.translate(_POWERS) or "1"
 
 
-def _key(planet: PlanetLike, path: str) -> Key | None:
+def _key(planet: PlanetLike, path: str) -> Field | None:
     """Declaration of the key; None where the planet has no file, or that no place for it."""
     if not isinstance(planet, (str, Path)):
         return None

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.ephemeris.positions import BODIES
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics.moon_phase import (
     lambert_phase,
     lommel_seeliger_phase,
@@ -16,8 +16,8 @@ from airlight.optics.moon_phase import (
     moon_phase,
 )
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.spectral import Spectral, spectral_at
 from airlight.system.vectors import POSITION, frame_of, unit
 from airlight.units import values_in
@@ -33,7 +33,7 @@ LAWS: Final = {
 
 
 @parameters
-class Body(Record):
+class Body(TomlModel):
     """Sphere at a place: with the air of a planet file, or bare.
 
     Parameters
@@ -70,13 +70,13 @@ class Body(Record):
 
     name: Annotated[
         str,
-        Key(label="name", help="Name that the scene refers to.", kind="text", range=(1, 60),
+        Field(label="name", help="Name that the scene refers to.", kind="text", range=(1, 60),
             example="moon"),
     ]  # fmt: skip
     planet: (
         Annotated[
             str,
-            Key(label="planet", help="Preset or planet file, for a body with air.", kind="text",
+            Field(label="planet", help="Preset or planet file, for a body with air.", kind="text",
                 range=(1, 4000), example="earth"),
         ]
         | None
@@ -84,7 +84,7 @@ class Body(Record):
     radius: (
         Annotated[
             float,
-            Key(label="radius", help="Radius of a body without air.", unit="m", range=(1.0, 1e10),
+            Field(label="radius", help="Radius of a body without air.", unit="m", range=(1.0, 1e10),
                 example="1737.4 km"),
         ]
         | None
@@ -92,20 +92,20 @@ class Body(Record):
     albedo: (
         Annotated[
             Spectral,
-            Key(label="albedo", help="Albedo of a body without air; geometric but for Lambert's"
+            Field(label="albedo", help="Albedo of a body without air; geometric but for Lambert's"
                 " law.", range=(0.0, 1.0), spectral=True, example="0.12"),
         ]
         | None
     ) = None  # fmt: skip
     reflection: Annotated[
         str,
-        Key(label="reflection", help="Law by which a body without air reflects.", kind="choice",
-            words=lambda: tuple(LAWS)),
+        Field(label="reflection", help="Law by which a body without air reflects.", kind="choice",
+            choices=lambda: tuple(LAWS)),
     ] = "lommel-seeliger"  # fmt: skip
     map: (
         Annotated[
             str,
-            Key(label="map", help="Picture of the surface of a body without air.", kind="text",
+            Field(label="map", help="Picture of the surface of a body without air.", kind="text",
                 range=(1, 4000), example="moon.jpg"),
         ]
         | None
@@ -113,23 +113,23 @@ class Body(Record):
     position: Annotated[tuple[float, ...], POSITION] = (0.0, 0.0, 0.0)
     pole: Annotated[
         tuple[float, ...],
-        Key(label="pole", help="Direction of the north pole.", range=(-1e6, 1e6), listed=True,
+        Field(label="pole", help="Direction of the north pole.", range=(-1e6, 1e6), listed=True,
             example="[0, 0, 1]"),
     ] = (0.0, 0.0, 1.0)  # fmt: skip
     prime_meridian: Annotated[
         float,
-        Key(label="prime meridian", help="Angle from the equator's ascending node, eastward.",
+        Field(label="prime meridian", help="Angle from the equator's ascending node, eastward.",
             unit="deg", range=(-360.0, 360.0), example="30 deg"),
     ] = 0.0  # fmt: skip
     ephemeris: (
         Annotated[
             str,
-            Key(
+            Field(
                 label="ephemeris",
                 help="Body of the solar system whose place and rotation it has at the scene's"
                 " time.",
                 kind="choice",
-                words=lambda: tuple(name for name in BODIES if name != "sun"),
+                choices=lambda: tuple(name for name in BODIES if name != "sun"),
             ),
         ]
         | None
@@ -137,7 +137,7 @@ class Body(Record):
     faces: (
         Annotated[
             str,
-            Key(label="faces", help="Body above the prime meridian.", kind="text", range=(1, 60),
+            Field(label="faces", help="Body above the prime meridian.", kind="text", range=(1, 60),
                 example="earth"),
         ]
         | None
@@ -149,18 +149,18 @@ class Body(Record):
             raise ParameterError("position", self.position, "three lengths")
         if self.planet is None:
             if self.radius is None:
-                raise ParameterError("radius", MISSING, "a length, of a body without air")
+                raise ParameterError("radius", MISSING, "a length, for a body without planet")
         else:
             for name in ("radius", "albedo", "map"):
                 if getattr(self, name) is not None:
-                    raise ParameterError(name, getattr(self, name), "none beside a planet")
+                    raise ConflictError(name, "cannot be combined with planet")
         if self.ephemeris is not None:
             for name, plain in (("position", (0.0, 0.0, 0.0)), ("pole", (0.0, 0.0, 1.0)),
                                 ("prime_meridian", 0.0), ("faces", None)):  # fmt: skip
                 if getattr(self, name) != plain:
-                    raise ParameterError(name, getattr(self, name), "none beside an ephemeris")
+                    raise ConflictError(name, "cannot be combined with ephemeris")
         if self.faces is not None and self.prime_meridian != 0.0:
-            raise ParameterError("prime_meridian", self.prime_meridian, "none beside faces")
+            raise ConflictError("prime_meridian", "cannot be combined with faces")
 
     @property
     def centre(self) -> FloatArray:

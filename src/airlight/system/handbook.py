@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import Any, Final
 
 from airlight.planets.reading.handbook import rows_of
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.toml_model import TomlModel
 from airlight.system.body import Body
 from airlight.system.light import Light
-from airlight.system.viewpoint import Observer, View
+from airlight.system.viewpoint import SceneObserver, View
 
 #: Tables of a scene file, with the keys of which one has to be given.
-TABLES: Final[dict[str, tuple[type[Record], tuple[str, ...]]]] = {
+TABLES: Final[dict[str, tuple[type[TomlModel], tuple[str, ...]]]] = {
     "bodies": (Body, ("planet", "radius")),
     "lights": (Light, ("star", "body")),
-    "observer": (Observer, ("body", "position")),
+    "observer": (SceneObserver, ("body", "position")),
     "camera": (View, ("look_at", "direction", "look_zenith")),
 }
 

@@ -7,23 +7,23 @@ from typing import Annotated
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters, replace
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.star import Star
 from airlight.system.vectors import POSITION, unit
 
 FloatArray = npt.NDArray[np.float64]
 
 
-def _read_star(section: Section, name: str, wavelengths: Wavelengths) -> Star:
+def _read_star(section: TomlTable, name: str, wavelengths: Wavelengths) -> Star:
     return Star.read(section.section(name, "a table such as { spectrum = 'astm-g173' }"))
 
 
 @parameters
-class Light(Record):
+class Light(TomlModel):
     """Star in a direction or at a place, or a body of the scene that reflects the stars' light.
 
     Exactly one of ``star`` and ``body`` is given.
@@ -49,12 +49,12 @@ class Light(Record):
 
     name: Annotated[
         str,
-        Key(label="name", help="Name of a star.", kind="text", range=(1, 60), example="sun"),
+        Field(label="name", help="Name of a star.", kind="text", range=(1, 60), example="sun"),
     ] = "sun"
     star: (
         Annotated[
             Star,
-            Key(label="star", help="Spectrum and size of a star, as in a planet file.",
+            Field(label="star", help="Spectrum and size of a star, as in a planet file.",
                 kind="table", table="star", read=_read_star),
         ]
         | None
@@ -62,7 +62,7 @@ class Light(Record):
     direction: (
         Annotated[
             tuple[float, ...],
-            Key(label="direction", help="Direction towards a star.", range=(-1e12, 1e12),
+            Field(label="direction", help="Direction towards a star.", range=(-1e12, 1e12),
                 listed=True, example="[1, 0, 0]"),
         ]
         | None
@@ -71,15 +71,15 @@ class Light(Record):
     ephemeris: (
         Annotated[
             str,
-            Key(label="ephemeris", help="The sun, at its place at the scene's time.",
-                kind="choice", words=lambda: ("sun",)),
+            Field(label="ephemeris", help="The sun, at its place at the scene's time.",
+                kind="choice", choices=lambda: ("sun",)),
         ]
         | None
     ) = None  # fmt: skip
     body: (
         Annotated[
             str,
-            Key(label="body", help="Body that shines by reflected light.", kind="text",
+            Field(label="body", help="Body that shines by reflected light.", kind="text",
                 range=(1, 60), example="moon"),
         ]
         | None
@@ -88,8 +88,9 @@ class Light(Record):
     corona: (
         Annotated[
             str,
-            Key(label="corona", help="Corona around the star: the sun's, as the mean of eclipses.",
-                kind="choice", words=lambda: ("baumbach",)),
+            Field(label="corona",
+                help="Corona around the star: the sun's, as the mean of eclipses.", kind="choice",
+                 choices=lambda: ("baumbach",)),
         ]
         | None
     ) = None  # fmt: skip
@@ -101,7 +102,7 @@ class Light(Record):
         if self.body is not None:
             for name in ("direction", "position", "ephemeris", "corona"):
                 if getattr(self, name):
-                    raise ParameterError(name, getattr(self, name), "none beside a body")
+                    raise ConflictError(name, "cannot be combined with body")
             return
         ways = [name for name in ("direction", "position", "ephemeris") if getattr(self, name)]
         if len(ways) != 1:

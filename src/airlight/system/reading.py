@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import Any
 
 from airlight.ephemeris.positions import position_of
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import replace
 from airlight.planets.reading.overrides import FIELD, overridden
 from airlight.planets.reading.reader import file_text, nested_tables
-from airlight.planets.schema.record import fields_of
-from airlight.planets.schema.section import Section, suggestion
+from airlight.planets.schema.toml_model import fields_of
+from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.system.body import Body
 from airlight.system.light import Light
 from airlight.system.system import System
-from airlight.system.viewpoint import Observer, View
+from airlight.system.viewpoint import SceneObserver, View
 
 
 @cache
@@ -200,14 +200,14 @@ def read_system_tables(
         If the tables are invalid.
     """
     try:
-        return _read(Section(dict(tables), folder=folder), changes or {})
+        return _read(TomlTable(dict(tables), folder=folder), changes or {})
     except ParameterError as error:
         if error.file is not None:
             raise
         raise error.in_file(file) from None
 
 
-def _read(file: Section, changes: Mapping[str, Mapping[str, Any]]) -> System:
+def _read(file: TomlTable, changes: Mapping[str, Mapping[str, Any]]) -> System:
     values: dict[str, Any] = {"folder": file.folder, "changes": changes}
     file.raw("film")
     values["name"] = file.text("name", "a title, such as 'Earth and Moon'")
@@ -220,13 +220,13 @@ def _read(file: Section, changes: Mapping[str, Mapping[str, Any]]) -> System:
         lights.append(_placed_light(Light.read(one), time, one))
     values["stars"] = file.switch("stars")
     values |= {"bodies": tuple(bodies), "lights": tuple(lights), "time": time}
-    values["observer"] = Observer.read(file.section("observer", "a table [observer]"))
+    values["observer"] = SceneObserver.read(file.section("observer", "a table [observer]"))
     values["view"] = View.read(file.section("camera", "a table [camera]"))
     file.finish()
     return System(**values)
 
 
-def _time(file: Section) -> datetime | None:
+def _time(file: TomlTable) -> datetime | None:
     """Time of the scene, with its zone."""
     if "time" not in file:
         return None
@@ -243,7 +243,7 @@ def _time(file: Section) -> datetime | None:
     return time
 
 
-def _placed_body(body: Body, time: datetime | None, section: Section) -> Body:
+def _placed_body(body: Body, time: datetime | None, section: TomlTable) -> Body:
     """Body at the place and with the rotation of its ephemeris."""
     if body.ephemeris is None:
         return body
@@ -254,7 +254,7 @@ def _placed_body(body: Body, time: datetime | None, section: Section) -> Body:
     )  # fmt: skip
 
 
-def _placed_light(light: Light, time: datetime | None, section: Section) -> Light:
+def _placed_light(light: Light, time: datetime | None, section: TomlTable) -> Light:
     """Star at the place of its ephemeris."""
     if light.ephemeris is None:
         return light
@@ -262,7 +262,7 @@ def _placed_light(light: Light, time: datetime | None, section: Section) -> Ligh
     return replace(light, ephemeris=None, position=place.position)
 
 
-def _needed(time: datetime | None, section: Section) -> datetime:
+def _needed(time: datetime | None, section: TomlTable) -> datetime:
     if time is None:
-        raise ParameterError(section.name_of("ephemeris"), "no time", "beside a time of the scene")
+        raise ConflictError(section.name_of("ephemeris"), "requires time")
     return time

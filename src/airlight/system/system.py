@@ -20,7 +20,7 @@ from airlight.scene.apparent_sun import apparent_zenith
 from airlight.system.body import Body
 from airlight.system.light import Light
 from airlight.system.vectors import unit
-from airlight.system.viewpoint import Observer, View
+from airlight.system.viewpoint import SceneObserver, View
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -37,7 +37,7 @@ class System:
         Bodies; their spheres, and the air around them, do not touch each other.
     lights : tuple of Light
         Stars, and bodies that shine by reflected light; at least one star.
-    observer : Observer
+    observer : SceneObserver
         Place of the observer.
     view : View
         Camera.
@@ -60,7 +60,7 @@ class System:
     name: str
     bodies: tuple[Body, ...]
     lights: tuple[Light, ...]
-    observer: Observer
+    observer: SceneObserver
     view: View
     description: str = ""
     folder: Path | None = None
@@ -155,7 +155,7 @@ class System:
                                      "a place outside of every body")  # fmt: skip
         return at
 
-    def _up_at(self, body: Body, observer: Observer) -> FloatArray:
+    def _up_at(self, body: Body, observer: SceneObserver) -> FloatArray:
         lat, lon = np.radians(observer.latitude), np.radians(observer.longitude)
         local = np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
         return np.asarray(local @ self.axes(body))

@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 
 FloatArray = NDArray[np.float64]
 
 #: Largest coordinate: 100 light years. [m]
 _FARTHEST: Final = 1e18
 #: Declaration of a position.
-POSITION: Final = Key(
+POSITION: Final = Field(
     label="position",
     help="Coordinates in the frame of the scene.",
     unit="m",

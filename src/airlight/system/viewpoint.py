@@ -4,39 +4,39 @@ from __future__ import annotations
 
 from typing import Annotated, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.toml_model import TomlModel
 from airlight.scene.compass import read_bearing
 from airlight.scene.projections import PROJECTIONS
 from airlight.system.vectors import POSITION, unit
 
 #: Keys of a camera, in the views of films too.
-LOOK_ZENITH: Final = Key(
+LOOK_ZENITH: Final = Field(
     label="zenith angle", help="Zenith angle of the line of sight.", unit="deg",
     range=(0.0, 180.0), example="80 deg",
 )  # fmt: skip
-ROLL: Final = Key(
+ROLL: Final = Field(
     label="roll", help="Clockwise rotation of the camera.", unit="deg", range=(-360.0, 360.0),
     example="0 deg",
 )  # fmt: skip
-POLARISER: Final = Key(
+POLARISER: Final = Field(
     label="polariser", help="Axis of a polarising filter, counterclockwise from the camera's up; "
     "no filter if left out.", unit="deg", range=(-360.0, 360.0), example="90 deg",
 )  # fmt: skip
-PROJECTION: Final = Key(
+PROJECTION: Final = Field(
     label="projection", help="Projection of the picture.", kind="choice",
-    words=lambda: tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
+    choices=lambda: tuple(name for name, form in PROJECTIONS.items() if not form.parallel),
 )  # fmt: skip
-FIELD_OF_VIEW: Final = Key(
+FIELD_OF_VIEW: Final = Field(
     label="field of view", help="Angle from left to right, or across a fisheye.", unit="deg",
     range=(1e-4, 360.0), example="40 deg",
 )  # fmt: skip
 
 
 @parameters
-class Observer(Record):
+class SceneObserver(TomlModel):
     """Place of the observer: above a body, or anywhere.
 
     Parameters
@@ -54,24 +54,24 @@ class Observer(Record):
     body: (
         Annotated[
             str,
-            Key(label="body", help="Body above which the observer is.", kind="text",
+            Field(label="body", help="Body above which the observer is.", kind="text",
                 range=(1, 60), example="earth"),
         ]
         | None
     ) = None  # fmt: skip
     latitude: Annotated[
         float,
-        Key(label="latitude", help="Planetocentric latitude, north positive.", unit="deg",
+        Field(label="latitude", help="Planetocentric latitude, north positive.", unit="deg",
             range=(-90.0, 90.0), example="37 deg"),
     ] = 0.0  # fmt: skip
     longitude: Annotated[
         float,
-        Key(label="longitude", help="Planetocentric longitude, east positive.", unit="deg",
+        Field(label="longitude", help="Planetocentric longitude, east positive.", unit="deg",
             range=(-360.0, 360.0), example="-87.7 deg"),
     ] = 0.0  # fmt: skip
     altitude: Annotated[
         float,
-        Key(label="altitude", help="Altitude above the ground.", unit="m", range=(0.0, 1e12),
+        Field(label="altitude", help="Altitude above the ground.", unit="m", range=(0.0, 1e12),
             example="400 km"),
     ] = 2.0  # fmt: skip
     position: Annotated[tuple[float, ...], POSITION] | None = None
@@ -85,7 +85,7 @@ class Observer(Record):
 
 
 @parameters
-class View(Record):
+class View(TomlModel):
     """Direction and projection of the camera.
 
     Parameters
@@ -111,7 +111,7 @@ class View(Record):
     look_at: (
         Annotated[
             str,
-            Key(label="look at", help="Body or star at which the camera looks, where it is seen.",
+            Field(label="look at", help="Body or star at which the camera looks, where it is seen.",
                 kind="text",
                 range=(1, 60), example="moon"),
         ]
@@ -121,7 +121,7 @@ class View(Record):
     look_bearing: (
         Annotated[
             float,
-            Key(label="bearing", help="Compass bearing of the line of sight, 90 east.",
+            Field(label="bearing", help="Compass bearing of the line of sight, 90 east.",
                 unit="deg", range=(-360.0, 360.0), example="225 deg or SW", read=read_bearing),
         ]
         | None
@@ -129,7 +129,7 @@ class View(Record):
     direction: (
         Annotated[
             tuple[float, ...],
-            Key(label="direction", help="Direction of the line of sight.", range=(-1e12, 1e12),
+            Field(label="direction", help="Direction of the line of sight.", range=(-1e12, 1e12),
                 listed=True, example="[1, 0, 0]"),
         ]
         | None
@@ -137,7 +137,7 @@ class View(Record):
     up: (
         Annotated[
             tuple[float, ...],
-            Key(label="up", help="Direction that is up in the picture.", range=(-1e12, 1e12),
+            Field(label="up", help="Direction that is up in the picture.", range=(-1e12, 1e12),
                 listed=True, example="[0, 0, 1]"),
         ]
         | None
@@ -159,9 +159,9 @@ class View(Record):
             shown = " and ".join(given) if given else MISSING
             raise ParameterError("look_at", shown, f"one of {', '.join(ways)}")
         if given[0].startswith("look_zenith"):
-            for name in ("look_zenith", "look_bearing"):
+            for name, other in (("look_zenith", "look_bearing"), ("look_bearing", "look_zenith")):
                 if getattr(self, name) is None:
-                    raise ParameterError(name, MISSING, "an angle, beside the other one")
+                    raise ConflictError(other, f"requires {name}")
         if self.direction is not None:
             unit(self.direction, "direction")
         if self.up is not None:

@@ -39,7 +39,7 @@ from airlight.mappings.weighted_power import (
     view_from_coordinate,
     view_region,
 )
-from airlight.tables.layout import Axis, FloatArray, Layout, Positions
+from airlight.tables.layout import Axis, FloatArray, Positions, TableLayout
 
 #: Names of the mappings.
 MAPPINGS = ("linear", "power", "weighted-power")
@@ -220,7 +220,7 @@ def _fill_positions(grid, r, mu, mu_s, to_ground):
 
 
 @dataclass(frozen=True, kw_only=True)
-class AtmospherePlusLayout(Layout):
+class AtmospherePlusLayout(TableLayout):
     """Layout with the axes (altitude, mu, mu_s).
 
     Parameters
@@ -300,7 +300,7 @@ class AtmospherePlusLayout(Layout):
 
     @property
     def axes(self) -> tuple[Axis, ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         linear = self.mapping == "linear"
         thickness = self.top_radius - self.bottom_radius
         view: dict[str, float] = {} if linear else {"power": self.view_power}
@@ -340,11 +340,11 @@ class AtmospherePlusLayout(Layout):
 
     @property
     def texture_axes(self) -> tuple[tuple[str, ...], ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return (("altitude",), ("mu",), ("mu_s",))
 
     def positions(self) -> Positions:
-        """See ``Layout``; at the layout's azimuth."""
+        """See ``TableLayout``; at the layout's azimuth."""
         count = int(np.prod(self.shape))
         r, mu, mu_s = (np.empty(count) for _ in range(3))
         to_ground = np.empty(count, bool)
@@ -352,7 +352,7 @@ class AtmospherePlusLayout(Layout):
         return at_azimuth(Positions(r, mu, mu_s, mu, to_ground), self.azimuth)
 
     def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
-        """See ``Layout``; ``nu`` is ignored."""
+        """See ``TableLayout``; ``nu`` is ignored."""
         out = np.empty((len(positions), values.shape[-1]))
         _look_up_all(
             values, positions.r, positions.mu, positions.mu_s, positions.to_ground, self.grid, out
@@ -360,7 +360,7 @@ class AtmospherePlusLayout(Layout):
         return out
 
     def parameters(self) -> dict[str, Any]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return {
             "bottom_radius": self.bottom_radius,
             "top_radius": self.top_radius,

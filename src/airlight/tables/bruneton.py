@@ -30,7 +30,7 @@ from airlight.mappings.scattering import (
 )
 from airlight.mappings.texels import cell, index_coordinate
 from airlight.mappings.transmittance import altitude_coordinate, radius_from_coordinate
-from airlight.tables.layout import Axis, FloatArray, Layout, Positions
+from airlight.tables.layout import Axis, FloatArray, Positions, TableLayout
 
 
 class BrunetonGrid(NamedTuple):
@@ -150,7 +150,7 @@ def _fill_positions(grid, r, mu, mu_s, nu, to_ground):
 
 
 @dataclass(frozen=True, kw_only=True)
-class BrunetonLayout(Layout):
+class BrunetonLayout(TableLayout):
     """Layout with the axes (r, mu, mu_s, nu).
 
     Parameters
@@ -198,7 +198,7 @@ class BrunetonLayout(Layout):
 
     @property
     def axes(self) -> tuple[Axis, ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         shell = {"bottom_radius": self.bottom_radius, "top_radius": self.top_radius}
         return (
             Axis(
@@ -233,11 +233,11 @@ class BrunetonLayout(Layout):
 
     @property
     def texture_axes(self) -> tuple[tuple[str, ...], ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return (("nu", "mu_s"), ("mu",), ("r",))
 
     def positions(self) -> Positions:
-        """See ``Layout``; impossible angles are moved to the nearest possible angle."""
+        """See ``TableLayout``; impossible angles are moved to the nearest possible angle."""
         count = int(np.prod(self.shape))
         r, mu, mu_s, nu = (np.empty(count) for _ in range(4))
         to_ground = np.empty(count, bool)
@@ -245,7 +245,7 @@ class BrunetonLayout(Layout):
         return Positions(r, mu, mu_s, nu, to_ground)
 
     def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         out = np.empty((len(positions), values.shape[-1]))
         bruneton_look_up(
             values,
@@ -260,7 +260,7 @@ class BrunetonLayout(Layout):
         return out
 
     def parameters(self) -> dict[str, Any]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return {
             "bottom_radius": self.bottom_radius,
             "top_radius": self.top_radius,

@@ -16,11 +16,11 @@ from airlight.mappings.irradiance import (
     sun_from_coordinate,
 )
 from airlight.tables.bilinear import bilinear
-from airlight.tables.layout import Axis, FloatArray, Layout, Positions
+from airlight.tables.layout import Axis, FloatArray, Positions, TableLayout
 
 
 @dataclass(frozen=True, kw_only=True)
-class IrradianceLayout(Layout):
+class IrradianceLayout(TableLayout):
     """Layout with the axes (r, mu_s), both linear.
 
     Parameters
@@ -42,7 +42,7 @@ class IrradianceLayout(Layout):
 
     @property
     def axes(self) -> tuple[Axis, ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         shell = {"bottom_radius": self.bottom_radius, "top_radius": self.top_radius}
         linear = "(r - bottom) / (top - bottom)"
         return (
@@ -52,11 +52,11 @@ class IrradianceLayout(Layout):
 
     @property
     def texture_axes(self) -> tuple[tuple[str, ...], ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return (("mu_s",), ("r",), ())
 
     def positions(self) -> Positions:
-        """See ``Layout``; the view's angles are arbitrary."""
+        """See ``TableLayout``; the view's angles are arbitrary."""
         x = np.linspace(0.0, 1.0, self.radii)
         r = vectorized(radius_from_coordinate)(x, self.bottom_radius, self.top_radius)
         mu_s = vectorized(sun_from_coordinate)(np.linspace(0.0, 1.0, self.suns))
@@ -65,14 +65,14 @@ class IrradianceLayout(Layout):
         )
 
     def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         out = np.empty((len(positions), values.shape[-1]))
         x = vectorized(radius_coordinate)(positions.r, self.bottom_radius, self.top_radius)
         bilinear(values, x, vectorized(sun_coordinate)(positions.mu_s), out)
         return out
 
     def parameters(self) -> dict[str, Any]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return {
             "bottom_radius": self.bottom_radius,
             "top_radius": self.top_radius,

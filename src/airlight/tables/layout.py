@@ -116,7 +116,7 @@ class Positions:
         )
 
 
-class Layout(ABC):
+class TableLayout(ABC):
     """Positions of a table's texels and interpolation between them.
 
     Attributes

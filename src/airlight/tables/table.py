@@ -15,11 +15,11 @@ from airlight.kernel.threads import run_blocks
 from airlight.tables.atmosphere_plus import AtmospherePlusLayout
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.irradiance import IrradianceLayout
-from airlight.tables.layout import FloatArray, Layout, Positions
+from airlight.tables.layout import FloatArray, Positions, TableLayout
 from airlight.tables.transmittance import TransmittanceLayout
 
 #: Every layout by its name in manifests.
-LAYOUTS: Final[dict[str, type[Layout]]] = {
+LAYOUTS: Final[dict[str, type[TableLayout]]] = {
     layout.kind: layout
     for layout in (TransmittanceLayout, IrradianceLayout, BrunetonLayout, AtmospherePlusLayout)
 }
@@ -43,7 +43,7 @@ class Table:
         Description of the quantity.
     unit : str
         Unit of the values, after multiplication by ``scale``.
-    layout : Layout
+    layout : TableLayout
         Positions of the texels.
     channels : tuple of str
         Names of the values at one texel.
@@ -63,7 +63,7 @@ class Table:
     name: str
     quantity: str
     unit: str
-    layout: Layout
+    layout: TableLayout
     channels: tuple[str, ...]
     values: NDArray[Any]
     scale: float = 1.0
@@ -173,7 +173,7 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
     return (values / scale).astype(np.float16), scale
 
 
-def layout_of(kind: str, parameters: Mapping[str, Any]) -> Layout:
+def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
     """Make a layout from its name and parameters, as given in a manifest.
 
     Raises

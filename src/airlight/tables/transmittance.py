@@ -20,11 +20,11 @@ from airlight.mappings.transmittance import (
     radius_from_coordinate,
 )
 from airlight.tables.bilinear import bilinear
-from airlight.tables.layout import Axis, FloatArray, Layout, Positions
+from airlight.tables.layout import Axis, FloatArray, Positions, TableLayout
 
 
 @dataclass(frozen=True, kw_only=True)
-class TransmittanceLayout(Layout):
+class TransmittanceLayout(TableLayout):
     """Layout with the axes (r, mu): distance to the horizon; distance to the top.
 
     Parameters
@@ -46,7 +46,7 @@ class TransmittanceLayout(Layout):
 
     @property
     def axes(self) -> tuple[Axis, ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         shell = {"bottom_radius": self.bottom_radius, "top_radius": self.top_radius}
         return (
             Axis(
@@ -68,11 +68,11 @@ class TransmittanceLayout(Layout):
 
     @property
     def texture_axes(self) -> tuple[tuple[str, ...], ...]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return (("mu",), ("r",), ())
 
     def positions(self) -> Positions:
-        """See ``Layout``; the sun's angles are arbitrary."""
+        """See ``TableLayout``; the sun's angles are arbitrary."""
         x = np.linspace(0.0, 1.0, self.radii)
         y = np.linspace(0.0, 1.0, self.views)
         r = vectorized(radius_from_coordinate)(x, self.bottom_radius, self.top_radius)
@@ -81,7 +81,7 @@ class TransmittanceLayout(Layout):
         return Positions.of(r, mu, bottom_radius=self.bottom_radius, to_ground=False)
 
     def interpolate(self, values: NDArray[Any], positions: Positions) -> FloatArray:
-        """See ``Layout``; 0 for rays that meet the ground."""
+        """See ``TableLayout``; 0 for rays that meet the ground."""
         shell = (self.bottom_radius, self.top_radius)
         out = np.empty((len(positions), values.shape[-1]))
         x = vectorized(altitude_coordinate)(positions.r, *shell)
@@ -91,7 +91,7 @@ class TransmittanceLayout(Layout):
         return out
 
     def parameters(self) -> dict[str, Any]:
-        """See ``Layout``."""
+        """See ``TableLayout``."""
         return {
             "bottom_radius": self.bottom_radius,
             "top_radius": self.top_radius,

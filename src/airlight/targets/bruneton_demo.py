@@ -1,4 +1,4 @@
-"""``--layout bruneton-demo``: folder for the WebGL demo of Bruneton's 2017 implementation.
+"""Layout ``bruneton-demo``: folder for the WebGL demo of Bruneton's 2017 implementation.
 
 ``demo.js`` loads three ``.dat`` files, RGBA floats, row 0 at texture coordinate 0, and three
 shaders. The planet's constants stand in the shaders, so these are written with the tables; their
@@ -37,7 +37,7 @@ from airlight.targets.bruneton_tables import (
 )
 from airlight.targets.fits.sky_colour import SkyColour, fit_sky_colour
 from airlight.targets.sky_errors import level_errors, sky_errors
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 #: Irradiance of green by the Earth's sun, for which the demo's exposure is chosen. [W m⁻² nm⁻¹]
 _EARTH: Final = 1.85
@@ -53,7 +53,7 @@ def fill(
     *,
     progress: Progress | None = None,
     lowest_sun: float | None = None,
-) -> Findings:
+) -> ExportReport:
     """Write the files.
 
     Parameters
@@ -98,7 +98,7 @@ def fill(
         notes.append(
             f"the demo's exposures are the Earth's: {presses} times + makes up for a dimmer star"
         )
-    return Findings(
+    return ExportReport(
         fitted=(*filled.lobe.fitted, *colour.fitted), errors=tuple(errors), notes=tuple(notes),
         about={"planet_constants": constants},
     )  # fmt: skip
@@ -177,7 +177,7 @@ def read_tables(folder: str | Path) -> SkyTables:
     Parameters
     ----------
     folder : str or Path
-        Folder written by ``--layout bruneton-demo``.
+        Folder written for layout ``bruneton-demo``.
 
     Raises
     ------
@@ -202,7 +202,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             mie_colours=np.array(said["MIE_COLOURS"]),
         )
     except (FileError, ValueError, KeyError, TypeError) as error:
-        raise FileError(path, f"is not a folder of --layout bruneton-demo: {error}") from error
+        raise FileError(path, f"is not a folder of layout bruneton-demo: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:

@@ -203,9 +203,9 @@ def fill_tables(
 
 
 def check_lowest_sun(lowest_sun: float | None) -> None:
-    """Refuse a lowest sun that is no zenith angle from 90 to 180 deg, or ``ParameterError``."""
+    """Refuse a lowest sun outside 90 to 180 deg."""
     if lowest_sun is not None and not 90.0 <= lowest_sun <= 180.0:
-        raise ParameterError("--lowest-sun", lowest_sun, "90 to 180 deg")
+        raise ParameterError("lowest_sun", lowest_sun, "90 to 180 deg")
 
 
 def check_halves(textures: dict[str, Stored]) -> None:

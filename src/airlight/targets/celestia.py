@@ -1,4 +1,4 @@
-"""``--layout celestia``: the atmosphere of a body for Celestia, as an ``.ssc`` file.
+"""Layout ``celestia``: the atmosphere of a body for Celestia, as an ``.ssc`` file.
 
 Lengths are km, coefficients km⁻¹. Particles are grey, with Schlick's approximation of the
 Henyey-Greenstein function; what absorbs has their scale height. ``MieAsymmetry`` is negative for
@@ -40,7 +40,7 @@ from airlight.targets.fits.formula_planet import (
 )
 from airlight.targets.fits.lobe import LobeForm
 from airlight.targets.kilometres import per_km, per_metre, rounded, scale_height_km
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 FILE: Final = "atmosphere.ssc"
 #: Name and parent of a body in Celestia's catalogue by ``Planet.body``.
@@ -216,7 +216,7 @@ def planet_from_celestia(
         ground=Ground(albedo=albedo),
         star=star,
         constituents=tuple(constituents),
-        own_wavelengths=RED_GREEN_BLUE,
+        default_wavelengths=RED_GREEN_BLUE,
     )
 
 
@@ -277,7 +277,7 @@ def read_atmosphere(text: str) -> dict[str, Value]:
     return values
 
 
-def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> Findings:
+def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> ExportReport:
     """Write the catalogue file; see ``Target``."""
     own = name_of(solution.planet)
     fit = formula_planet(

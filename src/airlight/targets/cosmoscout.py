@@ -1,4 +1,4 @@
-"""``--layout cosmoscout``: textures for CosmoScout VR's Bruneton model, inputs of its tool.
+"""Layout ``cosmoscout``: textures for CosmoScout VR's Bruneton model, inputs of its tool.
 
 Nothing is fitted: phase functions are tables, so that the smooth light and the particles' are
 multiplied by their own. Light at many wavelengths is folded to luminances of red, green and blue;
@@ -50,7 +50,7 @@ from airlight.targets.cosmoscout_tables import (
     write_texture,
 )
 from airlight.targets.fits.formula_planet import name_of
-from airlight.targets.target import ErrorRow, Findings, Target
+from airlight.targets.target import ErrorRow, ExportReport, Target
 
 FloatArray = NDArray[np.float64]
 
@@ -76,7 +76,7 @@ def fill(
     progress: Progress | None = None,
     size: tuple[int, ...] | None = None,
     lowest_sun: float | None = None,
-) -> Findings:
+) -> ExportReport:
     """Write textures, metadata, settings and inputs; see ``Target``.
 
     Parameters
@@ -130,7 +130,7 @@ def fill(
         notes.append(
             "refraction moves what is seen through the air; the sky's own light is straight"
         )
-    return Findings(errors=_errors(straight, CosmoScoutTables.read(folder)), notes=tuple(notes))
+    return ExportReport(errors=_errors(straight, CosmoScoutTables.read(folder)), notes=tuple(notes))
 
 
 def _straight(solution: Solution, planet: Planet, progress: Progress | None) -> Solution:

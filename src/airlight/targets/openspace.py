@@ -1,4 +1,4 @@
-"""``--layout openspace``: the asset of an atmosphere for OpenSpace.
+"""Layout ``openspace``: the asset of an atmosphere for OpenSpace.
 
 Units and keys are those of ``RenderableAtmosphere``: km, km⁻¹, a Cornette-Shanks lobe. Two of its
 habits shape the file. The extinction of particles is their scattering over *one* single scattering
@@ -35,7 +35,7 @@ from airlight.targets.fits.formula_planet import (
 )
 from airlight.targets.fits.lobe import CORNETTE_SHANKS
 from airlight.targets.kilometres import per_km, per_metre, rounded, scale_height_km
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 FILE: Final = "atmosphere.asset"
 #: Factor of the shader by which ozone's ``Extinction`` becomes km⁻¹.
@@ -178,7 +178,7 @@ def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) 
         ground=Ground(albedo=albedo),
         star=star,
         constituents=tuple(constituents),
-        own_wavelengths=RED_GREEN_BLUE,
+        default_wavelengths=RED_GREEN_BLUE,
     )
 
 
@@ -237,7 +237,7 @@ def asset_of(renderable: Mapping[str, Any], planet: Planet | None) -> str:
     )
 
 
-def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> Findings:
+def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> ExportReport:
     """Write the asset; see ``Target``."""
     own = name_of(solution.planet)
     fit = formula_planet(

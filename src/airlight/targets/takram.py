@@ -1,4 +1,4 @@
-"""``--layout takram``: folder for ``PrecomputedTexturesLoader`` of npm @takram/three-atmosphere.
+"""Layout ``takram``: folder for ``PrecomputedTexturesLoader`` of npm @takram/three-atmosphere.
 
 Files ``.bin`` are RGBA half floats, row 0 at texture coordinate 0; ``.exr`` hold the same texels
 with the whole picture upside down, since three.js turns it when it loads. There is no scale: the
@@ -41,7 +41,7 @@ from airlight.targets.bruneton_tables import (
 )
 from airlight.targets.fits.sky_colour import SkyColour, fit_sky_colour
 from airlight.targets.sky_errors import half_losses, level_errors, sky_errors
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 #: Red of S below which the shader drops the particles of the combined texture.
 _DARKEST: Final = 1e-5
@@ -56,7 +56,7 @@ def fill(
     progress: Progress | None = None,
     mie: str = "separate",
     lowest_sun: float | None = None,
-) -> Findings:
+) -> ExportReport:
     """Write the files.
 
     Parameters
@@ -79,7 +79,7 @@ def fill(
         If ``mie`` is another word, or light does not fit into half floats.
     """
     if mie not in ("separate", "combined"):
-        raise ParameterError("--mie", mie, "separate, combined")
+        raise ParameterError("mie", mie, "separate, combined")
     check_lowest_sun(lowest_sun)
     filled = fill_tables(
         solution,
@@ -101,7 +101,7 @@ def fill(
     tables = read_tables(folder)
     errors = sky_errors(solution, tables.radiance)
     errors += level_errors(solution, tables.irradiance_at, tables.transmittance_at)
-    return Findings(
+    return ExportReport(
         fitted=(*filled.lobe.fitted, *colour.fitted),
         errors=tuple(errors),
         notes=(*half_losses(textures), *_notes(mie)),
@@ -174,7 +174,7 @@ def read_tables(folder: str | Path) -> SkyTables:
     Parameters
     ----------
     folder : str or Path
-        Folder written by ``--layout takram``.
+        Folder written for layout ``takram``.
 
     Raises
     ------
@@ -205,7 +205,7 @@ def read_tables(folder: str | Path) -> SkyTables:
             darkest=_DARKEST,
         )
     except (FileError, ValueError, KeyError, TypeError, RecursionError) as error:
-        raise FileError(path, f"is not a folder of --layout takram: {error}") from error
+        raise FileError(path, f"is not a folder of layout takram: {error}") from error
 
 
 def _read(folder: Path, name: str) -> NDArray[Any]:

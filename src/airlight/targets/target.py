@@ -1,4 +1,4 @@
-"""Programs that load a folder of files as it is, and the account of what each can hold."""
+"""Programs that load a folder of files as it is, and the report of an export for them."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ConflictError, FileError, ParameterError
+from airlight.exports.atomic_folder import atomic_folder
 from airlight.exports.manifest import MANIFEST, fingerprint, read_manifest, write_manifest
-from airlight.exports.whole_folder import whole_folder
 from airlight.kernel.threads import Progress
 from airlight.solvers.provenance import version
 from airlight.solvers.refracted_geometry import require_no_refraction
 from airlight.solvers.solution import Solution
 
-#: Keys of the account in a manifest.
-_ACCOUNT: Final = ("fitted", "errors", "notes")
+#: Keys of the report in a manifest.
+_REPORT: Final = ("fitted", "errors", "notes")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fitted:
+class FittedFormula:
     """Quantity of the planet that the program takes as a formula only.
 
     Attributes
@@ -102,22 +102,22 @@ class ErrorRow:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Findings:
-    """Account of files that were filled: fits, errors, and what the program cannot hold.
+class ExportReport:
+    """Report of an export: fits, errors, and what the program cannot represent.
 
     Attributes
     ----------
-    fitted : tuple of Fitted
+    fitted : tuple of FittedFormula
         Quantities that were fitted.
     errors : tuple of ErrorRow
         Errors against the solution, all fits included.
     notes : tuple of str
-        One line for each thing of the planet that the program cannot hold, with its size.
+        One line for each property of the planet that the program cannot represent, with its size.
     about : mapping
         Further facts for the manifest.
     """
 
-    fitted: tuple[Fitted, ...] = ()
+    fitted: tuple[FittedFormula, ...] = ()
     errors: tuple[ErrorRow, ...] = ()
     notes: tuple[str, ...] = ()
     about: Mapping[str, Any] = field(default_factory=dict)
@@ -134,12 +134,12 @@ class Export:
     files : mapping of str to int
         Sizes of its files by name, without the manifest. [byte]
     fitted, errors, notes
-        See ``Findings``.
+        See ``ExportReport``.
     """
 
     folder: Path
     files: Mapping[str, int]
-    fitted: tuple[Fitted, ...]
+    fitted: tuple[FittedFormula, ...]
     errors: tuple[ErrorRow, ...]
     notes: tuple[str, ...]
 
@@ -151,11 +151,11 @@ class Target:
     Attributes
     ----------
     name : str
-        Name of the ``--layout``.
+        Name of the layout.
     program, version : str
         Program, and the version whose formats are written.
     fill : callable
-        Writes the files: ``fill(solution, folder, progress=…, **options) -> Findings``, into an
+        Writes the files: ``fill(solution, folder, progress=…, **options) -> ExportReport``, into an
         empty folder, without subfolders.
     files : tuple of str
         Names of the files that ``fill`` may write, or patterns of them such as ``*.exr``.
@@ -166,13 +166,13 @@ class Target:
     bends_light : bool
         Whether the program draws refraction.
     default_wavelengths : str
-        Value of ``--wavelengths`` if it is not given and the program fixes none.
+        Wavelengths to solve if none are given and the program fixes none.
     """
 
     name: str
     program: str
     version: str
-    fill: Callable[..., Findings]
+    fill: Callable[..., ExportReport]
     files: tuple[str, ...]
     wavelengths: tuple[float, ...] | None = None
     options: tuple[str, ...] = ()
@@ -227,7 +227,7 @@ class Target:
             require_no_refraction(
                 solution.medium, f"files for {self.program}, which draws straight lines"
             )
-        with whole_folder(folder, self.form, self.files, overwrite=overwrite) as part:
+        with atomic_folder(folder, self.form, self.files, overwrite=overwrite) as part:
             found = self.fill(solution, part, progress=progress, **options)
             files = {file.name: fingerprint(file) for file in sorted(part.iterdir())}
             write_manifest(part, self._manifest(solution, found, files))
@@ -241,10 +241,9 @@ class Target:
 
     def check_options(self, options: Mapping[str, Any]) -> None:
         """Refuse an option that the program does not have."""
-        for name, value in options.items():
+        for name in options:
             if name not in self.options:
-                option = "--" + name.replace("_", "-")
-                raise ParameterError(option, value, f"left out with --layout {self.name}")
+                raise ConflictError(name, f"does not apply to layout {self.name}")
 
     def _check_wavelengths(self, solution: Solution) -> None:
         if self.wavelengths is None:
@@ -255,7 +254,7 @@ class Target:
             raise ParameterError("wavelengths", nm.tolist(), f"{fixed} nm for {self.program}")
 
     def _manifest(
-        self, solution: Solution, found: Findings, files: dict[str, Any]
+        self, solution: Solution, found: ExportReport, files: dict[str, Any]
     ) -> dict[str, Any]:
         content = asdict(found)
         return {
@@ -268,13 +267,13 @@ class Target:
             "solver": solution.report.provenance,
             "wavelengths_nm": solution.wavelengths.tolist(),
             **content["about"],
-            **{name: content[name] for name in _ACCOUNT},
+            **{name: content[name] for name in _REPORT},
             "files": files,
         }
 
 
 def read_export(folder: str | Path, target: Target) -> Export:
-    """Read the account of a folder from its manifest, as it was written.
+    """Read the export of a folder from its manifest.
 
     Parameters
     ----------
@@ -294,7 +293,7 @@ def read_export(folder: str | Path, target: Target) -> Export:
         return Export(
             folder=Path(folder),
             files={name: said["bytes"] for name, said in content["files"].items()},
-            fitted=tuple(Fitted(**one) for one in content["fitted"]),
+            fitted=tuple(FittedFormula(**one) for one in content["fitted"]),
             errors=tuple(ErrorRow(**one) for one in content["errors"]),
             notes=tuple(content["notes"]),
         )

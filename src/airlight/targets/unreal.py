@@ -1,4 +1,4 @@
-"""``--layout unreal``: an editor script that sets an Unreal SkyAtmosphere.
+"""Layout ``unreal``: an editor script that sets an Unreal SkyAtmosphere.
 
 Lengths are km, coefficients km⁻¹, each a colour of up to 1 times a scale. Particles have a
 Henyey-Greenstein lobe, absorbing gases a tent.
@@ -39,7 +39,7 @@ from airlight.targets.fits.formula_planet import (
 )
 from airlight.targets.fits.lobe import HENYEY_GREENSTEIN
 from airlight.targets.kilometres import per_km, per_metre, rounded, scale_height_km
-from airlight.targets.target import Findings, Target
+from airlight.targets.target import ExportReport, Target
 
 FILE: Final = "sky_atmosphere.py"
 
@@ -187,7 +187,7 @@ def planet_from_unreal(properties: Mapping[str, Any], star: Star, name: str) -> 
             )
             for label, profile, scatters, absorbs, phase in made
         ),
-        own_wavelengths=RED_GREEN_BLUE,
+        default_wavelengths=RED_GREEN_BLUE,
     )  # fmt: skip
 
 
@@ -231,7 +231,7 @@ with unreal.ScopedEditorTransaction("Sky of {name}"):
 '''
 
 
-def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> Findings:
+def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) -> ExportReport:
     """Write the script; see ``Target``."""
     own = name_of(solution.planet)
     fit = formula_planet(solution.medium, own, Formulas(lobe=HENYEY_GREENSTEIN, absorber="tent"))

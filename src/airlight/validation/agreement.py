@@ -36,7 +36,7 @@ LEAST_RADIANCE: Final = 1e-6
 
 
 @dataclass(frozen=True)
-class Answer:
+class Result:
     """Radiances of one solver for all cases of a planet.
 
     Attributes
@@ -58,18 +58,18 @@ class Answer:
 
 @dataclass(frozen=True)
 class Agreement:
-    """Comparison of two answers.
+    """Comparison of two results.
 
     Attributes
     ----------
-    first, second : Answer
+    first, second : Result
         Answers compared; the second is the reference where a reference is needed.
     judged : array of bool, shape (cases, wavelengths)
         Whether a value is bright enough to be judged.
     """
 
-    first: Answer
-    second: Answer
+    first: Result
+    second: Result
     judged: NDArray[np.bool_]
 
     @property
@@ -99,11 +99,11 @@ class Agreement:
         return self.judged & far & ~(np.abs(self.in_errors) <= NOISE)
 
 
-def answers(
+def results(
     planet_name: str, solvers: Sequence[tuple[str, Any]] = SOLVERS, *,
     cases: Sequence[Case] = CASES, wavelengths: Sequence[float] = WAVELENGTHS,
     progress: Progress | None = None, cancel: Cancel | None = None,
-) -> list[Answer]:  # fmt: skip
+) -> list[Result]:  # fmt: skip
     """Compute the radiances of all cases with every solver, under a point star.
 
     Without polarisation, of which the direct solver knows nothing.
@@ -149,11 +149,11 @@ def answers(
             radiance = solution.relative_radiance(sight)
             noise = np.zeros_like(radiance)
         words = quality if isinstance(quality, str) else quality.as_text()
-        out.append(Answer(name, words, radiance, noise, perf_counter() - started))
+        out.append(Result(name, words, radiance, noise, perf_counter() - started))
     return out
 
 
-def agreements(given: Sequence[Answer]) -> list[Agreement]:
-    """Compare every pair of answers, judged where the last one, the referee, is bright enough."""
+def agreements(given: Sequence[Result]) -> list[Agreement]:
+    """Compare every pair of results, judged where the last one, the referee, is bright enough."""
     bright = given[-1].radiance > LEAST_RADIANCE
     return [Agreement(a, b, bright) for a, b in combinations(given, 2)]

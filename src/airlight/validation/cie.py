@@ -16,7 +16,7 @@ from airlight.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.solvers import Solution, solve
 from airlight.validation.cie_clear_sky import angle_to_sun, relative_luminance
 from airlight.validation.metrics import log_ratio_rms
-from airlight.validation.suite import Cancel, Picture, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Progress, ReportPicture, ReportTable, Suite
 
 FloatArray = NDArray[np.float64]
 
@@ -33,9 +33,8 @@ _DOME: Final = (40, 36)
 
 _FIT: Final = (
     "The CIE sky is a statistical fit: the mean of many measured clear skies, in five numbers that "
-    "depend on no sun height and no aerosol. It is no truth about any one sky. A difference is "
-    "therefore reported and judged by no bar; what the solvers get right is judged by the other "
-    "suites."
+    "depend on no sun height and no aerosol. It describes no individual sky. A difference is "
+    "therefore reported without a threshold; the other suites test the solvers."
 )
 
 
@@ -198,7 +197,7 @@ def dome_difference(
     return rms, mean, where
 
 
-def _curves(earth: Planet, plane: list[tuple[float, FloatArray, FloatArray]]) -> Picture:
+def _curves(earth: Planet, plane: list[tuple[float, FloatArray, FloatArray]]) -> ReportPicture:
     title = f"Sky luminance in the principal plane: {earth.name} and CIE type 12"
     figure = new_figure(title, size=(9.5, 5.6))
     panels = figure.subplots(2, 4, sharex=True, sharey=True).ravel()
@@ -216,4 +215,4 @@ def _curves(earth: Planet, plane: list[tuple[float, FloatArray, FloatArray]]) ->
     figure.supxlabel("zenith angle of the view, negative away from the sun [°]", fontsize=10)
     panels[0].legend(loc="upper right", fontsize=8)
     caption = f"Grey: within {NEAR_SUN:g}° of the sun, which is left out of the numbers."
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)

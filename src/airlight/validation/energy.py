@@ -16,16 +16,25 @@ from airlight.validation.energy_planets import VAST, flat_earth, furnace, round_
 from airlight.validation.fluxes import absorbed_by_air, level_fluxes, pieces, star_through
 from airlight.validation.order_convergence import ORDER_SOLVERS, order_convergence
 from airlight.validation.reference_earth import WAVELENGTHS
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Picture, Progress, ReportTable, Suite
+from airlight.validation.suite import (
+    Cancel,
+    Mark,
+    Part,
+    Progress,
+    ReportPicture,
+    ReportTable,
+    Suite,
+    Threshold,
+)
 
 FloatArray = NDArray[np.float64]
 
 #: Allowed imbalance of the fluxes of a furnace, relative to the incoming light. [1]
-FURNACE_BAR: Final = 0.005
+FURNACE_THRESHOLD: Final = 0.005
 #: Allowed imbalance for absorbing air, and for reversed paths; the same as the furnace's, in the
 #: absence of another authority.
-BALANCE_BAR: Final = 0.005
-RECIPROCITY_BAR: Final = 0.005
+BALANCE_THRESHOLD: Final = 0.005
+RECIPROCITY_THRESHOLD: Final = 0.005
 #: Edges of the quadrature in the cosine of the star's zenith angle, dense around the terminator.
 _SUN_EDGES: Final = (-1.0, -0.4, -0.2, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
 #: Edges of the quadrature in altitude; three points each. [m]
@@ -52,7 +61,7 @@ def energy(
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
-    bars: list[Bar] = []
+    thresholds: list[Threshold] = []
     parts: list[Part] = []
     steps = (
         ("white furnace", white_furnace),
@@ -66,7 +75,7 @@ def energy(
         if progress is not None:
             progress(done, len(steps) + 1, name)
         more, shown = step(quality, cancel)
-        bars += more
+        thresholds += more
         parts += shown
     parts += order_convergence(order_solvers, progress=progress, cancel=cancel)
     return Suite(
@@ -80,7 +89,7 @@ def energy(
             "sun and observer can change places. The orders of scattering fall by a nearly "
             "constant factor."
         ),
-        bars=bars,
+        thresholds=thresholds,
         parts=parts,
         settings=[f"moments, {quality} quality, 680, 550, 440 nm, point star"],
     )
@@ -90,9 +99,9 @@ def _solved(planet: Planet, quality: str, cancel: Cancel | None) -> Solution:
     return solve(planet, WAVELENGTHS, quality, cache=False, cancel=cancel)
 
 
-def _largest(name: str, errors: FloatArray, bar: float, source: str) -> Bar:
-    return Bar(
-        name=name, got=100.0 * float(np.abs(errors).max()), allowed=100.0 * bar, unit="%",
+def _largest(name: str, errors: FloatArray, threshold: float, source: str) -> Threshold:
+    return Threshold(
+        name=name, got=100.0 * float(np.abs(errors).max()), allowed=100.0 * threshold, unit="%",
         source=source,
     )  # fmt: skip
 
@@ -101,8 +110,8 @@ def _percent(errors: FloatArray) -> list[str]:
     return [f"{100.0 * error:+.3f}" for error in errors]
 
 
-def _marks(errors: FloatArray, bar: float) -> list[Mark]:
-    return ["pass" if bool((np.abs(row) <= bar).all()) else "fail" for row in errors]
+def _marks(errors: FloatArray, threshold: float) -> list[Mark]:
+    return ["pass" if bool((np.abs(row) <= threshold).all()) else "fail" for row in errors]
 
 
 def net_gain(solution: Solution, altitude: float) -> FloatArray:
@@ -114,7 +123,7 @@ def net_gain(solution: Solution, altitude: float) -> FloatArray:
     return np.asarray(2.0 * weight @ (flux.up - flux.down - direct))
 
 
-def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """White furnace: nothing absorbs, the ground returns everything."""
     solution = _solved(furnace(1.0), quality, cancel)
     gain = np.stack([net_gain(solution, level) for level in LEVELS])
@@ -124,15 +133,15 @@ def white_furnace(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
         rows=[
             (f"{level / 1e3:g}", *_percent(row)) for level, row in zip(LEVELS, gain, strict=True)
         ],
-        marks=_marks(gain, FURNACE_BAR),
+        marks=_marks(gain, FURNACE_THRESHOLD),
         note="(leaving - entering) over the starlight on the sphere's disc; 0 is right. Gas and "
         "haze of albedo 1 over a ground of albedo 1, by quadrature of the radiance at every level.",
     )
-    bar = _largest(
-        "white furnace: largest gain or loss of a sphere", gain, FURNACE_BAR,
+    threshold = _largest(
+        "white furnace: largest gain or loss of a sphere", gain, FURNACE_THRESHOLD,
         "accuracy that counts as done, energy",
     )  # fmt: skip
-    return [bar], [table]
+    return [threshold], [table]
 
 
 def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
@@ -146,7 +155,7 @@ def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
     return entered, (1.0 - medium.ground_albedo) * 2.0 * (weight @ received) * share
 
 
-def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """Grey furnaces: the air absorbs nothing, the ground what it does not reflect."""
     albedos = (0.0, 0.3, 0.8)
     rows, errors = [], []
@@ -163,15 +172,15 @@ def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
             *(f"difference, {nm:g} nm [%]" for nm in WAVELENGTHS),
         ],
         rows=rows,
-        marks=_marks(gain, BALANCE_BAR),
+        marks=_marks(gain, BALANCE_THRESHOLD),
         note="Over the starlight on the shell's disc. What enters comes from radiances at the top, "
         "what the ground keeps from the irradiance.",
     )  # fmt: skip
     name = "grey furnaces: largest difference of entering and kept"
-    return [_largest(name, gain, BALANCE_BAR, "conservation of energy")], [table]
+    return [_largest(name, gain, BALANCE_THRESHOLD, "conservation of energy")], [table]
 
 
-def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """Balance of a whole Earth with absorbing air, day and night sides together."""
     solution = _solved(round_earth(), quality, cancel)
     medium = solution.medium
@@ -191,14 +200,14 @@ def round_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[
             ("absorbed by the air", *(f"{100 * x:.3f}" for x in air)),
             ("difference", *_percent(error)),
         ],
-        marks=["", "", "", *_marks(error[None], BALANCE_BAR)],
+        marks=["", "", "", *_marks(error[None], BALANCE_THRESHOLD)],
         note="Over the starlight on the shell's disc.",
     )
     name = "round Earth: difference of entering and absorbed"
-    return [_largest(name, error, BALANCE_BAR, "conservation of energy")], [table]
+    return [_largest(name, error, BALANCE_THRESHOLD, "conservation of energy")], [table]
 
 
-def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[Part]]:
+def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
     """Balance of an Earth without curvature at each sun height, and reciprocity of its paths."""
     solution = _solved(flat_earth(), quality, cancel)
     medium = solution.medium
@@ -226,22 +235,24 @@ def flat_balance(quality: str, cancel: Cancel | None) -> tuple[list[Bar], list[P
             "kept by the ground [%]", "sum less incoming [%]",
         ],
         rows=rows,
-        marks=_marks(error, BALANCE_BAR),
+        marks=_marks(error, BALANCE_THRESHOLD),
         note=f"The Earth above with {VAST:g} times its radius, so that no light moves sideways.",
     )  # fmt: skip
     off, reversed_paths = _reversed(solution)
-    bars = [
-        _largest("flat Earth: largest difference", error, BALANCE_BAR, "conservation of energy"),
-        _largest("reversed paths: largest difference", off, RECIPROCITY_BAR, "reciprocity"),
+    thresholds = [
+        _largest(
+            "flat Earth: largest difference", error, BALANCE_THRESHOLD, "conservation of energy"
+        ),
+        _largest("reversed paths: largest difference", off, RECIPROCITY_THRESHOLD, "reciprocity"),
     ]
-    return bars, [table, _shares(mu_s, out, air, kept), reversed_paths]
+    return thresholds, [table, _shares(mu_s, out, air, kept), reversed_paths]
 
 
 def _triple(values: FloatArray) -> str:
     return " ".join(f"{100 * value:.3f}" for value in values)
 
 
-def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray) -> Picture:
+def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray) -> ReportPicture:
     title = "Where the light goes over a flat clear Earth"
     figure = new_figure(title, size=(9.0, 3.6))
     for k, axes in enumerate(figure.subplots(1, 3, sharey=True)):
@@ -262,7 +273,7 @@ def _shares(mu_s: FloatArray, out: FloatArray, air: FloatArray, kept: FloatArray
             axes.set_ylabel("share of the incoming light [%]")
             axes.legend(loc="lower left", fontsize=8)
     caption = "The three shares are computed apart from each other; the line is 100 %."
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
 def _reversed(solution: Solution) -> tuple[FloatArray, ReportTable]:

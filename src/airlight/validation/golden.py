@@ -16,13 +16,19 @@ from airlight.planets import Medium, load_planet
 from airlight.solvers import Solution, solve
 from airlight.validation.cases import LinesOfSight
 from airlight.validation.cie_clear_sky import relative_luminance
-from airlight.validation.golden_numbers import Comparison, Group, Row, compare, golden_groups
+from airlight.validation.golden_numbers import (
+    GoldenComparison,
+    GoldenRow,
+    Group,
+    compare,
+    golden_groups,
+)
 from airlight.validation.reference_earth import (
     CORRECTED_ABSORPTION,
     WAVELENGTHS,
     reference_earth,
 )
-from airlight.validation.suite import Bar, Cancel, Mark, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Mark, Progress, ReportTable, Suite, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -48,7 +54,7 @@ def golden(
     Returns
     -------
     Suite
-        One table and one bar per group.
+        One table and one threshold per group.
 
     Raises
     ------
@@ -56,7 +62,7 @@ def golden(
         If ``cancel`` said so.
     """
     groups = golden_groups() if groups is None else groups
-    bars, parts = [], []
+    thresholds, parts = [], []
     for done, group in enumerate(groups):
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
@@ -65,8 +71,8 @@ def golden(
         got = [np.atleast_1d(np.asarray(x, float)) for x in QUANTITIES[group.name](group.rows)]
         compared = compare(group, got, single=group.name == "sun-color-float32")
         missed = sum(not one.passed for one in compared)
-        bars.append(
-            Bar(
+        thresholds.append(
+            Threshold(
                 name=f"{group.title}: numbers missed, of {len(compared)}",
                 got=missed,
                 allowed=0,
@@ -75,7 +81,7 @@ def golden(
         )
         parts.append(_table(group, compared))
     count = sum(len(part.rows) for part in parts)
-    missed = int(sum(bar.got for bar in bars))
+    missed = int(sum(threshold.got for threshold in thresholds))
     return Suite(
         name="golden",
         title="Golden numbers",
@@ -84,12 +90,12 @@ def golden(
             f"against what airlight computes: {missed} missed. Each table names its source and "
             "says how far off a number may be, and why."
         ),
-        bars=bars,
+        thresholds=thresholds,
         parts=parts,
     )
 
 
-def _table(group: Group, compared: Sequence[Comparison]) -> ReportTable:
+def _table(group: Group, compared: Sequence[GoldenComparison]) -> ReportTable:
     marks: list[Mark] = ["pass" if one.passed else "fail" for one in compared]
     return ReportTable(
         title=group.title,
@@ -112,20 +118,20 @@ def _table(group: Group, compared: Sequence[Comparison]) -> ReportTable:
     )
 
 
-def _sun_color(rows: Sequence[Row]) -> list[FloatArray]:
+def _sun_color(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.color.spectral import sun_color
 
     return [sun_color() for _ in rows]
 
 
-def _sun_xyz(rows: Sequence[Row]) -> list[FloatArray]:
+def _sun_xyz(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.color.spectral import sun_color
     from airlight.color.xyz import rgb_to_xyz
 
     return [rgb_to_xyz(sun_color()) for _ in rows]
 
 
-def _sun_lux(rows: Sequence[Row]) -> list[Any]:
+def _sun_lux(rows: Sequence[GoldenRow]) -> list[Any]:
     from airlight.color.spectral import sun_color
     from airlight.color.xyz import luminance
     from airlight.constants import LUMINOUS_EFFICACY
@@ -133,37 +139,37 @@ def _sun_lux(rows: Sequence[Row]) -> list[Any]:
     return [LUMINOUS_EFFICACY * luminance(sun_color()) for _ in rows]
 
 
-def _sky_factors(rows: Sequence[Row]) -> list[FloatArray]:
+def _sky_factors(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.color.spectral import sky_factors
 
     return [sky_factors(WAVELENGTHS) for _ in rows]
 
 
-def _hable(rows: Sequence[Row]) -> list[Any]:
+def _hable(rows: Sequence[GoldenRow]) -> list[Any]:
     from airlight.color.tone_maps import hable
 
     return [hable(np.ones(3))[0] for _ in rows]
 
 
-def _air_refractivity(rows: Sequence[Row]) -> list[FloatArray]:
+def _air_refractivity(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.optics.refractive_index import air_refractivity_peck1972
 
     return [1e8 * air_refractivity_peck1972(row.at["nm"]) for row in rows]
 
 
-def _co2_refractivity(rows: Sequence[Row]) -> list[FloatArray]:
+def _co2_refractivity(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.optics.refractive_index import co2_refractivity_bideau_mehu1973
 
     return [1e8 * co2_refractivity_bideau_mehu1973(row.at["nm"]) for row in rows]
 
 
-def _king_factor(rows: Sequence[Row]) -> list[FloatArray]:
+def _king_factor(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.optics.king_factor import king_factor_air_bates1984
 
     return [king_factor_air_bates1984(row.at["nm"]) for row in rows]
 
 
-def _rayleigh(rows: Sequence[Row]) -> list[FloatArray]:
+def _rayleigh(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     return [1e6 * _rayleigh_set(row.at) for row in rows]
 
 
@@ -199,13 +205,13 @@ def _rayleigh_set(at: Any) -> FloatArray:
     return np.asarray(at["density"] * rayleigh.cross_section(nm, refractivity, measured, king))
 
 
-def _scale_height(rows: Sequence[Row]) -> list[Any]:
+def _scale_height(rows: Sequence[GoldenRow]) -> list[Any]:
     from airlight.optics.rayleigh import scale_height
 
     return [scale_height(**row.at) for row in rows]
 
 
-def _ozone(rows: Sequence[Row]) -> list[FloatArray]:
+def _ozone(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.optics.gas_absorption import column_from_dobson
     from airlight.spectra.ozone import ozone_cross_section
 
@@ -214,7 +220,7 @@ def _ozone(rows: Sequence[Row]) -> list[FloatArray]:
     return [both[row.at["kind"]] for row in rows]
 
 
-def _phase_functions(rows: Sequence[Row]) -> list[Any]:
+def _phase_functions(rows: Sequence[GoldenRow]) -> list[Any]:
     from airlight.optics.phase_functions import cornette_shanks
     from airlight.optics.phase_functions import rayleigh as gas
 
@@ -241,7 +247,7 @@ def _cosine(at: Any, medium: Medium) -> float:
     return float(np.cos(np.radians(at["zenith"]))) if at["zenith"] != 90.0 else 0.0
 
 
-def _columns(rows: Sequence[Row]) -> list[FloatArray]:
+def _columns(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.tables.columns import columns
 
     medium = _corrected_medium()
@@ -258,7 +264,7 @@ def _columns(rows: Sequence[Row]) -> list[FloatArray]:
     ]
 
 
-def _transmittances(rows: Sequence[Row]) -> list[FloatArray]:
+def _transmittances(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     planet = reference_earth(albedo=0.0, aerosol_absorption=CORRECTED_ABSORPTION)
     medium = Medium.from_planet(planet, WAVELENGTHS)
     solution = solve(planet, quality="preview", polarisation=False, cache=False)
@@ -270,7 +276,7 @@ def _transmittances(rows: Sequence[Row]) -> list[FloatArray]:
     ]
 
 
-def _geometry(rows: Sequence[Row]) -> LinesOfSight:
+def _geometry(rows: Sequence[GoldenRow]) -> LinesOfSight:
     def column(name: str) -> FloatArray:
         return np.array([row.at[name] for row in rows])
 
@@ -287,7 +293,7 @@ def _printed_solution() -> Solution:
     return solve(reference_earth(albedo=0.0), polarisation=False, cache=False)
 
 
-def _scattered_once(rows: Sequence[Row], constituent: int) -> list[FloatArray]:
+def _scattered_once(rows: Sequence[GoldenRow], constituent: int) -> list[FloatArray]:
     from airlight.solvers.single_scattering import single_scattering
 
     solution = _printed_solution()
@@ -297,7 +303,7 @@ def _scattered_once(rows: Sequence[Row], constituent: int) -> list[FloatArray]:
     return list(without_phase * phase)
 
 
-def _first_order(rows: Sequence[Row]) -> list[FloatArray]:
+def _first_order(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     return list(_printed_solution().radiance(**_geometry(rows), order=1).values)
 
 
@@ -315,11 +321,11 @@ def _regions(altitude: float) -> tuple[float, float, float]:
     return lower, surface, -sqrt(altitude * (medium.bottom_radius + r)) / r
 
 
-def _weighted_power(rows: Sequence[Row]) -> list[FloatArray]:
+def _weighted_power(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     return [np.array(_regions(row.at["altitude"])) for row in rows]
 
 
-def _weighted_power_ends(rows: Sequence[Row]) -> list[FloatArray]:
+def _weighted_power_ends(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     from airlight.mappings.weighted_power import view_coordinate, view_from_coordinate
 
     out = []
@@ -340,14 +346,14 @@ def _weighted_power_ends(rows: Sequence[Row]) -> list[FloatArray]:
     return out
 
 
-def _cie_clear_sky(rows: Sequence[Row]) -> list[FloatArray]:
+def _cie_clear_sky(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     view = np.array([-85.0, -60.0, -30.0, 0.0, 30.0, 60.0, 75.0, 85.0])
     azimuth = np.where(view < 0.0, 180.0, 0.0)
     return [relative_luminance(row.at["sun"], np.abs(view), azimuth) for row in rows]
 
 
 #: Function that computes each group, by its name in the file.
-QUANTITIES: dict[str, Callable[[Sequence[Row]], Sequence[Any]]] = {
+QUANTITIES: dict[str, Callable[[Sequence[GoldenRow]], Sequence[Any]]] = {
     "sun-color-float32": _sun_color,
     "sun-color": _sun_color,
     "sun-xyz": _sun_xyz,

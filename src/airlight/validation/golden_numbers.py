@@ -19,7 +19,7 @@ FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Row:
+class GoldenRow:
     """Golden numbers that belong together.
 
     Attributes
@@ -61,7 +61,7 @@ class Group:
         Quantities of the numbers in a row.
     reason : str
         Reason for the size of the allowed differences.
-    rows : tuple of Row
+    rows : tuple of GoldenRow
     """
 
     name: str
@@ -70,11 +70,11 @@ class Group:
     unit: str
     columns: tuple[str, ...]
     reason: str
-    rows: tuple[Row, ...]
+    rows: tuple[GoldenRow, ...]
 
 
 @dataclass(frozen=True)
-class Comparison:
+class GoldenComparison:
     """Golden number and the value computed for it.
 
     Attributes
@@ -144,7 +144,7 @@ def golden_groups() -> tuple[Group, ...]:
     return tuple(groups.values())
 
 
-def _row(table: Mapping[str, Any], row: Mapping[str, Any]) -> Row:
+def _row(table: Mapping[str, Any], row: Mapping[str, Any]) -> GoldenRow:
     printed = tuple(row["expected"])
     relative = row.get("relative", table.get("relative", 0.0))
     absolute = row.get("absolute", table.get("absolute", 0.0))
@@ -154,7 +154,7 @@ def _row(table: Mapping[str, Any], row: Mapping[str, Any]) -> Row:
         max(1.01 * digits * last_digit(text), relative * abs(float(text)), absolute)
         for text in printed
     ]
-    return Row(row["label"], row.get("at", {}), printed, np.array(allowed))
+    return GoldenRow(row["label"], row.get("at", {}), printed, np.array(allowed))
 
 
 def _summed(parts: Sequence[Group]) -> list[dict[str, Any]]:
@@ -168,7 +168,9 @@ def _summed(parts: Sequence[Group]) -> list[dict[str, Any]]:
     ]
 
 
-def compare(group: Group, got: Sequence[FloatArray], *, single: bool = False) -> list[Comparison]:
+def compare(
+    group: Group, got: Sequence[FloatArray], *, single: bool = False
+) -> list[GoldenComparison]:
     """Compare computed values with a group of golden numbers.
 
     Parameters
@@ -194,6 +196,6 @@ def compare(group: Group, got: Sequence[FloatArray], *, single: bool = False) ->
             else:
                 difference = float(value) - float(text)
             compared.append(
-                Comparison(row.label, column, text, float(value), difference, float(allowed))
+                GoldenComparison(row.label, column, text, float(value), difference, float(allowed))
             )
     return compared

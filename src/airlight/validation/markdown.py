@@ -8,16 +8,16 @@ from __future__ import annotations
 from dataclasses import replace
 
 from airlight.reports.markdown import escaped, files_of, part_lines, row_lines, strong
-from airlight.validation.report import Report, result_word
+from airlight.validation.report import ValidationReport, result_word
 from airlight.validation.suite import Part, ReportTable, Suite, Text
 
 
-def markdown(report: Report, pictures: str) -> str:
+def markdown(report: ValidationReport, pictures: str) -> str:
     """Format the report as a page of Markdown.
 
     Parameters
     ----------
-    report : Report
+    report : ValidationReport
     pictures : str
         Folder of the pictures relative to the page, such as ``"pictures"``.
     """
@@ -25,30 +25,30 @@ def markdown(report: Report, pictures: str) -> str:
     lines += [f"- {name}: {value}" for name, value in report.provenance.items()]
     lines += [f"- time: {report.seconds:.0f} s", "", "## Suites", ""]
     lines += row_lines(
-        ["suite", "result", "bars met", "time"],
+        ["suite", "result", "thresholds met", "time"],
         [
             (
                 suite.title,
                 strong(result_word(suite), not suite.passed),
-                f"{sum(bar.passed for bar in suite.bars)} of {len(suite.bars)}",
+                f"{sum(one.passed for one in suite.thresholds)} of {len(suite.thresholds)}",
                 f"{suite.seconds:.1f} s",
             )
             for suite in report.suites
         ],
     )
-    lines += ["", "## Bars", ""]
+    lines += ["", "## Thresholds", ""]
     lines += row_lines(
-        ["suite", "what", "got", "bar", "", "whose bar"],
+        ["suite", "what", "got", "threshold", "", "source"],
         [
             (
                 suite.name,
-                bar.name,
-                f"{bar.got:.4g} {bar.unit}".strip(),
-                f"≤ {bar.allowed:.4g} {bar.unit}".strip(),
-                strong("met" if bar.passed else "missed", not bar.passed),
-                bar.source,
+                threshold.name,
+                f"{threshold.got:.4g} {threshold.unit}".strip(),
+                f"≤ {threshold.allowed:.4g} {threshold.unit}".strip(),
+                strong("met" if threshold.passed else "missed", not threshold.passed),
+                threshold.source,
             )
-            for suite, bar in report.listed
+            for suite, threshold in report.listed
         ],
     )
     for suite in report.suites:
@@ -56,7 +56,7 @@ def markdown(report: Report, pictures: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def picture_files(report: Report) -> dict[str, bytes]:
+def picture_files(report: ValidationReport) -> dict[str, bytes]:
     """Contents of the pictures, by file name.
 
     Raises

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from airlight.validation.kider.pictures import domes, error_curves
 from airlight.validation.kider.planets import (
-    AERONET_LOAD,
+    AERONET_AEROSOL,
     CLEAN_ALBEDO,
-    Load,
+    AngstromLaw,
 )
 from airlight.validation.kider.rows import Rows, compute
 from airlight.validation.kider.scans import best_factor, rmse_per_scan, symmetric_part
-from airlight.validation.suite import Bar, Cancel, Mark, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Mark, Progress, ReportTable, Suite, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ PUBLISHED: Final = {
 #: Lowest possible score of a sky symmetric about the sun's vertical, on our scans.
 FLOOR: Final = 3.4
 #: Largest allowed score of our best physics.
-BEST_BAR: Final = 8.0
+BEST_THRESHOLD: Final = 8.0
 #: Names of our rows.
 SAME, KNOWN, FITTED = (
     "airlight, same inputs as everybody",
@@ -89,7 +89,7 @@ def suite_of(rows: Rows) -> Suite:
         name="measured",
         title="Measured skies",
         summary=_summary(rows, scores),
-        bars=_bars(rows, scores),
+        thresholds=_thresholds(rows, scores),
         parts=[
             _league(scores, rows.floor),
             _ladder(rows),
@@ -106,17 +106,17 @@ def suite_of(rows: Rows) -> Suite:
     )
 
 
-def _bars(rows: Rows, scores: dict[str, float]) -> list[Bar]:
+def _thresholds(rows: Rows, scores: dict[str, float]) -> list[Threshold]:
     aim = PUBLISHED["Bruneton 2008"]
     return [
-        Bar(
+        Threshold(
             name="floor of a symmetric sky: distance from the published",
             got=abs(rows.floor - FLOOR),
             allowed=0.05,
             unit=_UNIT,
             source="the last digit of the published floor",
         ),
-        Bar(
+        Threshold(
             name="same inputs as everybody",
             got=scores[SAME],
             allowed=PUBLISHED["Haber 2005"],
@@ -125,8 +125,8 @@ def _bars(rows: Rows, scores: dict[str, float]) -> list[Bar]:
             f"{'met' if scores[SAME] < aim else 'missed'}",
         ),
         *(
-            Bar(
-                name=name.removeprefix("airlight, "), got=scores[name], allowed=BEST_BAR,
+            Threshold(
+                name=name.removeprefix("airlight, "), got=scores[name], allowed=BEST_THRESHOLD,
                 unit=_UNIT, source="the aim for the best physics",
             )
             for name in (KNOWN, FITTED)
@@ -176,14 +176,14 @@ def _ladder(rows: Rows) -> ReportTable:
             f"RMSE farther than {NEAR:g}° from the sun",
         ],
         rows=out,
-        note=f"All in {_UNIT}. AERONET's load: {_load_text(AERONET_LOAD)}, 500 km away the same "
+        note=f"All in {_UNIT}. AERONET's load: {_load_text(AERONET_AEROSOL)}, 500 km away the same "
         "morning. Everybody's load was itself chosen on these skies, for everybody's other inputs: "
         "so a step towards the truth can cost until the load is the measured one. The factor is a "
         "diagnosis and in no score.",
     )  # fmt: skip
 
 
-def _load_text(load: Load) -> str:
+def _load_text(load: AngstromLaw) -> str:
     return (
         f"optical depth {float(load.optical_depth(550.0)):.3f} at 550 nm, exponent {load.alpha:.2f}"
     )

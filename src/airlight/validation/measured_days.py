@@ -7,15 +7,15 @@ from typing import Final
 
 import numpy as np
 
-from airlight.fit.pictures import dome_pictures, rest_curves
-from airlight.fit.rests import Rests
-from airlight.validation.kider.day import Day, Row, compute_day, day_files
-from airlight.validation.kider.planets import EVERYBODYS, Load
+from airlight.fit.pictures import dome_pictures, residual_curves
+from airlight.fit.residuals import Residuals
+from airlight.validation.kider.day import Day, DayRow, compute_day, day_files
+from airlight.validation.kider.planets import PUBLISHED_INPUTS, AngstromLaw
 from airlight.validation.kider.scans import MILLI, symmetric_part, total_rmse
-from airlight.validation.suite import Bar, Cancel, Part, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Part, Progress, ReportTable, Suite, Threshold
 
 #: Largest allowed score of the row that counts. [mW m⁻² sr⁻¹ nm⁻¹]
-BEST_BAR: Final = 8.0
+BEST_THRESHOLD: Final = 8.0
 #: Directions nearer to the sun than this are scored separately. [deg]
 NEAR: Final = 8.0
 #: Zenith angles of the ring near the horizon. [deg]
@@ -64,10 +64,10 @@ def suite_of(days: list[Day]) -> Suite:
         name="kider",
         title="Measured days, load fitted",
         summary=" ".join(_summary(day) for day in days),
-        bars=[
-            Bar(
+        thresholds=[
+            Threshold(
                 name=f"{day.scans.date}: load fitted, each scan by the fit to the others",
-                got=_score(day, day.row), allowed=BEST_BAR, unit=_UNIT,
+                got=_score(day, day.row), allowed=BEST_THRESHOLD, unit=_UNIT,
                 source="the aim for the best physics",
             )
             for day in days
@@ -81,18 +81,18 @@ def suite_of(days: list[Day]) -> Suite:
     )  # fmt: skip
 
 
-def _score(day: Day, row: Row) -> float:
+def _score(day: Day, row: DayRow) -> float:
     return total_rmse(row.predicted, day.scans.radiance)
 
 
 def _parts(day: Day) -> list[Part]:
     rests = _rests(day)
     dome = dome_pictures(rests, f"{day.scans.date}: where the rest sits in the sky")
-    curves = rest_curves(rests, f"{day.scans.date}: residuals of the row that counts")
+    curves = residual_curves(rests, f"{day.scans.date}: residuals of the row that counts")
     return [_inputs(day), _scores(day), curves, *([] if dome is None else [dome]), _places(day)]
 
 
-def _load_text(load: Load) -> tuple[str, str]:
+def _load_text(load: AngstromLaw) -> tuple[str, str]:
     return f"{float(load.optical_depth(550.0)):.4f}", f"{load.alpha:.3f}"
 
 
@@ -147,12 +147,12 @@ def _scores(day: Day) -> ReportTable:
     )
 
 
-def _rests(day: Day) -> Rests:
+def _rests(day: Day) -> Residuals:
     """Residuals of the row that counts."""
     values = day.scans.measurements(day.file.name)
     predicted, known = day.row.predicted.ravel(), day.rows[1].predicted.ravel()
     spread = float(np.sqrt(np.square(predicted - values.radiance).mean()))
-    return Rests(
+    return Residuals(
         measured=values.radiance, predicted=predicted, first=known,
         sigma=np.full(predicted.size, spread), wavelength=values.wavelength,
         view_zenith=values.view_zenith, azimuth=values.azimuth, from_sun=values.angle_from_sun,
@@ -203,7 +203,7 @@ def _summary(day: Day) -> str:
     everybody, known = day.rows[0], day.rows[1]
     found = day.row.fit
     assert found is not None
-    assert everybody.inputs == EVERYBODYS
+    assert everybody.inputs == PUBLISHED_INPUTS
     depth, exponent = _load_text(found.load)
     first, second, counted = (_score(day, row) for row in (everybody, known, day.row))
     return (

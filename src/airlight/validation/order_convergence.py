@@ -15,7 +15,7 @@ from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import Case, LinesOfSight, geometry
 from airlight.validation.energy_planets import round_earth
-from airlight.validation.suite import Cancel, Part, Picture, Progress, ReportTable
+from airlight.validation.suite import Cancel, Part, Progress, ReportPicture, ReportTable
 
 FloatArray = NDArray[np.float64]
 
@@ -80,7 +80,7 @@ def order_shares(solution: Solution, where: LinesOfSight) -> FloatArray:
     return np.asarray(np.stack(parts) / whole)
 
 
-def _picture(shares: dict[str, FloatArray]) -> Picture:
+def _picture(shares: dict[str, FloatArray]) -> ReportPicture:
     title = f"Light by order of scattering, clear Earth, {WAVELENGTH:g} nm"
     figure = new_figure(title, size=(9.0, 5.2))
     panels = figure.subplots(2, 3, sharex=True, sharey=True).ravel()
@@ -107,7 +107,7 @@ def _picture(shares: dict[str, FloatArray]) -> Picture:
         "On a logarithmic scale a straight line is a constant factor from order to order, which is "
         "why a geometric tail can stand for the orders that are not computed."
     )
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
 def _table(shares: dict[str, FloatArray]) -> ReportTable:

@@ -25,7 +25,7 @@ from airlight.solvers import Solution
 from airlight.validation.energy_planets import VAST
 from airlight.validation.finite_disc import with_point_star
 from airlight.validation.published.row import solver
-from airlight.validation.suite import Bar, Cancel, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Progress, ReportTable, Suite, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -197,38 +197,38 @@ def disort(
         If ``cancel`` returned True.
     """
     solve = solver(progress, cancel)
-    bars, rows = [], []
+    thresholds, rows = [], []
     for case in flat_cases() if cases is None else cases:
         known = references()[case.name]
         solution = solve(case.planet, (case.wavelength,), quality, polarisation=False)
         off = 100.0 * (ground_share(solution) / known.ground - 1.0)
         remade = np.allclose(depths(solution.medium), (known.depth, known.absorption), rtol=SAME)
         worst = float(np.abs(off).max()) if remade else float("nan")
-        bars.append(
-            Bar(name=f"{case.name}: light on the ground, worst of {len(SUNS)} suns", got=worst,
-                allowed=AIM, unit="%", source="the aim")
+        thresholds.append(
+            Threshold(name=f"{case.name}: irradiance of the ground, worst of {len(SUNS)} suns",
+                got=worst, allowed=AIM, unit="%", source="the aim")
         )  # fmt: skip
         rows.append(
             (case.name, f"{known.depth:.4g}", f"{known.absorption:.3g}",
              *(f"{share:.5f} ({d:+.2f} %)" for share, d in zip(known.ground, off, strict=True)))
         )  # fmt: skip
-    met = sum(bar.passed for bar in bars)
+    met = sum(threshold.passed for threshold in thresholds)
     return Suite(
         name="disort",
         title="Flat air against discrete ordinates",
         summary=(
             "The light that reaches the ground through deep flat air, by the moments solver and by "
-            f"PythonicDISORT: {met} of {len(bars)} are within {AIM:g} %. Light deep in air that "
-            "absorbs nothing is the rest of a large cancellation, and the hardest to get."
+            f"PythonicDISORT: {met} of {len(thresholds)} are within {AIM:g} %. Deep in "
+            "conservative air, irradiance is a small difference of large terms."
         ),
-        bars=bars,
+        thresholds=thresholds,
         parts=[
             ReportTable(
                 title="Light on the ground over that outside the air, and our difference from it",
                 columns=["air", "depth", "absorption", *(f"sun {sun:g}°" for sun in SUNS)],
                 rows=rows,
-                note="The sun's angle is from the zenith; nan in a bar: the planet has changed "
-                "since the reference was made (python builders/disort.py).",
+                note="The sun's angle is from the zenith; NaN as a result: the planet has "
+                "changed since the reference was made (python builders/disort.py).",
             )
         ],
         settings=[

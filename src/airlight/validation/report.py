@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from html import escape
 
 from airlight.reports.html import page_html, part_html, table_html
-from airlight.validation.suite import Bar, Suite
+from airlight.validation.suite import Suite, Threshold
 
 
 @dataclass(frozen=True, kw_only=True)
-class Report:
+class ValidationReport:
     """Suites of one run, with its provenance and time.
 
     Attributes
@@ -29,34 +29,42 @@ class Report:
     seconds: float
 
     @property
-    def bars(self) -> list[tuple[Suite, Bar]]:
-        """Return every bar with its suite."""
-        return [(suite, bar) for suite in self.suites for bar in suite.bars]
+    def thresholds(self) -> list[tuple[Suite, Threshold]]:
+        """Return every threshold with its suite."""
+        return [(suite, threshold) for suite in self.suites for threshold in suite.thresholds]
 
     @property
-    def listed(self) -> list[tuple[Suite, Bar]]:
-        """As ``bars``, with all golden tables that are met in one bar, or they bury the others."""
-        met = [bar for suite, bar in self.bars if suite.name == "golden" and bar.passed]
+    def listed(self) -> list[tuple[Suite, Threshold]]:
+        """As ``thresholds``, with the golden tables that are met merged into one."""
+        met = [
+            threshold
+            for suite, threshold in self.thresholds
+            if suite.name == "golden" and threshold.passed
+        ]
         if len(met) < 2:
-            return self.bars
-        one = Bar(
+            return self.thresholds
+        one = Threshold(
             name=f"numbers missed in {len(met)} tables", got=0, allowed=0, source="each table"
         )
         golden = next(suite for suite in self.suites if suite.name == "golden")
-        rest = [(suite, bar) for suite, bar in self.bars if suite is not golden or not bar.passed]
+        rest = [
+            (suite, threshold)
+            for suite, threshold in self.thresholds
+            if suite is not golden or not threshold.passed
+        ]
         return [(golden, one), *rest]
 
     @property
     def passed(self) -> bool:
-        """Whether every bar of the suites that ran is met."""
+        """Whether every threshold of the suites that ran is met."""
         return all(suite.passed for suite in self.suites)
 
     @property
     def verdict(self) -> str:
         """Result in one line."""
-        missed = [bar for _, bar in self.bars if not bar.passed]
+        missed = [threshold for _, threshold in self.thresholds if not threshold.passed]
         left = [suite.name for suite in self.suites if suite.not_run]
-        text = f"{len(self.bars) - len(missed)} of {len(self.bars)} bars are met"
+        text = f"{len(self.thresholds) - len(missed)} of {len(self.thresholds)} thresholds are met"
         return text + (f"; not run: {', '.join(left)}" if left else "")
 
 
@@ -64,17 +72,17 @@ def result_word(suite: Suite) -> str:
     """Result of a suite in a word or two."""
     if suite.not_run:
         return f"not run: {suite.not_run}"
-    if not suite.bars:
+    if not suite.thresholds:
         return "shown, not judged"
-    return "all bars met" if suite.passed else "misses a bar"
+    return "all thresholds met" if suite.passed else "misses a threshold"
 
 
-def html(report: Report) -> str:
+def html(report: ValidationReport) -> str:
     """Format the report as a page of HTML.
 
     Parameters
     ----------
-    report : Report
+    report : ValidationReport
 
     Returns
     -------
@@ -90,48 +98,49 @@ def html(report: Report) -> str:
             f"<dl>{facts}</dl>",
             "<h3>Suites</h3>",
             _suites(report),
-            "<h3>Bars</h3>",
-            _bars(report),
+            "<h3>Thresholds</h3>",
+            _thresholds(report),
             *(_section(suite) for suite in report.suites),
         ],
     )
 
 
-def _facts(report: Report) -> list[tuple[str, str]]:
+def _facts(report: ValidationReport) -> list[tuple[str, str]]:
     return [*report.provenance.items(), ("time", f"{report.seconds:.0f} s")]
 
 
-def _suites(report: Report) -> str:
+def _suites(report: ValidationReport) -> str:
     rows = []
     for suite in report.suites:
-        met = sum(bar.passed for bar in suite.bars)
-        style = "quiet" if not suite.bars else "met" if suite.passed else "missed"
+        met = sum(threshold.passed for threshold in suite.thresholds)
+        style = "quiet" if not suite.thresholds else "met" if suite.passed else "missed"
         rows.append(
             f'<tr><td><a href="#{suite.name}">{escape(suite.title)}</a></td>'
             f'<td class="{style}">{escape(result_word(suite))}</td>'
-            f"<td>{met} of {len(suite.bars)}</td><td>{suite.seconds:.1f} s</td></tr>"
+            f"<td>{met} of {len(suite.thresholds)}</td><td>{suite.seconds:.1f} s</td></tr>"
         )
-    return table_html(["suite", "result", "bars met", "time"], rows)
+    return table_html(["suite", "result", "thresholds met", "time"], rows)
 
 
-def _bars(report: Report) -> str:
+def _thresholds(report: ValidationReport) -> str:
     rows = []
-    for suite, bar in report.listed:
-        style, word = ("met", "met") if bar.passed else ("missed", "missed")
+    for suite, threshold in report.listed:
+        style, word = ("met", "met") if threshold.passed else ("missed", "missed")
         rows.append(
             f'<tr><td><a href="#{suite.name}">{escape(suite.name)}</a></td>'
-            f"<td>{escape(bar.name)}</td><td>{bar.got:.4g} {escape(bar.unit)}</td>"
-            f"<td>≤ {bar.allowed:.4g} {escape(bar.unit)}</td>"
-            f'<td class="{style}">{word}</td><td class="quiet">{escape(bar.source)}</td></tr>'
+            f"<td>{escape(threshold.name)}</td>"
+            f"<td>{threshold.got:.4g} {escape(threshold.unit)}</td>"
+            f"<td>≤ {threshold.allowed:.4g} {escape(threshold.unit)}</td>"
+            f'<td class="{style}">{word}</td><td class="quiet">{escape(threshold.source)}</td></tr>'
         )
-    return table_html(["suite", "what", "got", "bar", "", "whose bar"], rows)
+    return table_html(["suite", "what", "got", "threshold", "", "source"], rows)
 
 
 def _section(suite: Suite) -> str:
     lines = [f'<h2 id="{suite.name}">{escape(suite.title)}</h2>']
     if suite.not_run:
         return "\n".join([*lines, f'<p class="quiet">Not run: {escape(suite.not_run)}.</p>'])
-    style = "quiet" if not suite.bars else "met" if suite.passed else "missed"
+    style = "quiet" if not suite.thresholds else "met" if suite.passed else "missed"
     lines.append(f'<p class="{style}">{escape(result_word(suite))}, {suite.seconds:.1f} s</p>')
     lines.append(f"<p>{escape(suite.summary)}</p>")
     if suite.settings:

@@ -8,7 +8,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Final, Protocol
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ConflictError, FileError, ParameterError
 from airlight.validation.suite import Cancel, Progress, Suite
 
 
@@ -146,11 +146,11 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
     >>> chosen(["golden"], None)
     {'golden': ''}
     >>> chosen(["all"], None)["spherical"]
-    'needs --data'
+    'requires reference data'
     """
     for name in names:
         if name not in (*SUITES, "all"):
-            raise ParameterError("--suite", name, ", ".join((*SUITES, "all")))
+            raise ParameterError("suite", name, ", ".join((*SUITES, "all")))
     if data is not None and not data.is_dir():
         raise FileError(data, "is not a folder")
     out = {}
@@ -159,13 +159,13 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
             continue
         reason = ""
         if entry.files and data is None:
-            reason = "needs --data"
+            reason = "requires reference data"
             if name in names:
-                raise ParameterError(
-                    "--data", "missing", f"the folder that holds {' or '.join(entry.files)}"
+                raise ConflictError(
+                    f"suite {name}", f"requires a folder with {' or '.join(entry.files)}"
                 )
         elif data is not None and not _has_one(data, entry.files):
-            reason = f"--data holds no {' or '.join(entry.files)}"
+            reason = f"no {' or '.join(entry.files)} in the reference data"
             if name in names:
                 raise FileError(data, f"holds no {' or '.join(entry.files)}")
         out[name] = reason

@@ -12,15 +12,15 @@ from airlight.validation.agreement import (
     NOISE,
     SOLVERS,
     Agreement,
-    Answer,
+    Result,
     agreements,
-    answers,
+    results,
 )
 from airlight.validation.cases import CASES, WAVELENGTHS, Case
 from airlight.validation.finite_disc import finite_disc
 from airlight.validation.metrics import relative_errors, summarise
 from airlight.validation.solvers_pictures import agreement_picture
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Mark, Part, Progress, ReportTable, Suite, Threshold
 
 #: A clear Earth, and a Mars with dust of optical depth 0.5.
 PLANETS: Final = ("earth-atmosphere-plus", "mars-standard")
@@ -45,16 +45,16 @@ def solvers(
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
-    bars: list[Bar] = []
+    thresholds: list[Threshold] = []
     parts: list[Part] = []
     summary: list[tuple[tuple[str | int, ...], Mark]] = []
     for planet in planets:
-        given = answers(planet, solvers, cases=cases, progress=progress, cancel=cancel)
+        given = results(planet, solvers, cases=cases, progress=progress, cancel=cancel)
         pairs = agreements(given)
         least = min(LEAST_CASES, len(cases))
         for pair in pairs:
-            bars.append(
-                Bar(
+            thresholds.append(
+                Threshold(
                     name=f"{planet}, {pair.name}: lines of sight that do not agree, or are too "
                     f"dark, of {len(cases)}",
                     got=int((pair.disagree.any(axis=1) | ~pair.judged.any(axis=1)).sum()),
@@ -69,8 +69,8 @@ def solvers(
             finite_disc(planet, cases=cases, cancel=cancel),
             _all(planet, given, pairs, cases),
         ]
-        for answer in given:
-            summary.append(_time(planet, answer))
+        for result in given:
+            summary.append(_time(planet, result))
     agreement = [entry for entry in summary if len(entry[0]) == 10]
     times = [entry[0] for entry in summary if len(entry[0]) == 4]
     return Suite(
@@ -83,7 +83,7 @@ def solvers(
             "Atmosphere Plus notes, and backward Monte Carlo. Two values agree if they differ by "
             "at most 1 % or by at most three standard errors. The star is a point."
         ),
-        bars=bars,
+        thresholds=thresholds,
         parts=[_agreement_table([row for row, _ in agreement], [m for _, m in agreement]),
                *parts, _times_table(times)],
         settings=[
@@ -112,13 +112,13 @@ def _summary(planet: str, pair: Agreement) -> tuple[tuple[str | int, ...], Mark]
     return row, ""
 
 
-def _time(planet: str, answer: Answer) -> tuple[tuple[str | int, ...], Mark]:
-    bright = answer.radiance > LEAST_RADIANCE
+def _time(planet: str, result: Result) -> tuple[tuple[str | int, ...], Mark]:
+    bright = result.radiance > LEAST_RADIANCE
     noise = summarise(
-        relative_errors(answer.radiance + answer.standard_error, answer.radiance), bright
+        relative_errors(result.radiance + result.standard_error, result.radiance), bright
     )
     shown = f"{100 * noise.median:.2f}, {100 * noise.largest:.2f}" if noise.largest > 0.0 else ""
-    return (planet, answer.solver, f"{answer.seconds:.1f}", shown), ""
+    return (planet, result.solver, f"{result.seconds:.1f}", shown), ""
 
 
 def _agreement_table(rows: Sequence[Sequence[str | int]], marks: Sequence[Mark]) -> ReportTable:
@@ -140,7 +140,7 @@ def _times_table(rows: Sequence[Sequence[str | int]]) -> ReportTable:
         title="What the solvers took",
         columns=["planet", "solver", "time [s]", "standard error, median and largest [%]"],
         rows=rows,
-        note="To solve and to answer all cases, without what was compiled before.",
+        note="To solve and to compute all cases, without what was compiled before.",
     )
 
 
@@ -183,7 +183,7 @@ def _worst(
 
 
 def _all(
-    planet: str, given: Sequence[Answer], pairs: Sequence[Agreement], cases: Sequence[Case]
+    planet: str, given: Sequence[Result], pairs: Sequence[Agreement], cases: Sequence[Case]
 ) -> ReportTable:
     rows = []
     marks: list[Mark] = []
@@ -195,13 +195,13 @@ def _all(
                     str(case),
                     f"{nm:g}",
                     *(
-                        f"{answer.radiance[n, c]:.4e}"
+                        f"{result.radiance[n, c]:.4e}"
                         + (
-                            f" ± {answer.standard_error[n, c]:.0e}"
-                            if answer.standard_error.any()
+                            f" ± {result.standard_error[n, c]:.0e}"
+                            if result.standard_error.any()
                             else ""
                         )
-                        for answer in given
+                        for result in given
                     ),
                     *(f"{100 * pair.relative[n, c]:+.2f}" for pair in pairs),
                     "" if judged else "too dark to judge",
@@ -211,7 +211,7 @@ def _all(
     return ReportTable(
         title=f"{planet}: all values",
         columns=[
-            "line of sight", "wavelength [nm]", *(f"{answer.solver} [sr⁻¹]" for answer in given),
+            "line of sight", "wavelength [nm]", *(f"{result.solver} [sr⁻¹]" for result in given),
             *(f"{pair.name} [%]" for pair in pairs), "",
         ],
         rows=rows,

@@ -9,10 +9,12 @@ import numpy as np
 from airlight.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.validation.agreement import Agreement
 from airlight.validation.cases import Case
-from airlight.validation.suite import Picture
+from airlight.validation.suite import ReportPicture
 
 
-def agreement_picture(planet: str, pairs: Sequence[Agreement], cases: Sequence[Case]) -> Picture:
+def agreement_picture(
+    planet: str, pairs: Sequence[Agreement], cases: Sequence[Case]
+) -> ReportPicture:
     """Plot the differences of each pair over the cases in their order, with the noise as bars.
 
     Parameters
@@ -53,4 +55,4 @@ def agreement_picture(planet: str, pairs: Sequence[Agreement], cases: Sequence[C
         "440 nm. Within an observer the sun sinks from left to right. Points beyond 4 % are in the "
         "table of the worst values."
     )
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)

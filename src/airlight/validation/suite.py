@@ -1,7 +1,7 @@
-"""Parts of a suite of the validation report: bars, tables, pictures and text.
+"""Parts of a suite of the validation report: thresholds, tables, pictures and text.
 
-A suite computes something, compares it with an authority and returns a ``Suite``: numbers with the
-bar that each must meet, and the tables and pictures that show them. The report only lays them out.
+A suite computes something, compares it with an authority and returns a ``Suite``: numbers with
+their thresholds, tables and pictures. The report only lays them out.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from airlight.kernel.threads import Cancel, Progress
-from airlight.reports.parts import Cell, Mark, Part, Picture, ReportTable, Text
+from airlight.reports.parts import Cell, Mark, Part, ReportPicture, ReportTable, Text
 
 __all__ = [
-    "Bar",
+    "Threshold",
     "Cancel",
     "Cell",
     "Mark",
     "Part",
-    "Picture",
+    "ReportPicture",
     "Progress",
     "Suite",
     "ReportTable",
@@ -28,7 +28,7 @@ __all__ = [
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bar:
+class Threshold:
     """Measured number and its upper limit.
 
     Attributes
@@ -53,7 +53,7 @@ class Bar:
 
     @property
     def passed(self) -> bool:
-        """Whether the bar is met."""
+        """Whether the threshold is met."""
         return math.isfinite(self.got) and self.got <= self.allowed
 
 
@@ -64,13 +64,13 @@ class Suite:
     Attributes
     ----------
     name : str
-        Name for ``airlight validate --suite``.
+        Name of the suite.
     title : str
         Heading of its section.
     summary : str
         Two or three sentences: what is compared with what, what came out, what limits it.
-    bars : sequence of Bar
-        Bars that decide whether the suite passes.
+    thresholds : sequence of Threshold
+        Thresholds that decide whether the suite passes.
     parts : sequence of Part
         Tables, pictures and texts, in reading order.
     settings : sequence of str
@@ -78,13 +78,13 @@ class Suite:
     seconds : float
         Wall time, set by the caller. [s]
     not_run : str
-        Reason for leaving it out, such as ``"needs --data"``; empty if it ran.
+        Reason for leaving it out, such as ``"requires reference data"``; empty if it ran.
     """
 
     name: str
     title: str
     summary: str
-    bars: Sequence[Bar] = ()
+    thresholds: Sequence[Threshold] = ()
     parts: Sequence[Part] = ()
     settings: Sequence[str] = ()
     seconds: float = 0.0
@@ -92,5 +92,5 @@ class Suite:
 
     @property
     def passed(self) -> bool:
-        """Whether every bar is met; True for a suite without bars, or that was not run."""
-        return all(bar.passed for bar in self.bars)
+        """Whether every threshold is met; True without thresholds, and if it was not run."""
+        return all(threshold.passed for threshold in self.thresholds)

@@ -36,12 +36,12 @@ def haze(asymmetry: float, depth: float, *, kept: float = 1.0, thickness: float 
                 phase_function=HenyeyGreenstein(asymmetry=asymmetry),
             ),
         ),
-        own_wavelengths=(550.0,),
+        default_wavelengths=(550.0,),
     )  # fmt: skip
 
 
 def setup_of(planet: Planet, quality: str = "preview") -> Setup:
-    medium = Medium.from_planet(planet, planet.own_wavelengths)
+    medium = Medium.from_planet(planet, planet.default_wavelengths)
     return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
@@ -104,7 +104,7 @@ def test_deeper_air_that_absorbs_a_little_in_each_scattering_is_solved() -> None
 def test_diffusion_lengths_of_even_air_are_those_of_its_whole_depth() -> None:
     # sqrt(3(1 - ϖ)(1 - ϖg)) of a depth is the same at all altitudes: 1000 sqrt(3 · 0.1 · 0.55).
     planet = haze(0.5, 1000.0, kept=0.9)
-    medium = Medium.from_planet(planet, planet.own_wavelengths)
+    medium = Medium.from_planet(planet, planet.default_wavelengths)
     lengths = diffusion_lengths(medium, np.full((1, 1), 0.5))
     assert_allclose(lengths, 1e3 * np.sqrt(3.0 * 0.1 * 0.55), rtol=1e-3)
 

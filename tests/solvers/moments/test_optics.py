@@ -31,9 +31,9 @@ def haze(depth: float) -> Medium:
                 phase_function=HenyeyGreenstein(asymmetry=G),
             ),
         ),
-        own_wavelengths=(550.0,),
+        default_wavelengths=(550.0,),
     )  # fmt: skip
-    return Medium.from_planet(planet, planet.own_wavelengths)
+    return Medium.from_planet(planet, planet.default_wavelengths)
 
 
 @pytest.mark.parametrize("depth", [1e-3, 0.1, 3.0])

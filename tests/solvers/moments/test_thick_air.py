@@ -148,10 +148,10 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
                 phase_function=HenyeyGreenstein(asymmetry=0.7),
             ),
         ),
-        own_wavelengths=(550.0,),
+        default_wavelengths=(550.0,),
     )  # fmt: skip
     # The radii of a clear shell of 60 km, so that none of them is adapted to the haze.
-    medium = Medium.from_planet(planet, planet.own_wavelengths)
+    medium = Medium.from_planet(planet, planet.default_wavelengths)
     altitude = 60e3 * np.linspace(0.0, 1.0, 4097) ** 2
     grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)), np.arange(4097.0))
     rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), (6,), 14)

@@ -47,7 +47,7 @@ def planet(
     )
     return Planet(
         name="layered", bottom_radius=radius, top_radius=radius + top, ground=Ground(albedo=0.1),
-        star=Star(irradiance=1.0, angular_radius=0.0047), own_wavelengths=(550.0,),
+        star=Star(irradiance=1.0, angular_radius=0.0047), default_wavelengths=(550.0,),
         constituents=(air, layer) if gas > 0.0 else (layer,),
     )  # fmt: skip
 

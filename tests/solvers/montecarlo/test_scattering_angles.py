@@ -22,7 +22,7 @@ from airlight.planets.matter.phases import (
     TabulatedPhase,
 )
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 from airlight.solvers.montecarlo.scattering_angles import (
     EXACT,
     henyey_greenstein_cosine,
@@ -47,7 +47,7 @@ class Tilted(FormulaPhase):
     keyword = "tilted"
     formula = staticmethod(tilted)
 
-    tilt: Annotated[float, Key(label="tilt", help="-", range=(-1.0, 1.0), spectral=True)]
+    tilt: Annotated[float, Field(label="tilt", help="-", range=(-1.0, 1.0), spectral=True)]
 
 
 def table(wavelengths: tuple[float, ...] = ()) -> TabulatedPhase:

@@ -8,15 +8,15 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics.gas_absorption import reference_coefficient, small_particle_absorption
 from airlight.planets.matter.matter import Absorber
 from airlight.planets.matter.state_keys import density_key, radius_key
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import FileTable, Key, Wavelengths
-from airlight.planets.schema.kinds import Alternatives
+from airlight.planets.schema.field import Field, FileTable, Wavelengths
 from airlight.planets.schema.measures import DOBSON, column_of_gas
-from airlight.planets.schema.section import Section, spectral_of, suggestion
+from airlight.planets.schema.tagged_union import Alternatives
+from airlight.planets.schema.toml_table import TomlTable, spectral_of, suggestion
 from airlight.planets.spectral import (
     Limits,
     PerWavelength,
@@ -32,13 +32,13 @@ from airlight.planets.spectral import (
 FloatArray = npt.NDArray[np.float64]
 
 
-def _column(section: Section, name: str, wavelengths: Wavelengths) -> float:
+def _column(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
     """Read a number of molecules above an area. [m⁻²]"""
     return column_of_gas(section.required(name, "a column such as '345 DU'"), section.name_of(name))
 
 
-def _column_key(label: str, text: str, most: float, **more: Any) -> Key:
-    return Key(label=label, help=text, unit="1/m^2", range=(0.0, most), read=_column,
+def _column_key(label: str, text: str, most: float, **more: Any) -> Field:
+    return Field(label=label, help=text, unit="1/m^2", range=(0.0, most), read=_column,
                example="345 DU", shown=DOBSON, slider=(1.0, 2000.0), scale="log",
                mode="advanced", **more)  # fmt: skip
 
@@ -87,7 +87,7 @@ class OzoneAbsorption(Absorber):
         return reference_coefficient(self.column, vertical_column, ozone_cross_section(wavelengths))
 
 
-def _read_cross_section(section: Section, name: str, wavelengths: Wavelengths) -> Any:
+def _read_cross_section(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any:
     """Read the name of a table, or the numbers of a file or a list. [m²]"""
     allowed = "a table's name, a path to a CSV file, or such as '1.4e-21 cm^2'"
     value = section.required(name, allowed)
@@ -105,7 +105,7 @@ def _read_cross_section(section: Section, name: str, wavelengths: Wavelengths) -
     return spectral_of(value, "m^2", field, wavelengths)
 
 
-def _from_file(section: Section, name: str, field: str) -> PerWavelength:
+def _from_file(section: TomlTable, name: str, field: str) -> PerWavelength:
     from airlight.spectra.tables import read_spectrum_file
     from airlight.units import quantity
 
@@ -113,7 +113,7 @@ def _from_file(section: Section, name: str, field: str) -> PerWavelength:
     unit = quantity(f"1 {spectrum.unit}", "m^2", f"unit of {field}")
     if spectrum.values.ndim != 1:
         raise ParameterError(field, spectrum.columns, "a table with one column of values")
-    with section.blamed():
+    with section.prefix_errors():
         return PerWavelength(
             wavelengths=tuple(spectrum.wavelengths.tolist()),
             values=tuple((unit * spectrum.values).tolist()),
@@ -162,7 +162,7 @@ class CrossSectionAbsorption(Absorber):
 
     cross_section: Annotated[
         Any,
-        Key(
+        Field(
             label="cross-section",
             help="Absorption cross-section of one molecule.",
             note="One value or a list, the name of a table, or the path to a CSV file.",
@@ -174,7 +174,7 @@ class CrossSectionAbsorption(Absorber):
             slider=(1e-26, 1e-16),
             scale="log",
             per="wavelengths",
-            words=_areas,
+            choices=_areas,
             mode="advanced",
         ),
     ]
@@ -194,7 +194,7 @@ class CrossSectionAbsorption(Absorber):
     ) = None
     fraction: Annotated[
         float,
-        Key(
+        Field(
             label="share",
             help="Fraction of the number density.",
             range=(0.0, 1.0),
@@ -208,7 +208,7 @@ class CrossSectionAbsorption(Absorber):
             given = MISSING if self.column is None else self.column
             raise ParameterError("column", given, "a column or a number_density, one of them")
         if self.column is not None and self.fraction != 1.0:
-            raise ParameterError("fraction", self.fraction, "none beside a column")
+            raise ConflictError("fraction", "cannot be combined with column")
 
     @property
     def limits(self) -> Limits:
@@ -269,7 +269,7 @@ class SmallParticleAbsorption(Absorber):
 
     keyword = "small_particles"
     extra_keys = (
-        Key(
+        Field(
             name="index",
             label="refractive index",
             help="n + ik.",
@@ -301,10 +301,10 @@ class SmallParticleAbsorption(Absorber):
     imaginary: Annotated[Spectral, spectral(0.0, 20.0)]
 
     @classmethod
-    def declared(cls, table: FileTable | None = None) -> tuple[Key, ...]:
+    def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
         """Single key of an absorber's table, which holds a nested table."""
         return (
-            Key(
+            Field(
                 name=cls.keyword,
                 label="small particles",
                 help="Absorbing particles much smaller than the wavelength.",
@@ -318,8 +318,8 @@ class SmallParticleAbsorption(Absorber):
         )
 
     @classmethod
-    def read(cls, section: Section, wavelengths: Wavelengths = None) -> SmallParticleAbsorption:
-        """Read the table within the absorber's; see ``Record.read``."""
+    def read(cls, section: TomlTable, wavelengths: Wavelengths = None) -> SmallParticleAbsorption:
+        """Read the table within the absorber's; see ``TomlModel.read``."""
         within = section.section(cls.keyword, "a table with radius, number_density and index")
         section.finish()
         values = cls.read_values(within, wavelengths)

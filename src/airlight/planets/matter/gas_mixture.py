@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import BeforeValidator
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics import lorentz_lorenz, rayleigh
 from airlight.optics.molecules import MOLECULES
 from airlight.planets.matter.gases import density_of_state, rayleigh_of
@@ -24,8 +24,8 @@ from airlight.planets.matter.state_keys import (
     temperature_key,
 )
 from airlight.planets.parameters import MISSING, finite, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.section import Section, suggestion
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.planets.spectral import (
     Limits,
     PerWavelength,
@@ -78,7 +78,7 @@ def _depolarisation(value: Any) -> Any:
 
 
 def _read_composition(
-    section: Section, name: str, wavelengths: Wavelengths
+    section: TomlTable, name: str, wavelengths: Wavelengths
 ) -> tuple[tuple[str, float], ...]:
     """Read formula and fraction of each gas; the nearest to a misspelt formula is suggested."""
     table = section.section(name, "a table such as { N2 = 0.79, O2 = 0.21 }")
@@ -92,7 +92,7 @@ def _read_composition(
 
 
 #: Key of any gas in the table ``composition``: its formula.
-SHARE: Final = Key(
+SHARE: Final = Field(
     name="*",
     label="share",
     help="Mole fraction; the other gases are rescaled in proportion.",
@@ -170,7 +170,7 @@ class GasMixture(Matter):
     composition: Annotated[
         Any,
         BeforeValidator(_composition),
-        Key(
+        Field(
             label="composition",
             help="Mole fractions.",
             note="The sum must be 1 within 1 %; the fractions are normalised.",
@@ -192,7 +192,7 @@ class GasMixture(Matter):
     gravity: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="gravity",
                 help="Gravity, from which the scale height RT/(Mg) follows.",
                 note="Required without a `profile`.",
@@ -233,7 +233,7 @@ class GasMixture(Matter):
 
     def __post_init__(self) -> None:
         if self.pressure is not None and self.temperature is None:
-            raise ParameterError("temperature", MISSING, "one beside a pressure")
+            raise ConflictError("pressure", "requires temperature")
         if self.number_density > 0.0 and self.refractivity is not None:
             self._check_refractivity(self.refractivity)
         elif (self.refractivity_temperature, self.refractivity_pressure) != (None, None):

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics import king_factor, rayleigh, refractive_index
 from airlight.optics.lorentz_lorenz import refractivity_at
 from airlight.planets.matter.matter import Scatterer
@@ -21,9 +21,9 @@ from airlight.planets.matter.state_keys import (
     temperature_key,
 )
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.kinds import Alternatives
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.tagged_union import Alternatives
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import (
     EVERYWHERE,
     Limits,
@@ -110,7 +110,7 @@ def rayleigh_of(depolarisations: FloatArray, wavelengths: npt.ArrayLike) -> Rayl
 
 #: Keys that a mass density needs beside it.
 _MASS_KEYS: Final = (
-    Key(
+    Field(
         name="mass_density",
         label="mass density",
         help="Mass density of the gas where its profile is 1.",
@@ -120,11 +120,11 @@ _MASS_KEYS: Final = (
         open_ends=True,
         example="1.225 kg/m^3",
         slider=(1e-4, 100.0),
-        typed=(1e-12, 1e6),
+        input_range=(1e-12, 1e6),
         scale="log",
         mode="advanced",
     ),
-    Key(
+    Field(
         name="molar_mass",
         label="molar mass",
         help="Molar mass of the gas.",
@@ -145,7 +145,7 @@ class _Molecules(Scatterer):
     extra_keys = _MASS_KEYS
 
     @classmethod
-    def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
+    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
         """Fields; the number density from mass density and molar mass if these are given."""
         values = super().read_values(section, wavelengths)
         if not any(key.name in section for key in _MASS_KEYS):
@@ -188,14 +188,14 @@ class GasScattering(_Molecules):
 
     gas: Annotated[
         str,
-        Key(
+        Field(
             name="rayleigh",
             label="gas",
             help="Gas with tabulated refractivity and depolarisation.",
             note="`air`: refractivity of Peck & Reeder (1972), King factor of Bates (1984), 230 to"
             " 1690 nm; `co2`: Bideau-Mehu et al. (1973), Alms et al. (1975), 180.7 to 1694.5 nm.",
             kind="choice",
-            words=lambda: tuple(GASES),
+            choices=lambda: tuple(GASES),
             mode="advanced",
         ),
     ]
@@ -282,7 +282,7 @@ class RefractiveScattering(_Molecules):
     ) = None
     king_factor: Annotated[
         Spectral,
-        Key(
+        Field(
             label="King factor",
             help="1 for round molecules.",
             range=(1.0, 2.0),
@@ -300,7 +300,7 @@ class RefractiveScattering(_Molecules):
     def __post_init__(self) -> None:
         density_of_state(self.number_density, self.temperature, self.pressure)
         if self.king_factor != 1.0 and self.depolarisation != 0.0:
-            raise ParameterError("king_factor", self.king_factor, "none beside a depolarisation")
+            raise ConflictError("king_factor", "cannot be combined with depolarisation")
 
     @property
     def limits(self) -> Limits:

@@ -15,13 +15,13 @@ import numpy.typing as npt
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.matter.phases import PhaseFunction
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.spectral import Limits
 
 FloatArray = npt.NDArray[np.float64]
 
 
-class Absorber(Record, ABC):
+class Absorber(TomlModel, ABC):
     """Absorption of a constituent, as a parameter object."""
 
     @property
@@ -42,7 +42,7 @@ class Absorber(Record, ABC):
         """
 
 
-class Scatterer(Record, ABC):
+class Scatterer(TomlModel, ABC):
     """Scattering of molecules, as a parameter object; they bend light too."""
 
     bends: ClassVar[bool] = True
@@ -65,7 +65,7 @@ class Scatterer(Record, ABC):
         """Phase function, known at these wavelengths [nm], shape (nl,)."""
 
 
-class Matter(Record, ABC):
+class Matter(TomlModel, ABC):
     """Scattering, absorption and phase function of a constituent, as one parameter object.
 
     Attributes

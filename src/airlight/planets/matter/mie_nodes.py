@@ -30,7 +30,7 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks, thread_count
 from airlight.optics import mie, phase_table, ripples, size_distribution
 from airlight.optics.mie import Scattering
 from airlight.optics.ripples import ripple_means
-from airlight.optics.size_distribution import Sizes
+from airlight.optics.size_distribution import SizeNodes
 from airlight.planets.matter.particle_index import ParticleIndex
 from airlight.planets.matter.particle_sizes import ParticleSizes
 from airlight.planets.spectral import Limits
@@ -218,12 +218,12 @@ def _checked_work(sizes: ParticleSizes, wavelengths: Sequence[float]) -> float:
     return work
 
 
-def _size_parameter(sizes: Sizes, wavelength: float) -> float:
+def _size_parameter(sizes: SizeNodes, wavelength: float) -> float:
     """Largest size parameter of some radii. [1]"""
     return 2.0 * np.pi * float(sizes.radii[-1]) / (1e-9 * wavelength)
 
 
-def _radii(sizes: ParticleSizes, wavelength: float) -> Sizes:
+def _radii(sizes: ParticleSizes, wavelength: float) -> SizeNodes:
     few = sizes.sizes(_FEWEST_RADII)
     largest = min(_size_parameter(few, wavelength), mie.LARGEST_SIZE_PARAMETER)
     return few if largest <= _FEWEST_RADII else sizes.sizes(int(_RADII_PER_SIZE * largest))

@@ -12,10 +12,10 @@ import numpy.typing as npt
 from airlight.optics.effective_medium import maxwell_garnett
 from airlight.optics.index_table import read_index
 from airlight.planets.parameters import instance_of, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.kinds import Alternatives
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.tagged_union import Alternatives
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import (
     Limits,
     PerWavelength,
@@ -32,7 +32,7 @@ ComplexArray = npt.NDArray[np.complex128]
 _LONGEST_OWN: Final = 40
 
 
-class ParticleIndex(Record, ABC):
+class ParticleIndex(TomlModel, ABC):
     """Complex refractive index n + ik."""
 
     @property
@@ -42,7 +42,7 @@ class ParticleIndex(Record, ABC):
 
     @property
     @abstractmethod
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Wavelengths of the given values, few enough to compute at each. [nm]"""
 
     @abstractmethod
@@ -58,22 +58,22 @@ def index_words() -> tuple[str, ...]:
     return tuple(index_names())
 
 
-def read_particle_index(section: Section, name: str, wavelengths: Wavelengths) -> ParticleIndex:
+def read_particle_index(section: TomlTable, name: str, wavelengths: Wavelengths) -> ParticleIndex:
     """Read the index of a key: a table's name, a path, numbers or a mixture."""
     allowed = "the name of a table, or a table such as { real = 1.5, … }"
     value = section.required(name, allowed)
     if isinstance(value, str):
         table = value if value in index_words() else str(section.beside(value))
-        with section.blamed():
+        with section.prefix_errors():
             return TableIndex(table=table if table.endswith(".csv") else value)
     within = section.section(name, allowed)
     kind = MixedIndex if MixedIndex.keyword in within else GivenIndex
     return kind.read(within, wavelengths)
 
 
-def index_key(label: str, text: str, **more: Any) -> Key:
+def index_key(label: str, text: str, **more: Any) -> Field:
     """Key whose value is a refractive index."""
-    return Key(label=label, help=text, kind="choice", table="index", words=index_words,
+    return Field(label=label, help=text, kind="choice", table="index", choices=index_words,
                read=read_particle_index, mode="advanced", **more)  # fmt: skip
 
 
@@ -93,7 +93,7 @@ class GivenIndex(ParticleIndex):
 
     real: Annotated[
         Spectral,
-        Key(
+        Field(
             label="index, real part",
             help="Real part n of the refractive index.",
             range=(0.1, 10.0),
@@ -106,7 +106,7 @@ class GivenIndex(ParticleIndex):
     ]
     imaginary: Annotated[
         Spectral,
-        Key(
+        Field(
             label="index, imaginary part",
             help="Imaginary part k of the refractive index.",
             range=(0.0, 10.0),
@@ -126,7 +126,7 @@ class GivenIndex(ParticleIndex):
         return spectral_limits(self.real, self.imaginary)
 
     @property
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Wavelengths of the given values. [nm]"""
         own: set[float] = set()
         for value in (self.real, self.imaginary):
@@ -161,7 +161,7 @@ class TableIndex(ParticleIndex):
         return read_index(self.table).limits
 
     @property
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Empty: tables have many rows."""
         return ()
 
@@ -196,7 +196,7 @@ class MixedIndex(ParticleIndex):
     ]
     fraction: Annotated[
         float,
-        Key(
+        Field(
             label="share of the grains",
             help="Volume fraction of the inclusions (Maxwell Garnett).",
             range=(0.0, 1.0),
@@ -211,9 +211,9 @@ class MixedIndex(ParticleIndex):
         return narrowest([self.matrix.limits, self.inclusions.limits])
 
     @property
-    def own_wavelengths(self) -> tuple[float, ...]:
+    def tabulated_wavelengths(self) -> tuple[float, ...]:
         """Wavelengths of the given values of both. [nm]"""
-        own = {*self.matrix.own_wavelengths, *self.inclusions.own_wavelengths}
+        own = {*self.matrix.tabulated_wavelengths, *self.inclusions.tabulated_wavelengths}
         low, high = self.limits
         return tuple(sorted(nm for nm in own if low <= nm <= high))
 

@@ -7,15 +7,15 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Final
 
 from airlight.optics import size_distribution as distribution
-from airlight.optics.size_distribution import Sizes
+from airlight.optics.size_distribution import SizeNodes
 from airlight.planets.matter.state_keys import radius_key
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.key import Key
-from airlight.planets.schema.kinds import Kinds
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.tagged_union import TaggedUnion
+from airlight.planets.schema.toml_model import TomlModel
 
 
-class ParticleSizes(Record, ABC):
+class ParticleSizes(TomlModel, ABC):
     """Distribution of the radii of particles."""
 
     @abstractmethod
@@ -23,13 +23,13 @@ class ParticleSizes(Record, ABC):
         """Mean of r^power. [m^power]"""
 
     @abstractmethod
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Nodes over the distribution."""
 
     @classmethod
-    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Table with usual values near the radius that the old table had; see ``Record.fresh``."""
-        table = super().fresh(old, thickness)
+    def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """Default table near the radius of the old one; see ``TomlModel.default_table``."""
+        table = super().default_table(old, thickness)
         radii = [value for name, value in old.items() if name.endswith("radius")]
         return {
             name: radii[0] if radii and name.endswith("radius") else value
@@ -56,16 +56,16 @@ class GammaSizes(ParticleSizes):
     ]
     effective_variance: Annotated[
         float,
-        Key(
+        Field(
             label="effective variance",
             help="Width of the size distribution.",
             range=(0.0, 0.5),
             open_ends=True,
             example="0.3",
             slider=(0.01, 0.49),
-            typed=(1e-3, 0.499),
+            input_range=(1e-3, 0.499),
             mode="advanced",
-            fresh=0.2,
+            initial=0.2,
         ),
     ]
 
@@ -73,7 +73,7 @@ class GammaSizes(ParticleSizes):
         """Mean of r^power. [m^power]"""
         return distribution.gamma_moment(power, self.effective_radius, self.effective_variance)
 
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Nodes over the distribution."""
         return distribution.gamma_sizes(self.effective_radius, self.effective_variance, count)
 
@@ -98,14 +98,14 @@ class LogNormalSizes(ParticleSizes):
     ]
     geometric_deviation: Annotated[
         float,
-        Key(
+        Field(
             label="geometric deviation",
             help="Geometric standard deviation, a factor about the median radius.",
             range=(1.0, 5.0),
             example="1.6",
             slider=(1.0, 3.0),
             mode="advanced",
-            fresh=1.5,
+            initial=1.5,
         ),
     ]
 
@@ -115,7 +115,7 @@ class LogNormalSizes(ParticleSizes):
             return float(self.median_radius**power)
         return distribution.log_normal_moment(power, self.median_radius, self.geometric_deviation)
 
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Nodes over the distribution."""
         if self.geometric_deviation == 1.0:
             return distribution.single_size(self.median_radius)
@@ -140,13 +140,13 @@ class SingleSize(ParticleSizes):
         """Mean of r^power. [m^power]"""
         return float(self.radius**power)
 
-    def sizes(self, count: int) -> Sizes:
+    def sizes(self, count: int) -> SizeNodes:
         """Single radius, whatever the number of nodes."""
         return distribution.single_size(self.radius)
 
 
 #: Kinds of ``sizes = { kind = … }``.
-SIZES: Final[Kinds[ParticleSizes]] = Kinds(
+SIZES: Final[TaggedUnion[ParticleSizes]] = TaggedUnion(
     (GammaSizes, LogNormalSizes, SingleSize),
     label="sizes",
     help="Size distribution of the radii.",

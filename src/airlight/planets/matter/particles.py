@@ -27,8 +27,8 @@ from airlight.planets.matter.particle_sizes import SIZES, ParticleSizes
 from airlight.planets.matter.phases import TabulatedPhase
 from airlight.planets.matter.state_keys import depth_key
 from airlight.planets.parameters import MISSING, instance_of, parameters
-from airlight.planets.schema.key import Key, Wavelengths, always
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, Wavelengths, always
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import Limits, narrowest
 from airlight.units import values_in
 
@@ -42,7 +42,7 @@ _RADII: Final = 400
 METHODS: Final = ("mie", "anomalous-diffraction")
 
 
-def _sizes(section: Section, name: str, wavelengths: Wavelengths) -> ParticleSizes:
+def _sizes(section: TomlTable, name: str, wavelengths: Wavelengths) -> ParticleSizes:
     return SIZES.read(section.section(name, "a table such as { kind = 'gamma', … }"))
 
 
@@ -103,7 +103,7 @@ class Particles(Matter):
     sizes: Annotated[
         ParticleSizes,
         instance_of(ParticleSizes),
-        Key(
+        Field(
             label="sizes",
             help="Sizes of the particles.",
             kind="table",
@@ -126,7 +126,7 @@ class Particles(Matter):
     number_density: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="number density",
                 help="Number density where the profile is 1.",
                 unit="1/m^3",
@@ -142,7 +142,7 @@ class Particles(Matter):
     ) = None
     at: Annotated[
         float,
-        Key(
+        Field(
             label="wavelength of the optical depth",
             help="Wavelength at which the optical depth is given.",
             unit="nm",
@@ -155,13 +155,13 @@ class Particles(Matter):
     ] = 550.0
     method: Annotated[
         str,
-        Key(
+        Field(
             label="method",
             help="Method: exact Mie theory for spheres, or van de Hulst's anomalous diffraction.",
             note="The latter needs a `phase_function` and takes 9 to 13 % off the extinction of"
             " Martian dust.",
             kind="choice",
-            words=lambda: METHODS,
+            choices=lambda: METHODS,
             mode="advanced",
             offered=always,
         ),
@@ -207,7 +207,7 @@ class Particles(Matter):
     @property
     def _nodes(self) -> tuple[float, ...]:
         spacing = NARROW_SPACING if nearly_one_size(self.sizes) else SPACING
-        return node_wavelengths(self.limits, self.index.own_wavelengths, spacing)
+        return node_wavelengths(self.limits, self.index.tabulated_wavelengths, spacing)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Extinction and scattering cross-section of the mean particle, each shape (nl,). [m²]

@@ -12,7 +12,7 @@ from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.state_keys import albedo_key, depth_key
 from airlight.planets.parameters import MISSING, parameters
-from airlight.planets.schema.key import Key, always
+from airlight.planets.schema.field import Field, always
 from airlight.planets.spectral import EVERYWHERE, Limits
 from airlight.units import values_in
 
@@ -31,8 +31,8 @@ def _no_phase_function() -> ParameterError:
     return ParameterError("phase_function", MISSING, "one, since turbidity has none of its own")
 
 
-def _turbidity_key(**more: Any) -> Key:
-    return Key(label="turbidity", help="1 is clear air, 2 clean, 10 thick haze.",
+def _turbidity_key(**more: Any) -> Field:
+    return Field(label="turbidity", help="1 is clear air, 2 clean, 10 thick haze.",
                range=(1.0, 100.0), example="2", slider=(1.0, 10.0), mode="advanced",
                **more)  # fmt: skip
 
@@ -91,7 +91,7 @@ class Turbidity(_Haze):
     rayleigh_optical_depth: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="optical depth of the gas",
                 help="Vertical optical depth of the clear air at 550 nm.",
                 range=(0.0, 1e3),
@@ -116,7 +116,7 @@ class Turbidity(_Haze):
     junge: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="Junge exponent",
                 help="Junge exponent of the size distribution; 4 makes the haze vary as λ^-2.",
                 note="Scattering and absorption vary as λ^-(v-2).",
@@ -129,7 +129,7 @@ class Turbidity(_Haze):
     angstrom: (
         Annotated[
             float,
-            Key(
+            Field(
                 label="Ångström exponent",
                 help="Exponent of the haze's decrease with wavelength.",
                 note="Alternative to the Junge exponent.",
@@ -240,7 +240,7 @@ class LiteralTurbidity(_Haze):
     ]
     junge: Annotated[
         float,
-        Key(
+        Field(
             label="Junge exponent",
             help="The published equation holds for 4 only.",
             range=(4.0, 4.0),

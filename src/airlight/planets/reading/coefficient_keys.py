@@ -6,7 +6,7 @@ from typing import Final
 
 from airlight.planets.constituent import coefficient_key
 from airlight.planets.matter.state_keys import albedo_key, depth_key
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 
 EXTINCTION: Final = coefficient_key(
     "extinction",
@@ -24,4 +24,4 @@ DEPTH: Final = depth_key(
     note="Divided by the profile's column when the file is read.",
 )
 #: Keys in the order in which an editor shows them.
-COEFFICIENT_KEYS: Final[tuple[Key, ...]] = (EXTINCTION, ALBEDO, DEPTH)
+COEFFICIENT_KEYS: Final[tuple[Field, ...]] = (EXTINCTION, ALBEDO, DEPTH)

@@ -13,9 +13,9 @@ from airlight.planets.matter.matter import Absorber, Scatterer
 from airlight.planets.matter.profiles import Profile
 from airlight.planets.parameters import MISSING
 from airlight.planets.reading.coefficient_keys import ALBEDO, DEPTH, EXTINCTION
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.record import fields_of
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_model import fields_of
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import PerWavelength, Spectral
 
 _SCATTERING = fields_of(Constituent)["scattering"]
@@ -36,7 +36,7 @@ COEFFICIENTS: Final = tuple(dict.fromkeys(name for form in _FORMS for name in fo
 
 
 def read_coefficients(
-    section: Section,
+    section: TomlTable,
     wavelengths: Wavelengths,
     profile: Profile,
     thickness: float,
@@ -45,7 +45,7 @@ def read_coefficients(
 
     Parameters
     ----------
-    section : Section
+    section : TomlTable
         Table of the constituent.
     wavelengths : tuple of float or None
         Wavelengths that its lists belong to. [nm]
@@ -81,7 +81,7 @@ def read_coefficients(
     return scattering, read_absorption(section, wavelengths)
 
 
-def read_scattering(section: Section, wavelengths: Wavelengths) -> Spectral | Scatterer:
+def read_scattering(section: TomlTable, wavelengths: Wavelengths) -> Spectral | Scatterer:
     """Read the key ``scattering``: a coefficient, or molecules that scatter. [m⁻¹]"""
     if not isinstance(section.raw("scattering"), dict):
         return section.spectral("scattering", "1/m", _SCATTERING.example, wavelengths)
@@ -89,12 +89,12 @@ def read_scattering(section: Section, wavelengths: Wavelengths) -> Spectral | Sc
     return SCATTERERS.read(section.section("scattering", allowed), wavelengths)
 
 
-def read_absorption(section: Section, wavelengths: Wavelengths) -> Spectral | Absorber:
+def read_absorption(section: TomlTable, wavelengths: Wavelengths) -> Spectral | Absorber:
     """Read the key ``absorption``: a coefficient, an absorber, or 0 if it is absent.
 
     Parameters
     ----------
-    section : Section
+    section : TomlTable
         Table of the constituent.
     wavelengths : tuple of float or None
         Wavelengths that its lists belong to. [nm]
@@ -113,7 +113,7 @@ def read_absorption(section: Section, wavelengths: Wavelengths) -> Spectral | Ab
 
 
 def _from_extinction(
-    section: Section,
+    section: TomlTable,
     given: tuple[str, ...],
     wavelengths: Wavelengths,
     profile: Profile,
@@ -144,8 +144,8 @@ def _from_extinction(
     )
 
 
-def _column(section: Section, profile: Profile, thickness: float) -> float:
-    with section.blamed():
+def _column(section: TomlTable, profile: Profile, thickness: float) -> float:
+    with section.prefix_errors():
         column = profile.column(thickness)
     if not column > 0.0:
         raise ParameterError(
@@ -154,13 +154,13 @@ def _column(section: Section, profile: Profile, thickness: float) -> float:
     return column
 
 
-def _given(key: Key, section: Section, wavelengths: Wavelengths) -> Spectral:
+def _given(key: Field, section: TomlTable, wavelengths: Wavelengths) -> Spectral:
     """Value of a key that is present, within its range."""
     value: Spectral = key.checked(key.read_from(section, wavelengths), section.name_of(key.name))
     return value
 
 
-def _over(depth: Spectral, column: float, section: Section) -> Spectral:
+def _over(depth: Spectral, column: float, section: TomlTable) -> Spectral:
     """Extinction at relative density 1 that gives an optical depth. [m⁻¹]"""
     values = [_in_range(one / column, section, "extinction") for one in _listed(depth, None)]
     if isinstance(depth, PerWavelength):
@@ -174,7 +174,7 @@ def _listed(value: Spectral, wavelengths: Wavelengths) -> tuple[float, ...]:
     return (value,) * len(wavelengths or (0.0,))
 
 
-def _in_range(value: float, section: Section, key: str) -> float:
+def _in_range(value: float, section: TomlTable, key: str) -> float:
     if not 0.0 <= value <= LARGEST_COEFFICIENT:
         allowed = f"0 to {LARGEST_COEFFICIENT:g} /m, as implied"
         raise ParameterError(section.name_of(key), value, allowed)
@@ -184,7 +184,7 @@ def _in_range(value: float, section: Section, key: str) -> float:
 def _combined(
     formula: str,
     wavelengths: Wavelengths,
-    section: Section,
+    section: TomlTable,
     key: str,
     spectra: tuple[Spectral, ...],
     fractions: tuple[Spectral, ...] = (),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.constituent import Constituent
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PHASES
@@ -14,16 +14,16 @@ from airlight.planets.reading.coefficient_reader import (
     read_coefficients,
 )
 from airlight.planets.reading.tables import MATTER
-from airlight.planets.schema.key import Wavelengths
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Wavelengths
+from airlight.planets.schema.toml_table import TomlTable
 
 
-def read_constituent(section: Section, thickness: float) -> Constituent:
+def read_constituent(section: TomlTable, thickness: float) -> Constituent:
     """Read a constituent from its table.
 
     Parameters
     ----------
-    section : Section
+    section : TomlTable
     thickness : float
         Thickness of the shell, over which optical depths are spread. [m]
     """
@@ -42,7 +42,7 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
         scattering, absorption = 0.0, read_absorption(section, wavelengths)
     amount = section.number("amount", "1", "2") if "amount" in section else 1.0
     section.finish()
-    with section.blamed():
+    with section.prefix_errors():
         return Constituent(
             name=name,
             amount=amount,
@@ -54,17 +54,15 @@ def read_constituent(section: Section, thickness: float) -> Constituent:
         )
 
 
-def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
-    """Matter of the constituent, if given; beside it only absorption is given."""
+def _matter(section: TomlTable, wavelengths: Wavelengths) -> Matter | None:
+    """Matter of the constituent, if given; it can be combined with absorption only."""
     given = [kind for kind in MATTER if kind.keyword in section]
     if not given:
         return None
     kind = given[0]
     for name in (*(other.keyword for other in given[1:]), *COEFFICIENTS):
         if name != "absorption" and name in section:
-            raise ParameterError(
-                section.name_of(name), section.raw(name), f"none beside {kind.keyword!r}"
-            )
+            raise ConflictError(section.name_of(name), f"cannot be combined with {kind.keyword}")
     table = section.section(kind.keyword, f"a table such as {kind.example}")
     matter = kind.read(table, wavelengths)
     if matter.needs_phase and "phase_function" not in section:
@@ -76,10 +74,13 @@ def _matter(section: Section, wavelengths: Wavelengths) -> Matter | None:
     return matter
 
 
-def _profile_of(section: Section, matter: Matter | None) -> Profile:
+def _profile_of(section: TomlTable, matter: Matter | None) -> Profile:
     """Profile given, or the exponential that temperature and gravity give to a gas."""
     if matter is not None and "profile" not in section:
-        with section.blamed(), Section({}, section.name_of(matter.keyword)).blamed():
+        with (
+            section.prefix_errors(),
+            TomlTable({}, section.name_of(matter.keyword)).prefix_errors(),
+        ):
             height = matter.own_scale_height()
             if height is not None:
                 return Exponential(scale_height=height)

@@ -8,12 +8,12 @@ from typing import Any
 from airlight.errors import ParameterError
 from airlight.planets.reading.nested_tables import Tables, joined, steps_of
 from airlight.planets.reading.tables import keys_of
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 from airlight.planets.schema.measures import listed
-from airlight.planets.schema.section import suggestion
+from airlight.planets.schema.toml_table import suggestion
 
 
-def key_at(tables: Tables, path: str) -> Key:
+def key_at(tables: Tables, path: str) -> Field:
     """Declaration of the key at a path; items of a list have the list's key.
 
     Raises
@@ -86,7 +86,7 @@ def is_flat(value: Any) -> bool:
     return isinstance(value, list) and not any(isinstance(one, dict) for one in value)
 
 
-def declared_key(kind: str, name: str, path: str, table: Tables | None) -> Key:
+def declared_key(kind: str, name: str, path: str, table: Tables | None) -> Field:
     """Declaration of a key: from the table's own variant, else from any that has the key."""
     for declared in (keys_of(kind, table), keys_of(kind)) if kind else ():
         for key in declared:

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Final
 
 from airlight.planets.reading.tables import TABLES, keys_of
-from airlight.planets.schema.key import Key
-from airlight.planets.schema.kinds import Alternatives, Kinds
+from airlight.planets.schema.field import Field
+from airlight.planets.schema.tagged_union import Alternatives, TaggedUnion
 
 _BLOCK: Final = re.compile(r"<!-- keys: (\w+) -->\n.*?<!-- end of keys -->", flags=re.DOTALL)
 #: Largest number of words listed in a cell; more are described as tables.
@@ -55,7 +55,7 @@ def key_table(kind: str) -> str:
     lines: list[str] = []
     table = TABLES[kind]
     keys = keys_of(kind)
-    if isinstance(table, Kinds):
+    if isinstance(table, TaggedUnion):
         lines += _of_kinds(table)
         keys = tuple(key for key in keys if key.name != "kind")
         lines += [""] if keys else []
@@ -64,12 +64,12 @@ def key_table(kind: str) -> str:
     return "\n".join(lines) + "\n"
 
 
-def rows_of(keys: Sequence[Key], which: Sequence[str] = ()) -> str:
+def rows_of(keys: Sequence[Field], which: Sequence[str] = ()) -> str:
     """Table of keys in Markdown: value, default and meaning of each.
 
     Parameters
     ----------
-    keys : sequence of Key
+    keys : sequence of Field
         Declarations.
     which : sequence of str
         Names of keys of which one has to be given.
@@ -81,7 +81,7 @@ def rows_of(keys: Sequence[Key], which: Sequence[str] = ()) -> str:
     return "\n".join(lines)
 
 
-def _of_kinds(kinds: Kinds[Any]) -> Iterator[str]:
+def _of_kinds(kinds: TaggedUnion[Any]) -> Iterator[str]:
     """Rows of a table of kinds: the word, its keys, and the first line of its class."""
     yield "| `kind` | keys | |"
     yield "|---|---|---|"
@@ -99,10 +99,10 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|")
 
 
-def _value(key: Key) -> str:
+def _value(key: Field) -> str:
     """Allowed values: words, a table, a range in the unit in which it is edited."""
     parts = []
-    words = key.words()
+    words = key.choices()
     if key.kind == "text":
         parts.append("text")
     elif key.kind == "table":
@@ -123,7 +123,7 @@ def _value(key: Key) -> str:
     return " or ".join(parts)
 
 
-def _range(key: Key) -> str:
+def _range(key: Field) -> str:
     unit = "" if key.shown_unit == "1" else f" {key.shown_unit}"
     low, high = key.limits
     if math.isfinite(low) and math.isfinite(high):
@@ -142,7 +142,7 @@ def _number(value: float) -> str:
     return re.sub(r"e([+-])0*", lambda sign: "e" + sign[1].strip("+"), f"{value:.4g}")
 
 
-def _left_out(key: Key, *, one_of: bool) -> str:
+def _left_out(key: Field, *, one_of: bool) -> str:
     if one_of:
         return "one of these"
     if key.required:
@@ -154,5 +154,5 @@ def _left_out(key: Key, *, one_of: bool) -> str:
     return f"{default}" if isinstance(default, str) else ""
 
 
-def _meaning(key: Key) -> str:
+def _meaning(key: Field) -> str:
     return _cell(" ".join(part for part in (key.help, key.note) if part))

@@ -11,15 +11,15 @@ from typing import Any, Final, Protocol, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from airlight.errors import Collector, FileError, ParameterError
+from airlight.errors import Collector, ConflictError, FileError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.planets.reading.constituent_reader import read_constituent
 from airlight.planets.reading.overrides import overridden, with_hint
-from airlight.planets.schema.record import fields_of
-from airlight.planets.schema.section import Section, suggestion
+from airlight.planets.schema.toml_model import fields_of
+from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.planets.star import Star
 
 #: Largest size of a planet file. [byte]
@@ -95,8 +95,7 @@ def load_planet(
     made = getattr(name_or_path, "planet", None) if made is None else made
     if isinstance(made, Planet):
         if overrides:
-            allowed = "none for a Planet, which has no file: a preset or a path, or replace()"
-            raise ParameterError("overrides", dict(overrides), allowed)
+            raise ConflictError("overrides", "do not apply to a Planet object: use replace()")
         return made
     if not isinstance(name_or_path, (str, Path)):
         allowed = "a Planet, a solution, the name of a preset, or the path to a TOML file"
@@ -258,7 +257,7 @@ def read_tables(
     """
     try:
         changed = tables if overrides is None else overridden(tables, overrides)
-        planet = _planet(Section(changed, folder=folder))
+        planet = _planet(TomlTable(changed, folder=folder))
         # Refuse here, where the file is known.
         Medium.from_planet(planet, wavelengths(planet), progress=progress, cancel=cancel)
         return planet
@@ -276,7 +275,7 @@ def declared_planet(tables: Mapping[str, Any], folder: Path | None = None) -> Pl
     ParameterError
         If a table or a value is invalid.
     """
-    return _planet(Section(tables, folder=folder))
+    return _planet(TomlTable(tables, folder=folder))
 
 
 def nested_tables(text: str, file: str) -> dict[str, Any]:
@@ -302,7 +301,7 @@ def nested_tables(text: str, file: str) -> dict[str, Any]:
         raise FileError(file, f"is not TOML: {error}") from None
 
 
-def _planet(root: Section) -> Planet:
+def _planet(root: TomlTable) -> Planet:
     keys = fields_of(Planet)
     collector = Collector()
     own: dict[str, Any] = {}
@@ -325,7 +324,7 @@ def _planet(root: Section) -> Planet:
     with collector:
         allowed = "a table [star] with a spectrum and an angular_radius"
         own["star"] = Star.read(root.section("star", allowed))
-    sections: list[Section] = []
+    sections: list[TomlTable] = []
     with collector:
         sections = root.sections("constituents", "a list of tables [[constituents]]")
     if {"bottom_radius", "top_radius"} <= set(own):

@@ -18,8 +18,8 @@ from airlight.planets.matter.profiles import PROFILES, BulkGas, Layer
 from airlight.planets.matter.turbidity import LiteralTurbidity, Turbidity
 from airlight.planets.planet import Planet
 from airlight.planets.reading.coefficient_keys import COEFFICIENT_KEYS
-from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key
-from airlight.planets.schema.record import fields_of
+from airlight.planets.schema.field import WAVELENGTHS, Field, FileTable
+from airlight.planets.schema.toml_model import fields_of
 from airlight.planets.star import Star
 
 #: Kinds of matter of a constituent, by the key of its table.
@@ -34,17 +34,17 @@ MATTER: Final[tuple[type[Matter], ...]] = (
 class KindOfTable(Protocol):
     """Object that declares the keys of one kind of table."""
 
-    def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
+    def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
         """Keys that this table may have, or any table of the kind."""
 
 
 class _Listed:
     """Kind of table whose keys are a list."""
 
-    def __init__(self, *keys: Key) -> None:
+    def __init__(self, *keys: Field) -> None:
         self._keys = keys
 
-    def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
+    def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
         """Keys of the list."""
         return self._keys
 
@@ -53,7 +53,7 @@ def _planet() -> _Listed:
     """Keys of a whole file: those of a planet, with the shell's in a nested table."""
     own = Planet.declared()
     first = next(i for i, key in enumerate(own) if key.kind == "table")
-    shell = Key(name="shell", label="shell", help="Radii of the atmosphere.", kind="table",
+    shell = Field(name="shell", label="shell", help="Radii of the atmosphere.", kind="table",
                 table="shell", required=True)  # fmt: skip
     return _Listed(*own[:first], shell, *own[first:])
 
@@ -63,14 +63,14 @@ def _constituent() -> _Listed:
     own = {key.name: key for key in Constituent.declared()}
     phase = own.pop("phase_function")
     made_of = [
-        Key(name=one.keyword, label=one.label, help=one.help, kind="table", table=one.keyword)
+        Field(name=one.keyword, label=one.label, help=one.help, kind="table", table=one.keyword)
         for one in MATTER
     ]
     first = [own.pop("name"), own.pop("profile"), WAVELENGTHS]
     return _Listed(*first, *own.values(), *COEFFICIENT_KEYS, *made_of, phase)
 
 
-#: Kinds of table by the name that ``Key.table`` uses.
+#: Kinds of table by the name that ``Field.table`` uses.
 TABLES: Final[dict[str, KindOfTable]] = {
     "planet": _planet(),
     "shell": _Listed(*(key for key in fields_of(Planet).values() if key.within == "shell")),
@@ -93,7 +93,7 @@ TABLES: Final[dict[str, KindOfTable]] = {
 }
 
 
-def keys_of(kind: str, table: FileTable | None = None) -> tuple[Key, ...]:
+def keys_of(kind: str, table: FileTable | None = None) -> tuple[Field, ...]:
     """Keys of a kind of table.
 
     Parameters

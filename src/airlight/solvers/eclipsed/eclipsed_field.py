@@ -22,10 +22,10 @@ from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, horizon_cosine
 from airlight.kernel import compiled_loop, disk
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.kernel.without_refcount import without_refcount
 from airlight.solvers.eclipsed.eclipsed_march import (
     LOCAL_SHADOW,
     SCATTERING_CORRECTION,
@@ -318,7 +318,7 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
     sky : array, shape (angles, w)
         Receives that of the sky's irradiance, at the lowest nodes.
     """
-    light, shadow, work, spare = borrowed((light, shadow, work, spare))
+    light, shadow, work, spare = without_refcount((light, shadow, work, spare))
     lanes, star = light.lanes, shadow.star
     up_nodes, up_weights, down_nodes, down_weights, azimuths = directions
     result = np.empty(2 * lanes, np.float32)

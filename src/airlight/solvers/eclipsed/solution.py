@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel import compiled_loop
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.threads import Cancel, Progress, run_blocks
+from airlight.kernel.without_refcount import without_refcount
 from airlight.solvers.eclipsed.eclipsed_field import eclipsed_field
 from airlight.solvers.eclipsed.eclipsed_march import TOTAL, eclipsed_ground_light, line_eclipsed
 from airlight.solvers.eclipsed.shadow_tables import (
@@ -153,7 +153,7 @@ def _way(r: FloatArray, mu: FloatArray, sine: FloatArray, solution: MomentsSolut
 
 @compiled_loop
 def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, work, spare, out):
-    light, shadow, work, spare = borrowed((light, shadow, work, spare))
+    light, shadow, work, spare = without_refcount((light, shadow, work, spare))
     result = np.empty(2 * light.lanes, np.float32)
     for k in range(length.size):
         if length[k] <= 0.0 and not to_ground[k]:
@@ -168,7 +168,7 @@ def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, wor
 
 @compiled_loop
 def _ground(at, light, shadow, work, spare, out):
-    light, shadow, work, spare = borrowed((light, shadow, work, spare))
+    light, shadow, work, spare = without_refcount((light, shadow, work, spare))
     for k in range(at.shape[0]):
         eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, light, shadow, work, spare)
         for at_lane in range(light.lanes):

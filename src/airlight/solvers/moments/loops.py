@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from airlight.kernel.subnormals import _exchange
+from airlight.kernel.denormals import _exchange
 from airlight.optics.altitude_nodes import _refine
 from airlight.optics.density_profile import _relative_densities, segment_density
 from airlight.optics.phase_functions import cornette_shanks, rayleigh

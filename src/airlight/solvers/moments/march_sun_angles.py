@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import MAX_EDGES
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
+from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.altitude_nodes import node_value
 from airlight.solvers.moments.forward_peak import add_peaks, peak_fraction, peak_gain
 from airlight.solvers.moments.harmonics import (
@@ -163,7 +163,7 @@ def scattering_by_constituent(
 def _march_all(
     r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, light, work, stars, out
 ):  # fmt: skip
-    light, work, stars = borrowed((light, work, stars))
+    light, work, stars = without_refcount((light, work, stars))
     apart = False
     if not delta_scaled:
         for k in range(light.scaled_extinction.size):

@@ -61,7 +61,7 @@ _ALIASED: Final = 0.4
 _CLOSE_TO_TOP: Final = 0.05
 _MORE_DIRECTIONS: Final = 8
 #: Number of tables of columns that are kept: edits of coefficients do not change them.
-_KEPT: Final = 4
+_CACHE_SIZE: Final = 4
 
 _tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
 _lock = threading.Lock()
@@ -370,6 +370,6 @@ def _columns(
     made = table, mean_density_ratios(table)
     with _lock:
         _tables[key] = made
-        while len(_tables) > _KEPT:
+        while len(_tables) > _CACHE_SIZE:
             _tables.popitem(last=False)
     return made

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from airlight.geometry.bending import bend_angle, turned
 from airlight.kernel import compiled_loop
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import run_blocks
+from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.reflection import leaving_cosine
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
@@ -363,7 +363,7 @@ def _march_all(
     r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, light, work,
     out,
 ):  # fmt: skip
-    light, work = borrowed((light, work))
+    light, work = without_refcount((light, work))
     lanes, bottom = light.lanes, light.bottom
     found, ground = work.found, np.empty(lanes, np.float32)
     for k in range(r.size):

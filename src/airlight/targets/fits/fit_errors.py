@@ -21,7 +21,7 @@ from airlight.solvers import solve
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.solution import Solution
 from airlight.targets.fits.formula_planet import FormulaPlanet
-from airlight.targets.target import ErrorRow, Findings
+from airlight.targets.target import ErrorRow, ExportReport
 
 FloatArray = NDArray[np.float64]
 
@@ -67,7 +67,7 @@ def findings(
     *,
     notes: tuple[str, ...] = (),
     progress: Progress | None = None,
-) -> Findings:
+) -> ExportReport:
     """Account of a fitted planet.
 
     Parameters
@@ -83,7 +83,7 @@ def findings(
     progress : callable, optional
         See ``airlight.kernel.threads``.
     """
-    return Findings(
+    return ExportReport(
         fitted=fit.fitted,
         errors=fit_errors(solution, held, progress=progress),
         notes=(*fit.notes, *notes),

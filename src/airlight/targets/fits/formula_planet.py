@@ -27,7 +27,7 @@ from airlight.planets.spectral import PerWavelength
 from airlight.planets.star import Star
 from airlight.targets.fits.lobe import Lobe, LobeForm, particles_lobe
 from airlight.targets.fits.vertical_profile import VerticalProfile, fit_exponential, fit_tent
-from airlight.targets.target import Fitted
+from airlight.targets.target import FittedFormula
 
 FloatArray = NDArray[np.float64]
 
@@ -69,7 +69,7 @@ class FormulaPlanet:
     ----------
     planet : Planet
         Constituents ``molecules``, ``particles`` and ``absorber``, those that it has.
-    fitted : tuple of Fitted
+    fitted : tuple of FittedFormula
         Fits with their errors.
     notes : tuple of str
         What is left out.
@@ -78,7 +78,7 @@ class FormulaPlanet:
     """
 
     planet: Planet
-    fitted: tuple[Fitted, ...]
+    fitted: tuple[FittedFormula, ...]
     notes: tuple[str, ...]
     g: float
 
@@ -98,7 +98,7 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
     gas, particles = groups(medium)
     others = [index for index in range(len(medium.names)) if index not in particles]
     columns = medium.columns[:, None]
-    fitted: list[Fitted] = []
+    fitted: list[FittedFormula] = []
     notes = _left_out(medium)
     constituents: list[Constituent] = []
     scattered = (medium.scattering * columns)[gas].sum(axis=0)
@@ -118,7 +118,7 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
             taken, absorbed = taken + absorbed, none
         lobe = particles_lobe(medium, formulas.lobe)
         assert lobe is not None
-        fitted.append(_account(lobe))
+        fitted.append(_fitted_formula(lobe))
         g = lobe.g
         phase = formulas.lobe.phase_function(g)
         constituents.append(layer(PARTICLES, profile, medium, held, taken, phase))
@@ -150,7 +150,7 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
             angular_radius=math.degrees(medium.star_angular_radius),
         ),
         constituents=tuple(constituents),
-        own_wavelengths=tuple(medium.wavelengths.tolist()),
+        default_wavelengths=tuple(medium.wavelengths.tolist()),
     )
     return FormulaPlanet(planet=planet, fitted=tuple(fitted), notes=tuple(notes), g=g)
 
@@ -220,7 +220,7 @@ def _fitted_profile(
     coefficients: FloatArray,
     name: str,
     form: Literal["exponential", "tent"],
-    fitted: list[Fitted],
+    fitted: list[FittedFormula],
 ) -> Profile:
     """Density of several constituents together, weighted by coefficients of all wavelengths."""
     weights = coefficients[list(members)].mean(axis=1)
@@ -240,7 +240,7 @@ def _fitted_profile(
         profile = exponential
     names = " + ".join(medium.names[index] for index in members if coefficients[index].any())
     fitted.append(
-        Fitted(
+        FittedFormula(
             name=f"{names}: density",
             form=f"{form}, as {name}",
             parameters=parameters,
@@ -251,8 +251,8 @@ def _fitted_profile(
     return profile
 
 
-def _account(lobe: Lobe) -> Fitted:
-    return Fitted(
+def _fitted_formula(lobe: Lobe) -> FittedFormula:
+    return FittedFormula(
         name=f"{PARTICLES}: phase function",
         form=lobe.form.name,
         parameters={"g": lobe.g, "mean cosine": lobe.mean_cosine},
@@ -261,12 +261,12 @@ def _account(lobe: Lobe) -> Fitted:
     )
 
 
-def _rayleigh(medium: Medium, gas: Sequence[int]) -> Fitted:
+def _rayleigh(medium: Medium, gas: Sequence[int]) -> FittedFormula:
     """Rayleigh's function without depolarisation for that of the molecules."""
     nu = np.linspace(-1.0, 1.0, 181)
     own = medium.phase_function(nu)[:, list(gas)]
     plain = Rayleigh().values(nu, medium.wavelengths)[:, None, :]
-    return Fitted(
+    return FittedFormula(
         name=f"{MOLECULES}: phase function",
         form="Rayleigh without depolarisation",
         parameters={},
@@ -276,7 +276,7 @@ def _rayleigh(medium: Medium, gas: Sequence[int]) -> Fitted:
 
 
 def _limited(
-    scattered: FloatArray, absorbed: FloatArray, formulas: Formulas, fitted: list[Fitted]
+    scattered: FloatArray, absorbed: FloatArray, formulas: Formulas, fitted: list[FittedFormula]
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Optical depths of particles as a program holds them, and scattering left to the molecules.
 
@@ -301,13 +301,13 @@ def _limited(
 
 
 def _note_color(
-    fitted: list[Fitted],
+    fitted: list[FittedFormula],
     form: str,
     errors: dict[str, float],
     parameters: dict[str, float] | None = None,
 ) -> None:
     fitted.append(
-        Fitted(
+        FittedFormula(
             name=f"{PARTICLES}: colour",
             form=form,
             parameters=parameters or {},

@@ -20,7 +20,7 @@ from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Solution
 from airlight.solvers.solve import solve
-from airlight.targets.target import Fitted
+from airlight.targets.target import FittedFormula
 
 FloatArray = NDArray[np.float64]
 
@@ -46,13 +46,13 @@ class SkyColour:
     ----------
     sky, sun : array, shape (3,)
         Linear sRGB per spectral radiance of sky and star. [nm]
-    fitted : tuple of Fitted
+    fitted : tuple of FittedFormula
         Account.
     """
 
     sky: FloatArray
     sun: FloatArray
-    fitted: tuple[Fitted, ...]
+    fitted: tuple[FittedFormula, ...]
 
 
 def channel_factors(wavelengths: FloatArray, spectrum: FloatArray, power: float) -> FloatArray:
@@ -123,7 +123,7 @@ def fit_sky_colour(solution: Solution) -> SkyColour:
     found = minimize(mean, start, method="Nelder-Mead", bounds=near, options={"xatol": 1e-4})
     best = np.exp(found.x)
     differences = color_difference(light * best, colours)
-    fitted = Fitted(
+    fitted = FittedFormula(
         name="colour of the sky",
         form="one factor for each of three wavelengths",
         parameters={

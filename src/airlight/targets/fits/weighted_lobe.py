@@ -22,7 +22,7 @@ from scipy.optimize import minimize_scalar, nnls
 
 from airlight.kernel import vectorized
 from airlight.optics.phase_functions import cornette_shanks, rayleigh
-from airlight.targets.target import Fitted
+from airlight.targets.target import FittedFormula
 
 FloatArray = NDArray[np.float64]
 
@@ -50,14 +50,14 @@ class WeightedLobe:
         Weights w of the lobe's table. [1]
     smooth : array, shape (kinds, nl, angles)
         Weights v of the table that Rayleigh's function multiplies. [1]
-    fitted : tuple of Fitted
+    fitted : tuple of FittedFormula
         Account of each kind.
     """
 
     g: float
     lobe: FloatArray
     smooth: FloatArray
-    fitted: tuple[Fitted, ...]
+    fitted: tuple[FittedFormula, ...]
 
 
 def fit_weighted_lobe(
@@ -113,7 +113,7 @@ def fit_weighted_lobe(
     alone = _solve(g_alone, nu, plain, goal, smooth=False)[1]
     where = f"{NEAREST:g} to 180 deg from the sun, denser near it"
     fitted = tuple(
-        Fitted(
+        FittedFormula(
             name=f"{name}: phase function",
             form=f"Cornette-Shanks times weights at the table's {angles} angles to the sun",
             parameters={"g": g},

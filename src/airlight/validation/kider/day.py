@@ -14,8 +14,14 @@ from airlight.fit.scans import Scans, read_scan_file
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.planet import Planet
 from airlight.solvers.solve import solve
-from airlight.validation.kider.fits import LoadFit, LoadModel
-from airlight.validation.kider.planets import EVERYBODYS, Inputs, Load, best_inputs, planet
+from airlight.validation.kider.fits import AerosolFit, AerosolModel
+from airlight.validation.kider.planets import (
+    PUBLISHED_INPUTS,
+    AngstromLaw,
+    Inputs,
+    best_inputs,
+    planet,
+)
 
 FloatArray = NDArray[np.float64]
 
@@ -24,7 +30,7 @@ FILES: Final = "kider*.npz"
 
 
 @dataclass(frozen=True, eq=False)
-class Row:
+class DayRow:
     """Model of a day, by parameters that are known before its score.
 
     Attributes
@@ -35,7 +41,7 @@ class Row:
         Ingredients of the planet; a fitted load replaces theirs.
     predicted : array, shape (ns, nd, nl)
         [W m⁻² sr⁻¹ nm⁻¹]
-    fit : LoadFit or None
+    fit : AerosolFit or None
         Fit to all scans, if the load is fitted.
     left_out : bool
         Whether each scan was predicted by the fit to the others.
@@ -44,7 +50,7 @@ class Row:
     name: str
     inputs: Inputs
     predicted: FloatArray
-    fit: LoadFit | None = None
+    fit: AerosolFit | None = None
     left_out: bool = False
 
 
@@ -56,18 +62,18 @@ class Day:
     ----------
     file : Path
     scans : Scans
-    rows : list of Row
+    rows : list of DayRow
     counted : int
         Number of the row that counts: the load fitted, one scan left out.
     """
 
     file: Path
     scans: Scans
-    rows: list[Row]
+    rows: list[DayRow]
     counted: int
 
     @property
-    def row(self) -> Row:
+    def row(self) -> DayRow:
         """Row that counts."""
         return self.rows[self.counted]
 
@@ -120,22 +126,22 @@ def compute_day(
             progress(done, count, f"{scans.date}, {message}")
         done += 1
 
-    def known(name: str, inputs: Inputs) -> Row:
+    def known(name: str, inputs: Inputs) -> DayRow:
         step(name)
         air = planet(inputs, scans, data)
         solution = solve(air, scans.wavelengths, quality, cache=False, cancel=cancel)
-        return Row(name, inputs, scans.seen(solution))
+        return DayRow(name, inputs, scans.seen(solution))
 
-    def planet_of(load: Load) -> Planet:
+    def planet_of(load: AngstromLaw) -> Planet:
         return planet(replace(best, load=load), scans, data)
 
-    def model_of(*, with_scale: bool) -> LoadModel:
-        return LoadModel(
+    def model_of(*, with_scale: bool) -> AerosolModel:
+        return AerosolModel(
             planet_of, scans, best.load, with_scale=with_scale, quality=quality, cancel=cancel
         )
 
     rows = [
-        known("inputs of all published models", EVERYBODYS),
+        known("inputs of all published models", PUBLISHED_INPUTS),
         known("best known inputs, nothing fitted", best),
     ]
     step("load fitted")
@@ -145,8 +151,8 @@ def compute_day(
     step("load and instrument's scale fitted")
     scaled = model_of(with_scale=True).fitted()
     rows += [
-        Row("load fitted to all scans", best, whole.predicted, whole),
-        Row("load fitted, the scored scan left out", best, left_out, whole, True),
-        Row("load and instrument's scale fitted to all scans", best, scaled.predicted, scaled),
+        DayRow("load fitted to all scans", best, whole.predicted, whole),
+        DayRow("load fitted, the scored scan left out", best, left_out, whole, True),
+        DayRow("load and instrument's scale fitted to all scans", best, scaled.predicted, scaled),
     ]
     return Day(file=file, scans=scans, rows=rows, counted=3)

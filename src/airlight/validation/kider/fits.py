@@ -9,14 +9,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.fit.least_squares import Data, Fitted, fit
-from airlight.fit.parameter import Parameter
+from airlight.fit.least_squares import Data, FitResult, fit
+from airlight.fit.parameter import FitParameter
 from airlight.fit.scans import Scans
-from airlight.fit.sky_model import Directions, Nuisance, SkyModel
+from airlight.fit.sky_model import Nuisance, ObservedDirections, SkyModel
 from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.kernel.threads import Cancel
 from airlight.planets.planet import Planet
-from airlight.validation.kider.planets import Load
+from airlight.validation.kider.planets import AngstromLaw
 
 FloatArray = NDArray[np.float64]
 
@@ -27,27 +27,27 @@ _LARGEST_TURN: Final = 1.5
 
 
 @dataclass(frozen=True, eq=False)
-class LoadFit:
+class AerosolFit:
     """Aerosol's load that is nearest to measured scans.
 
     Attributes
     ----------
-    load : Load
+    load : AngstromLaw
     scale : float
         Factor of the model's radiances; 1 unless it was fitted. [1]
-    fitted : Fitted
+    fitted : FitResult
         Values, error bars and correlations.
     predicted : array, shape (ns, nd, nl)
         Radiance of the model. [W m⁻² sr⁻¹ nm⁻¹]
     """
 
-    load: Load
+    load: AngstromLaw
     scale: float
-    fitted: Fitted
+    fitted: FitResult
     predicted: FloatArray
 
 
-class LoadModel:
+class AerosolModel:
     """Model of scans by the aerosol's optical depth at 550 nm and its Ångström exponent.
 
     The score of a model is its absolute error, so the fit takes all radiances as equally uncertain;
@@ -58,8 +58,8 @@ class LoadModel:
     planet_of : callable
         Planet for a load.
     scans : Scans
-    start : Load
-        Load to begin with.
+    start : AngstromLaw
+        Starting values.
     with_scale : bool
         Whether the instrument's scale is fitted too.
     quality : str
@@ -69,13 +69,13 @@ class LoadModel:
     """
 
     def __init__(
-        self, planet_of: Callable[[Load], Planet], scans: Scans, start: Load, *,
+        self, planet_of: Callable[[AngstromLaw], Planet], scans: Scans, start: AngstromLaw, *,
         with_scale: bool = False, quality: str = "default", cancel: Cancel | None = None,
     ) -> None:  # fmt: skip
         self.scans, self.quality = scans, quality
         shape = scans.radiance.shape
         pairs = np.broadcast_to(scans.sun_zenith[:, None], shape[:2])
-        directions = Directions(
+        directions = ObservedDirections(
             altitude=np.zeros(pairs.size),
             sun_zenith=pairs.ravel(),
             view_zenith=scans.view_zenith.ravel(),
@@ -83,16 +83,16 @@ class LoadModel:
             scan=np.repeat(np.arange(shape[0]), shape[1]),
         )
         every, all_scans = np.ones(scans.radiance.size, bool), np.ones(shape[0], bool)
-        scale = Parameter(name="scale", start=1.0, low=0.2, high=5.0, least_step=0.01)
+        scale = FitParameter(name="scale", start=1.0, low=0.2, high=5.0, least_step=0.01)
         nuisances = [Nuisance(parameter=scale, kind="factor", values=every, scans=all_scans)]
         self.model = SkyModel(
-            planet_of=lambda values: planet_of(_load_of(values)),
+            planet_of=lambda values: planet_of(_aerosol_of(values)),
             parameters=(
-                Parameter(
+                FitParameter(
                     name="aerosol.optical_depth", start=float(start.optical_depth(550.0)), low=0.0,
                     high=5.0, least_step=0.002,
                 ),
-                Parameter(
+                FitParameter(
                     name="aerosol.angstrom", start=start.alpha, low=-2.0, high=4.5, least_step=0.05
                 ),
             ),
@@ -106,15 +106,15 @@ class LoadModel:
         self.rough = replace(self.model, quality=smooth("preview"))
 
     def fitted(
-        self, kept: NDArray[np.bool_] | None = None, begin: LoadFit | None = None
-    ) -> LoadFit:
+        self, kept: NDArray[np.bool_] | None = None, begin: AerosolFit | None = None
+    ) -> AerosolFit:
         """Fit to all scans, or to some.
 
         Parameters
         ----------
         kept : array of bool, shape (ns,), optional
             Scans that are fitted.
-        begin : LoadFit, optional
+        begin : AerosolFit, optional
             Fit to begin with, if one is near.
         """
         shape = self.scans.radiance.shape
@@ -134,19 +134,21 @@ class LoadModel:
             near = self.model.planet_of(start[: len(self.model.parameters)])
             self.model.quality = smooth_near(self.quality, near, self.scans.wavelengths)
         found = fit(_Part(self.model, values), data, parameters, start=start)
-        return LoadFit(
-            load=_load_of(found.values),
+        return AerosolFit(
+            load=_aerosol_of(found.values),
             scale=float(found.values[2]) if found.values.size > 2 else 1.0,
             fitted=found,
             predicted=self.model(found.values).reshape(shape),
         )
 
-    def left_out(self, whole: LoadFit, progress: Callable[[int], None] | None = None) -> FloatArray:
+    def left_out(
+        self, whole: AerosolFit, progress: Callable[[int], None] | None = None
+    ) -> FloatArray:
         """Radiance of each scan by the fit to all others, shape (ns, nd, nl).
 
         Parameters
         ----------
-        whole : LoadFit
+        whole : AerosolFit
             Fit to all scans, where each of these fits begins.
         progress : callable, optional
             Called with the number of each scan.
@@ -174,9 +176,9 @@ class _Part:
         return self.model.derivative(values, index, central=central)[self.values]
 
 
-def _load_of(values: FloatArray) -> Load:
-    """Load of an optical depth at 550 nm and an exponent."""
-    return Load(beta=float(values[0] * 0.55 ** values[1]), alpha=float(values[1]))
+def _aerosol_of(values: FloatArray) -> AngstromLaw:
+    """Ångström law of an optical depth at 550 nm and an exponent."""
+    return AngstromLaw(beta=float(values[0] * 0.55 ** values[1]), alpha=float(values[1]))
 
 
 def fit_pointing(

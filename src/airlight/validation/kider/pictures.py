@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from airlight.fit.scans import Scans
 from airlight.plots.figure import GREY, LINE_STYLES, PALETTE, grid, new_figure
 from airlight.validation.kider.scans import MILLI, rmse_per_scan
-from airlight.validation.suite import Picture
+from airlight.validation.suite import ReportPicture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,7 +27,7 @@ _WIDEST: Final = 40.0
 _UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 
 
-def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> Picture:
+def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> ReportPicture:
     """Root mean square errors of several models by scan, by wavelength and by angle from the sun.
 
     Parameters
@@ -65,7 +65,7 @@ def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> Picture:
         axes.set_ylim(bottom=0.0)
         grid(axes)
     figure.legend(loc="outside lower center", ncols=len(rows), fontsize=9)
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure,
         title=title,
         caption="The error near the sun weighs much in few directions; in the middle, the steps of "
@@ -74,7 +74,7 @@ def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> Picture:
     )
 
 
-def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> Picture:
+def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> ReportPicture:
     """Measured and computed domes and their relative difference, for some scans.
 
     Parameters
@@ -106,7 +106,7 @@ def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> Pi
         last.set_title(f"{scans.time[k]}, {name} over measured", fontsize=9)
         figure.colorbar(sky, ax=panels[row, :2], shrink=0.8, label=_UNIT)
         figure.colorbar(apart, ax=last, shrink=0.8, label="%")
-    return Picture.from_figure(
+    return ReportPicture.from_figure(
         figure,
         title=title,
         caption="Mean over the wavelengths. Zenith in the middle, rim at 78° from it, sun (circle) "

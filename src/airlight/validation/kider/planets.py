@@ -50,7 +50,7 @@ OZONE: Final = 345.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class Load:
+class AngstromLaw:
     """Ångström's law of the aerosol's optical depth, τ = β λ^-α with λ in µm.
 
     Attributes
@@ -67,21 +67,21 @@ class Load:
 
         Examples
         --------
-        >>> f"{float(Load(beta=0.04, alpha=0.8).optical_depth(1000.0)):.3f}"
+        >>> f"{float(AngstromLaw(beta=0.04, alpha=0.8).optical_depth(1000.0)):.3f}"
         '0.040'
         """
         return np.asarray(self.beta * (np.asarray(wavelengths, dtype=float) / 1e3) ** -self.alpha)
 
 
-#: Load of all published models: Bruneton (2017), section 3.
-EVERYBODYS_LOAD: Final = Load(beta=0.04, alpha=0.8)
-#: Load measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245, 0.1252,
-#: 0.1283 and Ångström exponent from 440 to 870 nm 1.175, 1.119, 0.999, 0.929, 0.862, means of
-#: the five almucantars that the phase function is the mean of. AERONET, Egbert, level 1.5, version
-#: 2; PI: N. O'Neill, I. Abboud, V. Fioletov.
-AERONET_LOAD: Final = Load(beta=0.12199 * 0.44**1.0166, alpha=1.0166)
+#: Ångström law of all published models: Bruneton (2017), section 3.
+PUBLISHED_AEROSOL: Final = AngstromLaw(beta=0.04, alpha=0.8)
+#: Ångström law measured 500 km away that morning: optical depth at 440 nm 0.1139, 0.1180, 0.1245,
+#: 0.1252, 0.1283, and Ångström exponent from 440 to 870 nm 1.175, 1.119, 0.999, 0.929, 0.862, means
+#: of the five almucantars of the phase function. AERONET, Egbert, level 1.5, version 2; PI:
+#: N. O'Neill, I. Abboud, V. Fioletov.
+AERONET_AEROSOL: Final = AngstromLaw(beta=0.12199 * 0.44**1.0166, alpha=1.0166)
 #: Single-scattering albedo of all published models; AERONET retrieved none.
-EVERYBODYS_ALBEDO: Final = 0.8
+PUBLISHED_ALBEDO: Final = 0.8
 #: Single-scattering albedo of clean continental air: Hess, Koepke & Schult (1998), BAMS 79, 831,
 #: Table 4, at 550 nm.
 CLEAN_ALBEDO: Final = 0.972
@@ -103,8 +103,8 @@ class Inputs:
         Pressure at the ground. [Pa]
     ozone : float
         [DU]
-    load : Load
-        Load of the aerosol.
+    load : AngstromLaw
+        Optical depth of the aerosol.
     single_scattering_albedo : float
         Single-scattering albedo of the aerosol. [1]
     aeronet_phase : bool
@@ -116,20 +116,20 @@ class Inputs:
     measured_air: bool = False
     pressure: float = SEA_LEVEL
     ozone: float = 0.0
-    load: Load = EVERYBODYS_LOAD
-    single_scattering_albedo: float = EVERYBODYS_ALBEDO
+    load: AngstromLaw = PUBLISHED_AEROSOL
+    single_scattering_albedo: float = PUBLISHED_ALBEDO
     aeronet_phase: bool = False
 
 
 #: Inputs of all published models.
-EVERYBODYS: Final = Inputs()
+PUBLISHED_INPUTS: Final = Inputs()
 #: Best known inputs of the day.
 BEST: Final = Inputs(
     measured_sun=True,
     measured_air=True,
     pressure=SITE,
     ozone=OZONE,
-    load=AERONET_LOAD,
+    load=AERONET_AEROSOL,
     aeronet_phase=True,
 )
 
@@ -143,9 +143,9 @@ def steps() -> list[tuple[str, Inputs]]:
         (f"air: {SITE / 100:.0f} hPa of the site for 1013", {"pressure": SITE}),
         (f"ozone, {OZONE:g} DU", {"ozone": OZONE}),
         ("aerosol: AERONET's phase function", {"aeronet_phase": True}),
-        ("aerosol: AERONET's optical depth and exponent", {"load": AERONET_LOAD}),
+        ("aerosol: AERONET's optical depth and exponent", {"load": AERONET_AEROSOL}),
     )
-    inputs, out = EVERYBODYS, []
+    inputs, out = PUBLISHED_INPUTS, []
     for name, change in named_steps:
         inputs = replace(inputs, **change)
         out.append((name, inputs))
@@ -286,7 +286,7 @@ def best_inputs(folder: Path, date: str) -> Inputs:
     if date == DAY:
         return BEST
     measured = aeronet_file(folder, date) is not None
-    return replace(BEST, load=EVERYBODYS_LOAD, aeronet_phase=measured)
+    return replace(BEST, load=PUBLISHED_AEROSOL, aeronet_phase=measured)
 
 
 def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) -> TabulatedPhase:
@@ -298,7 +298,7 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
     Parameters
     ----------
     folder : Path
-        Folder of reference data, as given by ``--data``.
+        Folder of reference data.
     wavelengths : array, shape (n,)
         Ascending. [nm]
     date : str

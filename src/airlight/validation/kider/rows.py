@@ -13,13 +13,13 @@ from airlight.fit.scans import Scans
 from airlight.kernel.threads import Cancel, Progress
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.solve import solve
-from airlight.validation.kider.fits import LoadModel, fit_pointing
+from airlight.validation.kider.fits import AerosolModel, fit_pointing
 from airlight.validation.kider.planets import (
-    AERONET_LOAD,
+    AERONET_AEROSOL,
     BEST,
     CLEAN_ALBEDO,
+    AngstromLaw,
     Inputs,
-    Load,
     planet,
     steps,
 )
@@ -46,7 +46,7 @@ class Rows:
         Radiance after each ingredient, from everybody's inputs to the best. [W m⁻² sr⁻¹ nm⁻¹]
     fitted : array, shape (ns, nd, nl)
         Best physics with the fitted load.
-    load : Load
+    load : AngstromLaw
         Fitted load.
     clean : array
         Best physics with the single-scattering albedo of clean continental air.
@@ -62,7 +62,7 @@ class Rows:
     floor: float
     ladder: list[tuple[str, FloatArray]]
     fitted: FloatArray
-    load: Load
+    load: AngstromLaw
     clean: FloatArray
     turns: FloatArray
     turned: FloatArray
@@ -133,8 +133,8 @@ def compute(
     known = solution(BEST, named_steps[-1][0])
     ladder.append((named_steps[-1][0], scans.seen(known)))
     report("fit of the aerosol's load")
-    found = LoadModel(
-        lambda load: planet(replace(BEST, load=load), scans, data), scans, AERONET_LOAD,
+    found = AerosolModel(
+        lambda load: planet(replace(BEST, load=load), scans, data), scans, AERONET_AEROSOL,
         quality=quality, cancel=cancel,
     ).fitted()  # fmt: skip
     clean = radiance(replace(BEST, single_scattering_albedo=CLEAN_ALBEDO), "a brighter aerosol")

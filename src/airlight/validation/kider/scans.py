@@ -24,7 +24,7 @@ def read_scans(folder: Path) -> Scans:
     Parameters
     ----------
     folder : Path
-        Folder of reference data, as given by ``--data``.
+        Folder of reference data.
 
     Raises
     ------

@@ -14,13 +14,13 @@ from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers import Solution
 from airlight.validation.published.row import Solve
-from airlight.validation.suite import Bar, Part, ReportTable
+from airlight.validation.suite import Part, ReportTable, Threshold
 
 FloatArray = NDArray[np.float64]
 
 FILE: Final = "data/coulson-corrected.csv"
 #: Allowed difference of the radiance at fine quality [%], and of Q/I and U/I [1].
-RADIANCE_BAR, DEGREE_BAR = 0.1, 0.001
+RADIANCE_THRESHOLD, DEGREE_THRESHOLD = 0.1, 0.001
 #: Cosine of the star's zenith angle, and optical depth, of all values. [1]
 SUN, DEPTH = 0.2, 0.5
 _HEIGHT, _SCALE_HEIGHT = 100e3, 8e3
@@ -98,15 +98,15 @@ def differences(solution: Solution, values: Values) -> tuple[FloatArray, FloatAr
     ]
 
 
-def flat_air(solve: Solve) -> tuple[list[Bar], list[Part]]:
-    """Bars and table of the comparison.
+def flat_air(solve: Solve) -> tuple[list[Threshold], list[Part]]:
+    """Thresholds and table of the comparison.
 
     Parameters
     ----------
     solve : callable
         See ``published.row.Solve``.
     """
-    bars, rows = [], []
+    thresholds, rows = [], []
     for quality, times in (("default", RADII[-1]), *(("fine", one) for one in RADII)):
         light, degree = [], []
         for albedo, values in coulson_values().items():
@@ -125,13 +125,13 @@ def flat_air(solve: Solve) -> tuple[list[Bar], list[Part]]:
         if quality == "fine":
             source = "the aim; corrected Coulson tables"
             name = f"Rayleigh air on {times} radii, fine"
-            bars += [
-                Bar(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_BAR, unit="%",
-                    source=source),
-                Bar(name=f"{name}: Q/I and U/I", got=float(max(degree)), allowed=DEGREE_BAR,
-                    source=source),
+            thresholds += [
+                Threshold(name=f"{name}: I", got=float(max(light)), allowed=RADIANCE_THRESHOLD,
+                    unit="%", source=source),
+                Threshold(name=f"{name}: Q/I and U/I", got=float(max(degree)),
+                    allowed=DEGREE_THRESHOLD, source=source),
             ]  # fmt: skip
-    return bars, [
+    return thresholds, [
         ReportTable(
             title="Flat Rayleigh air of depth 0.5 against the corrected Coulson tables",
             columns=["quality", "radii", "albedo", "μ", "azimuth [°]", "I [%]", "Q/I", "U/I"],

@@ -19,7 +19,7 @@ from airlight.validation.agreement import LEAST_RADIANCE, NOISE
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.finite_disc import with_point_star
 from airlight.validation.metrics import beyond_noise, relative_errors, summarise
-from airlight.validation.suite import Bar, Part, Progress, ReportTable
+from airlight.validation.suite import Part, Progress, ReportTable, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ HISTORIES: Final = Settings(relative_error=0.003, most_histories=65_536)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Air:
+class PolarisedPlanet:
     """Planet whose light is judged, and the effort that its histories take.
 
     Attributes
@@ -62,11 +62,11 @@ class Air:
 
 
 #: Air with molecules and a formula's aerosol; with Mie's droplets and soot; dust; thick cloud.
-AIRS: Final = (
-    Air(planet="earth"),
-    Air(planet="earth-hazy"),
-    Air(planet="mars"),
-    Air(
+PLANETS: Final = (
+    PolarisedPlanet(planet="earth"),
+    PolarisedPlanet(planet="earth-hazy"),
+    PolarisedPlanet(planet="mars"),
+    PolarisedPlanet(
         planet="venus",
         histories=Settings(relative_error=0.02, most_histories=16_384),
         level=70e3,
@@ -172,7 +172,7 @@ def beside(
     cases : sequence of Case
         Lines of sight.
     level, noise :
-        See ``Air``. [m], [1]
+        See ``PolarisedPlanet``. [m], [1]
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -198,14 +198,14 @@ def beside(
 
 
 def histories(
-    *, airs: Sequence[Air] = AIRS, cases: Sequence[Case] = CASES,
+    *, airs: Sequence[PolarisedPlanet] = PLANETS, cases: Sequence[Case] = CASES,
     progress: Progress | None = None, cancel: Cancel | None = None,
-) -> tuple[list[Bar], list[Part]]:  # fmt: skip
-    """Bars and tables of the comparison.
+) -> tuple[list[Threshold], list[Part]]:  # fmt: skip
+    """Thresholds and tables of the comparison.
 
     Parameters
     ----------
-    airs : sequence of Air
+    airs : sequence of PolarisedPlanet
     cases : sequence of Case
         Lines of sight.
     progress, cancel : callable, optional
@@ -216,7 +216,7 @@ def histories(
     Cancelled
         If ``cancel`` returned True.
     """
-    bars, rows = [], []
+    thresholds, rows = [], []
     lines: list[Part] = []
     for air in airs:
         if cancel is not None and cancel():
@@ -233,8 +233,8 @@ def histories(
             planet, histories=air.histories, cases=taken, level=air.level, noise=air.noise,
             progress=tell, cancel=cancel,
         )  # fmt: skip
-        bars.append(
-            Bar(
+        thresholds.append(
+            Threshold(
                 name=f"{air.planet}: values that noise, 1 % of I and {DEGREE:g} of the degree do "
                 "not explain",
                 got=100.0 * float(found.disagree.sum() / max(found.judged.sum(), 1)),
@@ -243,7 +243,7 @@ def histories(
         )  # fmt: skip
         rows.append((air.planet, *summary(found)))
         lines.append(line_table(air, taken, len(cases), found))
-    return bars, [
+    return thresholds, [
         ReportTable(
             title="Moments against vector Monte Carlo",
             columns=[
@@ -289,12 +289,14 @@ def summary(found: Beside) -> tuple[str, ...]:
     )  # fmt: skip
 
 
-def line_table(air: Air, cases: Sequence[Case], whole: int, found: Beside) -> ReportTable:
+def line_table(
+    air: PolarisedPlanet, cases: Sequence[Case], whole: int, found: Beside
+) -> ReportTable:
     """Every line of sight of a planet: difference ± noise at each wavelength.
 
     Parameters
     ----------
-    air : Air
+    air : PolarisedPlanet
     cases : sequence of Case, length n
         Lines of sight that were taken.
     whole : int

@@ -8,7 +8,7 @@ from airlight.validation.polarised.histories import histories
 from airlight.validation.polarised.neutral_points import neutral_points
 from airlight.validation.polarised.round_air import round_air
 from airlight.validation.published.row import solver
-from airlight.validation.suite import Bar, Cancel, Part, Progress, Suite
+from airlight.validation.suite import Cancel, Part, Progress, Suite, Threshold
 
 
 def polarisation(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
@@ -25,13 +25,13 @@ def polarisation(*, progress: Progress | None = None, cancel: Cancel | None = No
         If ``cancel`` returned True.
     """
     solve = solver(progress, cancel)
-    bars: list[Bar] = []
+    thresholds: list[Threshold] = []
     parts: list[Part] = []
     for section in (flat_air, round_air, neutral_points):
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
         more, shown = section(solve)
-        bars += more
+        thresholds += more
         parts += shown
     more, shown = histories(progress=progress, cancel=cancel)
     return Suite(
@@ -43,7 +43,7 @@ def polarisation(*, progress: Progress | None = None, cancel: Cancel | None = No
             "against vector Monte Carlo, and the neutral points of a clear sky. Energy is "
             "conserved by polarised light in the suite `energy`."
         ),
-        bars=[*bars, *more],
+        thresholds=[*thresholds, *more],
         parts=[*parts, *shown],
         settings=["point stars; frame and signs: docs/notation.md"],
     )

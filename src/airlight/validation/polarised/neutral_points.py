@@ -9,7 +9,7 @@ from airlight.observables.neutral_points import neutral_points as zeros
 from airlight.planets import load_planet
 from airlight.solvers import Solution
 from airlight.validation.published.row import Solve
-from airlight.validation.suite import Bar, Part, ReportTable
+from airlight.validation.suite import Part, ReportTable, Threshold
 
 #: Distances at which the points are found, from the star or from the point opposite. [deg]
 LOWEST, HIGHEST = 10.0, 25.0
@@ -48,8 +48,8 @@ def neutral_distances(solution: Solution, sun_zenith: float) -> dict[str, float]
     }
 
 
-def neutral_points(solve: Solve) -> tuple[list[Bar], list[Part]]:
-    """Bars and table of the points of a clear sky.
+def neutral_points(solve: Solve) -> tuple[list[Threshold], list[Part]]:
+    """Thresholds and table of the points of a clear sky.
 
     Parameters
     ----------
@@ -57,20 +57,20 @@ def neutral_points(solve: Solve) -> tuple[list[Bar], list[Part]]:
         See ``published.row.Solve``.
     """
     solution = solve(load_planet(_PLANET), (_WAVELENGTH,), "default")
-    bars, rows = [], []
+    thresholds, rows = [], []
     for sun, names in _SUNS:
         found = neutral_distances(solution, sun)
         for name in names:
             distance = found[name]
             middle, half = 0.5 * (LOWEST + HIGHEST), 0.5 * (HIGHEST - LOWEST)
-            bars.append(
-                Bar(
+            thresholds.append(
+                Threshold(
                     name=f"{name}'s point, sun {sun:g}°: distance from {middle:g}°",
                     got=abs(distance - middle), allowed=half, unit="°", source=_SOURCE,
                 )
             )  # fmt: skip
             rows.append((name, f"{sun:g}", f"{distance:.1f}", f"{LOWEST:g} to {HIGHEST:g}"))
-    return bars, [
+    return thresholds, [
         ReportTable(
             title="Neutral points of a clear sky",
             columns=["point", "sun zenith [°]", "distance [°]", "published [°]"],

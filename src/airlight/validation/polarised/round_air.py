@@ -16,7 +16,7 @@ from airlight.solvers import solve as solve_planet
 from airlight.solvers.montecarlo.settings import Settings
 from airlight.validation.metrics import summarise
 from airlight.validation.published.row import Solve
-from airlight.validation.suite import Bar, Part, ReportTable
+from airlight.validation.suite import Part, ReportTable, Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -37,7 +37,7 @@ LINES: Final = (
 )  # fmt: skip
 #: Allowed differences of I, median and 95 % [%], and of the degree of polarisation [1]. Lines near
 #: the zenith are left out: theirs is off by 0.27 of the degree one degree from it.
-MEDIAN_BAR, HIGH_BAR, DEGREE_BAR = 0.3, 1.0, 0.005
+MEDIAN_THRESHOLD, HIGH_THRESHOLD, DEGREE_THRESHOLD = 0.3, 1.0, 0.005
 #: Histories that judge both for the same lines.
 HISTORIES: Final = Settings(relative_error=0.002, most_histories=100_000)
 
@@ -110,8 +110,8 @@ def round_rayleigh(depth: float) -> Planet:
     )
 
 
-def round_air(solve: Solve, quality: object = "default") -> tuple[list[Bar], list[Part]]:
-    """Bars and table of the comparison.
+def round_air(solve: Solve, quality: object = "default") -> tuple[list[Threshold], list[Part]]:
+    """Thresholds and table of the comparison.
 
     Parameters
     ----------
@@ -146,17 +146,17 @@ def round_air(solve: Solve, quality: object = "default") -> tuple[list[Bar], lis
     of_scalar = summarise(scalar / sky.stokes[:, 0] - 1.0)
     noise = summarise(sky.error[:, 0] / sky.stokes[:, 0])
     source = "the aim; SASKTRAN 2 with three Stokes parameters"
-    bars = [
-        Bar(name="round Rayleigh air: I, median", got=100.0 * of_light.median, allowed=MEDIAN_BAR,
-            unit="%", source=source),
-        Bar(name="round Rayleigh air: I, 95 %", got=100.0 * of_light.high, allowed=HIGH_BAR,
-            unit="%", source=source),
-        Bar(name="round Rayleigh air: degree of polarisation, median", got=of_degree.median,
-            allowed=DEGREE_BAR, source=source),
-        Bar(name="round Rayleigh air: degree of polarisation, 95 %", got=of_degree.high,
-            allowed=DEGREE_BAR, source=source),
-        Bar(name="round Rayleigh air, histories instead: degree of polarisation, 95 %",
-            got=ours_judged.high, allowed=DEGREE_BAR, source="the aim; vector Monte Carlo"),
+    thresholds = [
+        Threshold(name="round Rayleigh air: I, median", got=100.0 * of_light.median,
+            allowed=MEDIAN_THRESHOLD, unit="%", source=source),
+        Threshold(name="round Rayleigh air: I, 95 %", got=100.0 * of_light.high,
+            allowed=HIGH_THRESHOLD, unit="%", source=source),
+        Threshold(name="round Rayleigh air: degree of polarisation, median", got=of_degree.median,
+            allowed=DEGREE_THRESHOLD, source=source),
+        Threshold(name="round Rayleigh air: degree of polarisation, 95 %", got=of_degree.high,
+            allowed=DEGREE_THRESHOLD, source=source),
+        Threshold(name="round Rayleigh air, histories instead: degree of polarisation, 95 %",
+            got=ours_judged.high, allowed=DEGREE_THRESHOLD, source="the aim; vector Monte Carlo"),
     ]  # fmt: skip
     rows = [
         (f"{depth:g}", f"{sun:g}", f"{zenith:g}", f"{azimuth:g}", f"{100 * i:+.2f}",
@@ -179,7 +179,7 @@ def round_air(solve: Solve, quality: object = "default") -> tuple[list[Bar], lis
         f"{theirs_judged.median:.4f} and {theirs_judged.high:.4f}. Without polarisation I differs "
         f"by {100 * of_scalar.median:.2f} % (median) and {100 * of_scalar.high:.2f} % (95 %)."
     )
-    return bars, [
+    return thresholds, [
         ReportTable(
             title="Round Rayleigh air against SASKTRAN",
             columns=["depth", "sun [°]", "zenith angle [°]", "azimuth [°]", "I [%]",

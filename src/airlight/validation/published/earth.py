@@ -22,7 +22,7 @@ from airlight.color.color_temperature import correlated_color_temperature
 from airlight.color.spectral import rgb_weights
 from airlight.color.xyz import chromaticity, rgb_to_xyz
 from airlight.solvers import Solution
-from airlight.validation.published.row import Row, Section
+from airlight.validation.published.row import PublishedRow, PublishedSection
 from airlight.validation.published.twilight import (
     ground_illuminance,
     ground_light,
@@ -30,7 +30,7 @@ from airlight.validation.published.twilight import (
     paranal_zenith_v,
     zenith_v_patat2006,
 )
-from airlight.validation.suite import Bar
+from airlight.validation.suite import Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ _ELEVATIONS: Final = np.arange(0.25, 30.1, 0.25)
 _AMS: Final = "AMS, Glossary of Meteorology"
 
 
-def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> Section:
+def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> PublishedSection:
     """Illuminance of level ground under a clear sky, noon to the end of nautical twilight.
 
     Parameters
@@ -68,7 +68,7 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
         True altitudes of the sun. [deg]
     """
     rows = [
-        Row(
+        PublishedRow(
             what=f"illuminance, sun {altitude:g}°", unit="lx",
             published=illuminance_seidelmann1992(altitude),
             ours=ground_illuminance(solution, altitude),
@@ -86,24 +86,24 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
         (-6.0, 2.0, 3.5, "at the end of civil twilight"),
     ):
         rows.append(
-            Row(
+            PublishedRow(
                 what=f"illuminance {when}", unit="lx", published=0.5 * (low + high),
                 error=0.5 * (high - low), stated=f"{low:g} to {high:g} lx",
                 ours=ground_illuminance(solution, altitude), source=f"{_AMS}, civil twilight",
             )
         )  # fmt: skip
     rows.append(
-        Row(
+        PublishedRow(
             what="illuminance at the end of nautical twilight", unit="lx", published=0.008,
             ours=ground_illuminance(solution, -12.0), source=f"{_AMS}, astronomical twilight",
         )
     )  # fmt: skip
-    aim = Bar(
+    aim = Threshold(
         name=f"illuminance, sun {AIMED[1]:+g}° to {AIMED[0]:g}°: largest difference",
         got=max(aimed, default=0.0), allowed=ILLUMINANCE_AIM, unit="%",
         source="the aim for an average clear day",
     )  # fmt: skip
-    return Section(
+    return PublishedSection(
         title="Illuminance of level ground under a clear sky",
         rows=rows,
         aims=[aim] if aimed else [],
@@ -113,29 +113,29 @@ def illuminances(solution: Solution, altitudes: Sequence[float] = ALTITUDES) -> 
     )
 
 
-def zeniths(solution: Solution) -> Section:
+def zeniths(solution: Solution) -> PublishedSection:
     """Magnitude of Paranal's zenith in twilight; ``solution`` is of preset ``earth``."""
     rows = [
-        Row(
+        PublishedRow(
             what=f"V of the zenith 2635 m up, sun {-one:g}°", unit="mag arcsec⁻²",
             published=zenith_v_patat2006(-one), ours=paranal_zenith_v(solution, -one),
             source="Patat et al. (2006), Table 1", compare="difference",
         )
         for one in DEPRESSIONS
     ]  # fmt: skip
-    aim = Bar(
+    aim = Threshold(
         name=f"V of the zenith, sun {-DEPRESSIONS[0]:g}° to {-DEPRESSIONS[-1]:g}°: largest "
         "difference",
         got=max(row.departure for row in rows), allowed=ZENITH_AIM, unit="mag",
         source="the aim: the scatter of the nights, 0.18 mag, and that of a night's ozone and dust",
     )  # fmt: skip
-    return Section(
+    return PublishedSection(
         title="Zenith in twilight", rows=rows, aims=[aim],
         note="Ours with the night's own 21.6 mag arcsec⁻² (Patat 2003).",
     )  # fmt: skip
 
 
-def colors(average: Solution) -> Section:
+def colors(average: Solution) -> PublishedSection:
     """Colour temperatures of daylight on the ground and of the clear sky.
 
     Parameters
@@ -145,14 +145,14 @@ def colors(average: Solution) -> Section:
     """
     day = correlated_color_temperature(_xyz(average, ground_light(average, DAY)))
     warmest = min(min(sky_temperatures(average, altitude)) for altitude in SKIES)
-    return Section(
+    return PublishedSection(
         title="Colour temperatures",
         rows=[
-            Row(
+            PublishedRow(
                 what=f"light on level ground, sun {DAY:g}°", unit="K", published=5700.0, ours=day,
                 source="Hernández-Andrés et al. (2001), JOSA A 18, 1325",
             ),
-            Row(
+            PublishedRow(
                 what="warmest of the clear sky, sun 10 to 60°", unit="K", published=3800.0,
                 ours=warmest, stated="3800 K and more",
                 source="Hernández-Andrés et al. (2001), JOSA A 18, 412",
@@ -181,23 +181,23 @@ def sky_temperatures(solution: Solution, altitude: float) -> list[float]:
     ]
 
 
-def belts(solution: Solution) -> Section:
+def belts(solution: Solution) -> PublishedSection:
     """Dark segment and Belt of Venus opposite the set sun, against the sun's depression."""
     found = [antitwilight(solution, one) for one in BELT]
     rows = [
-        Row(
+        PublishedRow(
             what=f"top of the dark segment, sun {-one:g}°", unit="°", published=one, ours=top,
             stated=f"above {one:g}°", source=f"{_AMS}, dark segment; Lee (2015)",
         )
         for one, (top, _) in zip(BELT, found, strict=True)
     ]  # fmt: skip
-    below = Bar(
+    below = Threshold(
         name="Belt of Venus: depressions at which the dark segment is below the antisolar point",
         got=sum(not row.ours > row.published for row in rows), allowed=0,
         source=f"{_AMS}: it is always higher than the sun is low",
     )  # fmt: skip
     reddest = ", ".join(f"{belt:.1f}" for _, belt in found)
-    return Section(
+    return PublishedSection(
         title="Belt of Venus", rows=rows, aims=[below],
         note="The dark segment ends where the sky's chromaticity x rises fastest; the belt, where "
         f"x is largest, stands above it, at {reddest}°.",

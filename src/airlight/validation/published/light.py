@@ -11,7 +11,7 @@ from airlight.validation.published.earth import (
 )
 from airlight.validation.published.mars import daylight
 from airlight.validation.published.rayleigh_sphere import rayleigh_sphere
-from airlight.validation.published.row import Section, Solve, solver
+from airlight.validation.published.row import PublishedSection, Solve, solver
 from airlight.validation.published.sunset import sunset
 from airlight.validation.published.titan import full_disc
 from airlight.validation.published.twilight import (
@@ -40,7 +40,7 @@ def published(*, progress: Progress | None = None, cancel: Cancel | None = None)
     return suite_of([*earth(solve), *others])
 
 
-def earth(solve: Solve, quality: object = "default") -> list[Section]:
+def earth(solve: Solve, quality: object = "default") -> list[PublishedSection]:
     """Sections of the Earth: a clear day, and one with average aerosol.
 
     Parameters
@@ -55,25 +55,25 @@ def earth(solve: Solve, quality: object = "default") -> list[Section]:
     return [illuminances(average), zeniths(clear), colors(average), belts(clear)]
 
 
-def suite_of(sections: list[Section]) -> Suite:
+def suite_of(sections: list[PublishedSection]) -> Suite:
     """Build the section of the report.
 
     Parameters
     ----------
-    sections : list of Section
+    sections : list of PublishedSection
     """
-    bars = [bar for section in sections for bar in section.bars]
-    met = sum(bar.passed for bar in bars)
+    thresholds = [threshold for section in sections for threshold in section.thresholds]
+    met = sum(threshold.passed for threshold in thresholds)
     return Suite(
         name="published",
         title="Published light",
         summary=(
             "Numbers that others measured or computed, beside those of the presets; nothing is "
             "fitted. A number is judged where its source states an error or a range, or where an "
-            f"aim is set, which the bar's source says: {met} of {len(bars)} are met. What else "
-            "differs is mostly the air that day, which the presets do not know."
+            f"aim is set (see the source of the threshold): {met} of {len(thresholds)} are met. "
+            "What else differs is mostly the air that day, which the presets do not know."
         ),
-        bars=bars,
+        thresholds=thresholds,
         parts=[section.table for section in sections],
         settings=[
             "Earth in the standard atmosphere, presets mars, venus and titan",

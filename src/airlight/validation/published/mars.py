@@ -17,7 +17,7 @@ import numpy as np
 from airlight.color.spectral import default_wavelengths, rgb_weights
 from airlight.color.xyz import chromaticity, rgb_to_xyz
 from airlight.planets import load_planet
-from airlight.validation.published.row import Row, Section, Solve
+from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
 from airlight.validation.published.twilight import ground_light
 
 #: Altitude of the sun. [deg]
@@ -26,7 +26,7 @@ DAY: Final = 60.0
 DUST: Final = (0.5, 1.0)
 
 
-def daylight(solve: Solve, quality: object = "default") -> Section:
+def daylight(solve: Solve, quality: object = "default") -> PublishedSection:
     """Chromaticity of sun and sky together on level ground.
 
     Parameters
@@ -40,14 +40,14 @@ def daylight(solve: Solve, quality: object = "default") -> Section:
         x, y = daylight_chromaticity(solve, quality, dust)
         for name, value, error, got in (("x", 0.35, 0.01, x), ("y", 0.34, 0.02, y)):
             rows.append(
-                Row(
+                PublishedRow(
                     what=f"daylight on Mars, dust {dust:g}, chromaticity {name}", published=value,
                     # The preset is judged; the dusty day shows what hangs on the dust.
                     ours=got, error=error if dust == DUST[0] else None,
                     source="Maki et al. (2021)", compare="difference",
                 )
             )  # fmt: skip
-    return Section(
+    return PublishedSection(
         title="Daylight on Mars",
         rows=rows,
         note=f"Sun and sky together on level ground, sun {DAY:g}° high. The lander's days had "

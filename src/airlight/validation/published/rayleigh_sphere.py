@@ -29,13 +29,13 @@ from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers import Solution
 from airlight.validation.energy_planets import VAST
-from airlight.validation.published.row import Row, Section, Solve
-from airlight.validation.suite import Bar
+from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
+from airlight.validation.suite import Threshold
 
 FloatArray = NDArray[np.float64]
 
 #: Difference from the exact albedo that counts as done. [%]
-ALBEDO_BAR: Final = 0.5
+ALBEDO_THRESHOLD: Final = 0.5
 #: Optical depth of the gas. Below it, white ground reflects as more gas would, but for e^-16.
 DEPTH: Final = 8.0
 _SCALE_HEIGHT: Final = 8e3
@@ -139,7 +139,7 @@ def rayleigh_planet() -> Planet:
     )
 
 
-def rayleigh_sphere(solve: Solve, quality: object = "default") -> Section:
+def rayleigh_sphere(solve: Solve, quality: object = "default") -> PublishedSection:
     """Albedo of the sphere beside the published and the exact one.
 
     Parameters
@@ -156,27 +156,27 @@ def rayleigh_sphere(solve: Solve, quality: object = "default") -> Section:
         )
         for polarisation in (False, True)
     )
-    exact = Row(
+    exact = PublishedRow(
         what="geometric albedo, exact solution", published=exact_albedo(), ours=ours,
         source="Chandrasekhar (1950), sections 44 and 45",
     )  # fmt: skip
-    return Section(
+    return PublishedSection(
         title="Sphere of gas that absorbs nothing",
         rows=[
-            Row(
+            PublishedRow(
                 what="Rayleigh sphere: geometric albedo", published=0.751, ours=ours, error=0.001,
                 source="Dlugach & Yanovitskij (1974), to a unit of the last digit",
             ),
             exact,
-            Row(
+            PublishedRow(
                 what="geometric albedo of polarised light", published=0.798, ours=polarised,
                 source="Prather (1974); 0.796 by Schmid et al. (2006)",
             ),
         ],
         aims=[
-            Bar(
+            Threshold(
                 name="Rayleigh sphere: difference from the exact albedo", got=exact.percent,
-                allowed=ALBEDO_BAR, unit="%", source="accuracy that counts as done, energy",
+                allowed=ALBEDO_THRESHOLD, unit="%", source="accuracy that counts as done, energy",
             )
         ],
         note="Rayleigh's phase function without depolarisation, scalar transfer but in the last "

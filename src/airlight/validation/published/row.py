@@ -1,4 +1,4 @@
-"""Published numbers beside ours, and the table and bars that they make."""
+"""Published numbers beside ours, and the table and thresholds that they make."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from airlight.errors import AirlightWarning
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets import Planet
 from airlight.solvers import Solution
-from airlight.validation.suite import Bar, Mark, ReportTable
+from airlight.validation.suite import Mark, ReportTable, Threshold
 
 
 class Solve(Protocol):
@@ -32,7 +32,7 @@ COLUMNS: Final = ("what", "published", "ours", "ours over it", "stated error", "
 
 
 @dataclass(frozen=True, kw_only=True)
-class Row:
+class PublishedRow:
     """Published number and ours.
 
     Attributes
@@ -46,8 +46,7 @@ class Row:
     unit : str
         Unit; empty for a pure number.
     error : float or None
-        Error or half range that the source states, which makes the row a bar; None if it states
-        none.
+        Error or half range that the source states: threshold of the row; None if it states none.
     stated : str
         The number as the source has it, with its unit, where that is not a single number.
     compare : str
@@ -74,11 +73,11 @@ class Row:
         return 100.0 * self.departure / abs(self.published)
 
     @property
-    def bar(self) -> Bar | None:
-        """Bar of a row whose source states an error."""
+    def threshold(self) -> Threshold | None:
+        """Threshold, where the source states an error."""
         if self.error is None:
             return None
-        return Bar(
+        return Threshold(
             name=f"{self.what}: difference from the published", got=self.departure,
             allowed=self.error, unit=self.unit, source=f"error or range that {self.source}, states",
         )  # fmt: skip
@@ -99,29 +98,31 @@ class Row:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Section:
+class PublishedSection:
     """Rows of one subject.
 
     Attributes
     ----------
     title : str
         Title of the table.
-    rows : sequence of Row
+    rows : sequence of PublishedRow
     note : str
         What ours is, and what hangs on it.
-    aims : sequence of Bar
-        Bars over several rows, or of rows whose source states no error.
+    aims : sequence of Threshold
+        Thresholds over several rows, or of rows whose source states no error.
     """
 
     title: str
-    rows: Sequence[Row]
+    rows: Sequence[PublishedRow]
     note: str = ""
-    aims: Sequence[Bar] = ()
+    aims: Sequence[Threshold] = ()
 
     @property
-    def bars(self) -> list[Bar]:
-        """Bars of the rows, then the aims."""
-        return [bar for row in self.rows if (bar := row.bar) is not None] + list(self.aims)
+    def thresholds(self) -> list[Threshold]:
+        """Thresholds of the rows, then the aims."""
+        return [threshold for row in self.rows if (threshold := row.threshold) is not None] + list(
+            self.aims
+        )
 
     @property
     def table(self) -> ReportTable:
@@ -137,11 +138,11 @@ class Section:
         )
 
 
-def _mark(row: Row) -> Mark:
-    bar = row.bar
-    if bar is None:
+def _mark(row: PublishedRow) -> Mark:
+    threshold = row.threshold
+    if threshold is None:
         return ""
-    return "pass" if bar.passed else "fail"
+    return "pass" if threshold.passed else "fail"
 
 
 def solver(progress: Progress | None, cancel: Cancel | None) -> Solve:

@@ -16,7 +16,7 @@ import numpy as np
 from airlight.geometry.bending import apparent_sun
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.validation.published.row import Row, Section
+from airlight.validation.published.row import PublishedRow, PublishedSection
 
 #: Angular diameter of the sun at 1 au. [deg]
 DIAMETER: Final = 2.0 * 0.2665
@@ -64,22 +64,22 @@ def paths_of(planet: Planet) -> RefractedGeometry:
     return RefractedGeometry.of(Medium.from_planet(planet, (_NM,)))
 
 
-def sunset() -> Section:
+def sunset() -> PublishedSection:
     """Refraction and flattening by preset ``earth``."""
     paths = paths_of(load_planet("earth"))
     source = "Meeus (1998), chapter 16"
-    return Section(
+    return PublishedSection(
         title="Setting sun",
         rows=[
-            Row(
+            PublishedRow(
                 what="refraction on the horizon", unit="′", published=34.0,
                 ours=60.0 * refraction(paths, 0.0), source="Meeus (1998), chapter 15",
             ),
-            Row(
+            PublishedRow(
                 what="refraction half a degree above", unit="′", published=28.75,
                 ours=60.0 * refraction(paths, 0.5), source=source,
             ),
-            Row(
+            PublishedRow(
                 what="height over width of the sun on the horizon", published=0.84,
                 ours=flattening(paths), source=f"{source}, equations 3 and 4",
             ),

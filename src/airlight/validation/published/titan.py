@@ -15,7 +15,7 @@ from airlight.planets import Constituent, Planet, load_planet, replace
 from airlight.planets.matter.absorbers import CrossSectionAbsorption
 from airlight.planets.matter.profiles import Tabulated
 from airlight.validation.published.rayleigh_sphere import geometric_albedo
-from airlight.validation.published.row import Row, Section, Solve
+from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
 
 #: Albedo of the full disc by wavelength [nm]. [1]
 ALBEDOS: Final = {
@@ -52,7 +52,7 @@ def titan_with_methane() -> Planet:
     return replace(titan, constituents=(*titan.constituents, methane))
 
 
-def full_disc(solve: Solve, quality: object = "preview") -> Section:
+def full_disc(solve: Solve, quality: object = "preview") -> PublishedSection:
     """Albedo of the full disc beside that of the telescope.
 
     Parameters
@@ -63,13 +63,13 @@ def full_disc(solve: Solve, quality: object = "preview") -> Section:
     """
     ours = geometric_albedo(solve(titan_with_methane(), tuple(ALBEDOS), quality))
     rows = [
-        Row(
+        PublishedRow(
             what=f"Titan's full disc, {nm:g} nm, albedo", published=albedo, ours=float(found),
             error=CALIBRATION * albedo, source="Karkoschka (1998)",
         )
         for (nm, albedo), found in zip(ALBEDOS.items(), ours, strict=True)
     ]  # fmt: skip
-    return Section(
+    return PublishedSection(
         title="Titan's full disc",
         rows=rows,
         note="Ours with the bands of methane, at full phase; seen at 5.7°, where it is some 2 % "

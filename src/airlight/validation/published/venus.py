@@ -26,9 +26,9 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets import load_planet
 from airlight.solvers import Solution
 from airlight.spectra.sun import solar_irradiance
-from airlight.validation.published.row import Row, Section, Solve
+from airlight.validation.published.row import PublishedRow, PublishedSection, Solve
 from airlight.validation.published.twilight import ground_light
-from airlight.validation.suite import Bar
+from airlight.validation.suite import Threshold
 
 FloatArray = NDArray[np.float64]
 
@@ -88,7 +88,7 @@ def global_mean(solutions: Sequence[Solution]) -> float:
     return float(0.5 * rule.weights @ flux)
 
 
-def venus(solve: Solve, quality: object = "preview") -> Section:
+def venus(solve: Solve, quality: object = "preview") -> PublishedSection:
     """Fluxes at the ground beside those of the probes.
 
     Parameters
@@ -105,19 +105,19 @@ def venus(solve: Solve, quality: object = "preview") -> Section:
     band = np.arange(EDGES[0], EDGES[-1] + 1.0)
     all_light = TOTAL * top / float(np.trapezoid(solar_irradiance(band), band))
     kept = 1.0 - float(np.mean(solutions[0].medium.ground_albedo))
-    pioneer = Row(
+    pioneer = PublishedRow(
         what="Pioneer Venus: flux absorbed by the ground, sun 23°", unit="W m⁻²", published=15.0,
         ours=kept * ground_flux(solutions, PIONEER),
         stated="some 15", source="Tomasko et al. (1979)",
     )  # fmt: skip
     rows = [
         pioneer,
-        Row(
+        PublishedRow(
             what="sunlight that reaches the ground, global mean", unit="%", published=2.6,
             ours=100.0 * global_mean(solutions) / (0.25 * all_light),
             source="Titov et al. (2007)",
         ),
-        Row(
+        PublishedRow(
             what="Venera 8: share of the light on the top, sun 5.5°", unit="%", published=1.5,
             ours=100.0
             * ground_flux(solutions, VENERA_8)
@@ -125,11 +125,11 @@ def venus(solve: Solve, quality: object = "preview") -> Section:
             source="Avduevsky et al. (1973)",
         ),
     ]  # fmt: skip
-    aim = Bar(
+    aim = Threshold(
         name="Pioneer Venus: difference of the flux at the ground", got=pioneer.percent,
         allowed=AIM, unit="%", source="the aim; the source states no error",
     )  # fmt: skip
-    return Section(
+    return PublishedSection(
         title="Sunlight at the ground of Venus", rows=rows, aims=[aim],
         note="Ours from 400 to 1000 nm, preview quality, one wavelength at a time: 3 % too much "
         "against discrete ordinates, by which the ground absorbs 20.2 W m⁻². Nothing is fitted to "

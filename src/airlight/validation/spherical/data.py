@@ -1,4 +1,4 @@
-"""Independent spherical radiances, read from the two files in the folder of ``--data``."""
+"""Independent spherical radiances, read from two files of reference data."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _NM: Final = (680, 550, 440)
 
 
 @dataclass(frozen=True)
-class Scene:
+class ReferenceScene:
     """Lines of sight of one planet with their reference radiances.
 
     Attributes
@@ -66,13 +66,13 @@ class Scene:
         return f"{self.name}, albedo {self.albedo:g}"
 
 
-def read_scenes(folder: Path) -> list[Scene]:
+def read_scenes(folder: Path) -> list[ReferenceScene]:
     """Read the scenes of the Monte Carlo file, in its order.
 
     Parameters
     ----------
     folder : Path
-        Folder of reference data, as given by ``--data``.
+        Folder of reference data.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def read_scenes(folder: Path) -> list[Scene]:
     return scenes
 
 
-def _scene(name: str, albedo: float, rows: list[dict[str, str]]) -> Scene:
+def _scene(name: str, albedo: float, rows: list[dict[str, str]]) -> ReferenceScene:
     def column(title: str) -> FloatArray:
         return np.array([float(row[title]) for row in rows])
 
@@ -110,7 +110,7 @@ def _scene(name: str, albedo: float, rows: list[dict[str, str]]) -> Scene:
         view_zenith=column("view_zenith_deg"),
         azimuth=column("azimuth_deg"),
     )
-    return Scene(name, albedo, geometry, rgb("radiance"), rgb("standard_error"))
+    return ReferenceScene(name, albedo, geometry, rgb("radiance"), rgb("standard_error"))
 
 
 def read_bruneton(folder: Path) -> tuple[FloatArray, FloatArray]:
@@ -119,7 +119,7 @@ def read_bruneton(folder: Path) -> tuple[FloatArray, FloatArray]:
     Parameters
     ----------
     folder : Path
-        Folder of reference data, as given by ``--data``.
+        Folder of reference data.
 
     Returns
     -------

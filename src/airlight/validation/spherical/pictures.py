@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.plots.figure import GREY, PALETTE, grid, new_figure, wavelength_ink
 from airlight.validation.reference_earth import WAVELENGTHS
-from airlight.validation.suite import Picture
+from airlight.validation.suite import ReportPicture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,8 +23,8 @@ SUN_EDGES = (0.0, 30.0, 60.0, 75.0, 82.0, 87.0, 89.0, 91.0, 93.0, 95.0, 180.0)
 
 def error_scatter(
     quality: str, suns: FloatArray, errors: FloatArray, channels: NDArray[np.intp],
-    bars: tuple[float, float, float],
-) -> Picture:  # fmt: skip
+    thresholds: tuple[float, float, float],
+) -> ReportPicture:  # fmt: skip
     """Plot every error over the sun's zenith angle, by wavelength.
 
     Parameters
@@ -34,7 +34,7 @@ def error_scatter(
         Sun zenith angle at the observer [deg]; relative error, signed [1].
     channels : array of int, shape (n,)
         Indices in ``WAVELENGTHS``.
-    bars : (float, float, float)
+    thresholds : (float, float, float)
         Allowed median, 95 % quantile and largest error. [1]
     """
     title = f"Errors against Monte Carlo over sun zenith, {quality} quality"
@@ -51,7 +51,7 @@ def error_scatter(
             markersize=2.5,
             label=f"{WAVELENGTHS[channel]:g} nm",
         )
-    _bar_lines(axes, bars, signs=(1.0, -1.0))
+    _threshold_lines(axes, thresholds, signs=(1.0, -1.0))
     axes.set_yscale("symlog", linthresh=0.1, linscale=0.7)
     ticks = [-5.0, -2.0, -1.0, -0.5, -0.1, 0.0, 0.1, 0.5, 1.0, 2.0, 5.0]
     axes.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
@@ -61,16 +61,16 @@ def error_scatter(
     axes.legend(loc="upper left", fontsize=9, markerscale=4.0)
     grid(axes)
     caption = (
-        "Each point is one radiance. Linear within ±0.1 %, logarithmic beyond. Dashed: the bar for "
-        "95 % of the values; solid: the bar for all, beyond the referee's noise."
+        "Each point is one radiance. Linear within ±0.1 %, logarithmic beyond. Dashed: threshold "
+        "for 95 % of the values; solid: for all of them, beyond the referee's noise."
     )
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
 def error_histograms(
     quality: str, suns: FloatArray, heights: FloatArray, errors: FloatArray,
-    bars: tuple[float, float, float],
-) -> Picture:  # fmt: skip
+    thresholds: tuple[float, float, float],
+) -> ReportPicture:  # fmt: skip
     """Plot the median, 95 % quantile and largest error by sun zenith and by altitude.
 
     Parameters
@@ -78,7 +78,7 @@ def error_histograms(
     quality : str
     suns, heights, errors : array, shape (n,)
         Sun zenith angle [deg], altitude [m], relative error [1].
-    bars : (float, float, float)
+    thresholds : (float, float, float)
         Allowed errors, as in ``error_scatter``. [1]
     """
     title = f"Errors by sun zenith and by altitude, {quality} quality"
@@ -89,19 +89,19 @@ def error_histograms(
     for low, high in pairwise(SUN_EDGES):
         name = f"{low:g}–{high:g}" if high < 180.0 else f"> {low:g}"
         groups.append((name, size[(suns >= low) & (suns < high)]))
-    _grouped(left, groups, bars)
+    _grouped(left, groups, thresholds)
     left.set_xlabel("sun zenith angle at the observer [°]")
     left.set_ylabel("size of the error [%]")
     by_height = [(f"{h / 1e3:g}", size[heights == h]) for h in np.unique(heights)]
-    _grouped(right, by_height, bars)
+    _grouped(right, by_height, thresholds)
     right.set_xlabel("altitude of the observer [km]")
     figure.legend(*right.get_legend_handles_labels(), loc="outside lower center", ncols=3)
     caption = "The errors as they are, the referee's noise included. Numbers: values per bin."
-    return Picture.from_figure(figure, title=title, caption=caption)
+    return ReportPicture.from_figure(figure, title=title, caption=caption)
 
 
 def _grouped(
-    axes: Axes, groups: list[tuple[str, FloatArray]], bars: tuple[float, float, float]
+    axes: Axes, groups: list[tuple[str, FloatArray]], thresholds: tuple[float, float, float]
 ) -> None:
     named = [(name, values) for name, values in groups if values.size]
     at = np.arange(len(named))
@@ -114,12 +114,14 @@ def _grouped(
     for x, (_, values) in zip(at, named, strict=True):
         axes.text(float(x), 18.0, str(values.size), ha="center", fontsize=6.5, color=GREY)
     axes.set_xticks(at, [name for name, _ in named], fontsize=8, rotation=45)
-    for k, bar in enumerate(bars):
-        axes.axhline(100.0 * bar, color=PALETTE[k], linewidth=0.9, linestyle="--")
+    for k, threshold in enumerate(thresholds):
+        axes.axhline(100.0 * threshold, color=PALETTE[k], linewidth=0.9, linestyle="--")
     grid(axes)
 
 
-def _bar_lines(axes: Axes, bars: tuple[float, float, float], signs: tuple[float, ...]) -> None:
+def _threshold_lines(
+    axes: Axes, thresholds: tuple[float, float, float], signs: tuple[float, ...]
+) -> None:
     for sign in signs:
-        axes.axhline(sign * 100.0 * bars[1], color=GREY, linewidth=0.8, linestyle="--")
-        axes.axhline(sign * 100.0 * bars[2], color=GREY, linewidth=0.8)
+        axes.axhline(sign * 100.0 * thresholds[1], color=GREY, linewidth=0.8, linestyle="--")
+        axes.axhline(sign * 100.0 * thresholds[2], color=GREY, linewidth=0.8)

@@ -23,24 +23,24 @@ from airlight.validation.reference_earth import WAVELENGTHS
 from airlight.validation.spherical.data import (
     BRUNETON,
     MONTE_CARLO,
-    Scene,
+    ReferenceScene,
     read_bruneton,
     read_scenes,
 )
 from airlight.validation.spherical.pictures import error_histograms, error_scatter
-from airlight.validation.suite import Bar, Cancel, Mark, Part, Progress, ReportTable, Suite
+from airlight.validation.suite import Cancel, Mark, Part, Progress, ReportTable, Suite, Threshold
 
 FloatArray = NDArray[np.float64]
 
 #: Allowed median, 95 % and largest error of each quality. [1]
-BARS: Final = {"default": (0.003, 0.02, 0.05), "fine": (0.001, 0.007, 0.02)}
+THRESHOLDS: Final = {"default": (0.003, 0.02, 0.05), "fine": (0.001, 0.007, 0.02)}
 #: Number of the referee's standard errors that counts as no error in the lists.
 NOISE: Final = 3.0
 #: Largest relative standard error, and lowest radiance, of the cases that count.
 MOST_NOISE, LEAST_RADIANCE = 0.01, 1e-6
 #: Errors against Bruneton: away from the sun his tables are good to about 1 %, and we differ there
 #: by up to 3.2 %; on the sun's side they are good to 6 %.
-BRUNETON_BARS: Final = {"away": 0.035, "towards": 0.06}
+BRUNETON_THRESHOLDS: Final = {"away": 0.035, "towards": 0.06}
 #: Abscissae of the error plots.
 _AXES: Final[tuple[Literal["sun_zenith", "altitude"], ...]] = ("sun_zenith", "altitude")
 #: Number of worst cases listed.
@@ -48,12 +48,12 @@ WORST = 10
 
 
 @dataclass(frozen=True)
-class Judged:
+class Comparison:
     """Comparison of one scene at one quality with the referee.
 
     Attributes
     ----------
-    scene : Scene
+    scene : ReferenceScene
     got : array, shape (n, 3)
         Radiance of our solver per irradiance. [sr⁻¹]
     error, beyond : array, shape (n, 3)
@@ -62,7 +62,7 @@ class Judged:
         Mask of the values that count.
     """
 
-    scene: Scene
+    scene: ReferenceScene
     got: FloatArray
     error: FloatArray
     beyond: FloatArray
@@ -79,12 +79,12 @@ class Judged:
         return summarise(beyond_noise(self.got, known, deviation, noise), self.sure).largest
 
 
-def judge(scene: Scene, got: FloatArray) -> Judged:
+def compare(scene: ReferenceScene, got: FloatArray) -> Comparison:
     """Compare radiances with those of a scene.
 
     Parameters
     ----------
-    scene : Scene
+    scene : ReferenceScene
     got : array, shape (n, 3)
         Radiance per irradiance of the sun. [sr⁻¹]
     """
@@ -92,7 +92,7 @@ def judge(scene: Scene, got: FloatArray) -> Judged:
     sure = (deviation < MOST_NOISE * known) & (known > LEAST_RADIANCE)
     error = np.where(sure, relative_errors(got, known), 0.0)
     beyond = np.where(sure, beyond_noise(got, known, deviation, NOISE), 0.0)
-    return Judged(scene, got, error, beyond, sure)
+    return Comparison(scene, got, error, beyond, sure)
 
 
 def spherical(
@@ -106,7 +106,7 @@ def spherical(
     data : Path
         Folder that holds the files.
     qualities : tuple of str
-        Qualities of the moments solver, of those that have bars.
+        Qualities of the moments solver, of those that have thresholds.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -117,13 +117,13 @@ def spherical(
     Cancelled
         If ``cancel`` returned True.
     """
-    bars: list[Bar] = []
+    thresholds: list[Threshold] = []
     parts: list[Part] = []
     count = 0
     if (data / MONTE_CARLO).is_file():
         scenes = read_scenes(data)
         for quality in qualities:
-            judged = []
+            comparisons = []
             for done, scene in enumerate(scenes):
                 if progress is not None:
                     progress(done, len(scenes), f"{quality} quality: {scene.title}")
@@ -133,17 +133,17 @@ def spherical(
                     cancel=cancel,
                 )  # fmt: skip
                 got = solution.radiance(**scene.geometry).values
-                judged.append(judge(scene, got))
+                comparisons.append(compare(scene, got))
                 if cancel is not None and cancel():
                     raise Cancelled("cancelled")
-            bars += _bars(quality, judged)
-            parts += _parts(quality, judged)
+            thresholds += _thresholds(quality, comparisons)
+            parts += _parts(quality, comparisons)
         count = sum(len(scene.radiance) for scene in scenes)
     if (data / BRUNETON).is_file():
         table, more = _bruneton(data)
         parts.append(table)
-        bars += more
-    if not bars:
+        thresholds += more
+    if not thresholds:
         raise FileError(data, f"holds neither {MONTE_CARLO} nor {BRUNETON}")
     return Suite(
         name="spherical",
@@ -158,7 +158,7 @@ def spherical(
             if count
             else f"{MONTE_CARLO} is not in the folder; Bruneton's implementation of 2017 alone."
         ),
-        bars=bars,
+        thresholds=thresholds,
         parts=parts,
         settings=[
             f"680, 550, 440 nm; qualities {', '.join(qualities)}; point sun",
@@ -167,22 +167,22 @@ def spherical(
     )
 
 
-def _bars(quality: str, judged: list[Judged]) -> list[Bar]:
-    """Bars of the worst scene."""
-    median, high, largest = BARS[quality]
-    noise = largest_by_chance(sum(int(x.sure.sum()) for x in judged))
+def _thresholds(quality: str, comparisons: list[Comparison]) -> list[Threshold]:
+    """Thresholds of the worst scene."""
+    median, high, largest = THRESHOLDS[quality]
+    noise = largest_by_chance(sum(int(x.sure.sum()) for x in comparisons))
     got = (
-        ("median error, worst scene", max(x.summary.median for x in judged), median),
-        ("95 % of errors, worst scene", max(x.summary.high for x in judged), high),
+        ("median error, worst scene", max(x.summary.median for x in comparisons), median),
+        ("95 % of errors, worst scene", max(x.summary.high for x in comparisons), high),
         (
             f"largest error beyond {noise:.1f} standard errors",
-            max(x.largest_beyond(noise) for x in judged),
+            max(x.largest_beyond(noise) for x in comparisons),
             largest,
         ),
     )
     source = "accuracy that counts as done, moments"
     return [
-        Bar(
+        Threshold(
             name=f"{quality} quality: {name}",
             got=100.0 * value,
             allowed=100.0 * allowed,
@@ -193,12 +193,12 @@ def _bars(quality: str, judged: list[Judged]) -> list[Bar]:
     ]
 
 
-def _parts(quality: str, judged: list[Judged]) -> list[Part]:
-    median, high, largest = BARS[quality]
-    chance = largest_by_chance(sum(int(x.sure.sum()) for x in judged))
+def _parts(quality: str, comparisons: list[Comparison]) -> list[Part]:
+    median, high, largest = THRESHOLDS[quality]
+    chance = largest_by_chance(sum(int(x.sure.sum()) for x in comparisons))
     rows: list[tuple[str | int, ...]] = []
     marks: list[Mark] = []
-    for one in judged:
+    for one in comparisons:
         s = one.summary
         met = s.median <= median and s.high <= high and one.largest_beyond(chance) <= largest
         marks.append("pass" if met else "fail")
@@ -223,28 +223,30 @@ def _parts(quality: str, judged: list[Judged]) -> list[Part]:
         ],
         rows=rows,
         marks=marks,
-        note=f"Bars: median {100 * median:g} %, 95 % {100 * high:g} %, largest {100 * largest:g} % "
-        f"beyond {chance:.1f} of the referee's standard errors (s.e.): the largest of so many "
-        "values exceeds that by chance alone in half of all cases.",
+        note=f"Thresholds: median {100 * median:g} %, 95 % {100 * high:g} %, largest "
+        f"{100 * largest:g} % beyond {chance:.1f} of the referee's standard errors (s.e.): the "
+        "largest of so many values exceeds that by chance alone in half of all cases.",
     )  # fmt: skip
     suns, heights = (
-        np.concatenate([np.repeat(x.scene.geometry[name][:, None], 3, 1)[x.sure] for x in judged])
+        np.concatenate(
+            [np.repeat(x.scene.geometry[name][:, None], 3, 1)[x.sure] for x in comparisons]
+        )
         for name in _AXES
     )
-    errors = np.concatenate([x.error[x.sure] for x in judged])
-    channels = np.concatenate([np.nonzero(x.sure)[1] for x in judged])
+    errors = np.concatenate([x.error[x.sure] for x in comparisons])
+    channels = np.concatenate([np.nonzero(x.sure)[1] for x in comparisons])
     return [
         scenes,
-        error_scatter(quality, suns, errors, channels, BARS[quality]),
-        error_histograms(quality, suns, heights, errors, BARS[quality]),
-        _worst(quality, judged),
+        error_scatter(quality, suns, errors, channels, THRESHOLDS[quality]),
+        error_histograms(quality, suns, heights, errors, THRESHOLDS[quality]),
+        _worst(quality, comparisons),
     ]
 
 
-def _worst(quality: str, judged: list[Judged]) -> ReportTable:
+def _worst(quality: str, comparisons: list[Comparison]) -> ReportTable:
     """List the cases with the largest errors beyond noise, all scenes together."""
     found = []
-    for one in judged:
+    for one in comparisons:
         size = np.abs(one.beyond)
         for flat in np.argsort(size, axis=None)[::-1][:WORST]:
             n, c = np.unravel_index(flat, size.shape)
@@ -282,7 +284,7 @@ def _worst(quality: str, judged: list[Judged]) -> ReportTable:
     )  # fmt: skip
 
 
-def _bruneton(data: Path) -> tuple[ReportTable, list[Bar]]:
+def _bruneton(data: Path) -> tuple[ReportTable, list[Threshold]]:
     geometry, known = read_bruneton(data)
     sun, view, azimuth = geometry.T
     solution = solve(load_planet("earth-bruneton"), WAVELENGTHS, polarisation=False, cache=False)
@@ -292,7 +294,7 @@ def _bruneton(data: Path) -> tuple[ReportTable, list[Bar]]:
     marks: list[Mark] = []
     rows = []
     for where, ours, theirs, one, is_away in zip(geometry, got, known, error, away, strict=True):
-        allowed = BRUNETON_BARS["away" if is_away else "towards"]
+        allowed = BRUNETON_THRESHOLDS["away" if is_away else "towards"]
         marks.append("pass" if bool((np.abs(one) <= allowed).all()) else "fail")
         rows.append(
             (
@@ -315,11 +317,11 @@ def _bruneton(data: Path) -> tuple[ReportTable, list[Bar]]:
         "sun's side. Where the Monte Carlo radiances are at hand too, of nearly the same air, the "
         "tables above say whose a difference is.",
     )  # fmt: skip
-    bars = [
-        Bar(
+    thresholds = [
+        Threshold(
             name=f"Bruneton 2017, {name} the sun: largest difference",
             got=100.0 * summarise(error[chosen]).largest,
-            allowed=100.0 * BRUNETON_BARS[key],
+            allowed=100.0 * BRUNETON_THRESHOLDS[key],
             unit="%",
             source="the error that his file states, and 3.5 % away from the sun",
         )
@@ -327,4 +329,4 @@ def _bruneton(data: Path) -> tuple[ReportTable, list[Bar]]:
             ("away", "away from", away), ("towards", "on the side of", ~away),
         )
     ]  # fmt: skip
-    return table, bars
+    return table, thresholds

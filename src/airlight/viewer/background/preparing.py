@@ -7,7 +7,7 @@ from time import perf_counter
 from typing import Final
 
 from airlight.kernel.compiling import Compiling
-from airlight.render.ahead import compiled_ahead
+from airlight.render.background_compilation import start_render_compiler
 from airlight.solvers.moments.loops import LOOPS
 from airlight.viewer.background.solving import SolverStatus
 
@@ -25,7 +25,7 @@ class Preparing:
 
     Attributes
     ----------
-    ahead : CompiledAhead
+    ahead : BackgroundCompiler
         The other process.
     """
 
@@ -33,7 +33,7 @@ class Preparing:
         self._wake = wake
         self._woken = 0.0
         self._solver = Compiling(LOOPS)
-        self.ahead = compiled_ahead()
+        self.ahead = start_render_compiler()
         self._both = (self._solver, self.ahead.compiling)
         for one in self._both:
             one.told = self._told

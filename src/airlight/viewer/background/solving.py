@@ -28,7 +28,7 @@ from airlight.viewer.session.solve_request import SolveRequest, Versions
 #: the picture follows a drag whose edits come faster than previews. [s]
 PATIENCE: Final = 3.0
 #: Number of solutions kept, so that an undo or a switch to the other side is immediate.
-MOST_KEPT: Final = 4
+CACHE_SIZE: Final = 4
 #: Part of a task after which the time left is told. [1]
 _TELLING: Final = 0.1
 #: Shortest time between progress reports. [s]
@@ -299,14 +299,14 @@ class Solving:
                 cancel=cancel,
             )
             self._planets[key] = planet
-            while len(self._planets) > MOST_KEPT:
+            while len(self._planets) > CACHE_SIZE:
                 self._planets.popitem(last=False)
         return switched(planet, request.state.off)
 
     def _publish(self, solved: Solved, request: SolveRequest) -> None:
         self._kept[(*request.key, solved.quality)] = solved
         self._kept.move_to_end((*request.key, solved.quality))
-        while len(self._kept) > 2 * MOST_KEPT:
+        while len(self._kept) > 2 * CACHE_SIZE:
             self._kept.popitem(last=False)
         self._latest = solved
         self._status = replace(self._status, version=solved.version, error="")

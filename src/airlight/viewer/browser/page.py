@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import FileError, ParameterError
-from airlight.exports.whole_file import check_target, whole_file
+from airlight.exports.atomic_file import atomic_file, check_target
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.solve_planet import solve_planet
 from airlight.planets import load_planet
@@ -217,6 +217,6 @@ def export_page(
         most = f"{LARGEST / 1e6:g} MB"
         reason = f"the page would have {size}, more than {most}, even at the quality preview"
         raise FileError(output, reason)
-    with whole_file(output) as place:
+    with atomic_file(output) as place:
         place.write_bytes(content)
     return Page(Path(output), len(content), level)

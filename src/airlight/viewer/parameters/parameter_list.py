@@ -16,7 +16,7 @@ from airlight.errors import ParameterError
 from airlight.planets.reading.declared_keys import declared_key, is_flat, key_at
 from airlight.planets.reading.nested_tables import Tables, get, joined
 from airlight.planets.reading.tables import keys_of
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 from airlight.planets.schema.measures import number_in
 from airlight.viewer.parameters.amounts import AMOUNTS
 from airlight.viewer.parameters.parameter import Parameter
@@ -91,9 +91,9 @@ def value_at(tables: Tables, parameter: Parameter) -> float | str:
     return str(value)
 
 
-def _left_out(key: Key) -> Any:
+def _left_out(key: Field) -> Any:
     """Value that an editor shows for a key omitted from the file."""
-    return key.stand_in or key.default
+    return key.placeholder or key.default
 
 
 # --- traversal --------------------------------------------------------------------------------
@@ -120,7 +120,7 @@ def _table(table: Tables, cursor: _Cursor) -> Iterator[Parameter]:
             yield from _value(key, value, joined(cursor.path, key.name), cursor)
 
 
-def _value(key: Key, value: Any, path: str, cursor: _Cursor) -> Iterator[Parameter]:
+def _value(key: Field, value: Any, path: str, cursor: _Cursor) -> Iterator[Parameter]:
     if key.kind == "table" and not _holds_tables(value):
         raise ParameterError(path, value, "a table" if key.name != "constituents" else "tables")
     if isinstance(value, dict):
@@ -140,7 +140,7 @@ def _value(key: Key, value: Any, path: str, cursor: _Cursor) -> Iterator[Paramet
         least, most = key.range if key.kind == "text" else (0.0, math.inf)
         yield _parameter(key, path, cursor, kind="text", least=max(least, 0.0), most=most)
     elif key.kind == "choice" or (isinstance(value, str) and value[:1].isalpha()):
-        words = (*key.words(), *([key.stand_in] if key.stand_in else []))
+        words = (*key.choices(), *([key.placeholder] if key.placeholder else []))
         options = words if value in words else (*words, str(value))
         yield _parameter(key, path, cursor, kind="choice", options=options)
     else:
@@ -154,7 +154,7 @@ def _holds_tables(value: Any) -> bool:
     return isinstance(value, dict)
 
 
-def _within(key: Key, path: str, cursor: _Cursor, table: Tables) -> _Cursor:
+def _within(key: Field, path: str, cursor: _Cursor, table: Tables) -> _Cursor:
     """Cursor of the table at a key."""
     if key.table in _GROUPED and cursor.kind == "planet":
         return _Cursor(path, key.table, key.table, "", {})
@@ -164,7 +164,7 @@ def _within(key: Key, path: str, cursor: _Cursor, table: Tables) -> _Cursor:
     return replace(cursor, path=path, kind=key.table, prefix=prefix)
 
 
-def _items(key: Key, values: list[Any], path: str, cursor: _Cursor) -> Iterator[Parameter]:
+def _items(key: Field, values: list[Any], path: str, cursor: _Cursor) -> Iterator[Parameter]:
     axis = cursor.axes.get(key.per)
     for index, value in enumerate(values):
         here = joined(path, index)
@@ -180,7 +180,7 @@ def _items(key: Key, values: list[Any], path: str, cursor: _Cursor) -> Iterator[
         yield replace(one, part_of=path)
 
 
-def _number(key: Key, value: Any, path: str, cursor: _Cursor) -> Parameter:
+def _number(key: Field, value: Any, path: str, cursor: _Cursor) -> Parameter:
     now = number_in(value, key.shown_unit, key.unit, path)
     ends, (least, most) = key.ends, key.limits
     low, high = min(ends[0], now), max(ends[1], now)
@@ -203,7 +203,9 @@ def _number(key: Key, value: Any, path: str, cursor: _Cursor) -> Parameter:
     )
 
 
-def _shell_range(key: Key, now: float, shell: Mapping[str, Any], path: str) -> tuple[float, float]:
+def _shell_range(
+    key: Field, now: float, shell: Mapping[str, Any], path: str
+) -> tuple[float, float]:
     """Slider's ends for a radius: around the planet's radius, or from the ground up. [km]"""
     if key.name == "top_radius" and "bottom_radius" in shell:
         bottom = number_in(shell["bottom_radius"], key.shown_unit, key.unit, path)
@@ -212,7 +214,7 @@ def _shell_range(key: Key, now: float, shell: Mapping[str, Any], path: str) -> t
     return max(0.1 * now, least), min(10.0 * now, most)
 
 
-def _parameter(key: Key, path: str, cursor: _Cursor, **more: Any) -> Parameter:
+def _parameter(key: Field, path: str, cursor: _Cursor, **more: Any) -> Parameter:
     return Parameter(
         path=path,
         label=f"{cursor.prefix}{key.label}",

@@ -13,8 +13,8 @@ from airlight.planets.reading.declared_keys import key_at
 from airlight.planets.reading.nested_tables import Tables, get, put
 from airlight.planets.reading.shell_edit import BOTTOM, lifted
 from airlight.planets.reading.tables import TABLES
-from airlight.planets.schema.kinds import Kinds
 from airlight.planets.schema.measures import number_in, text_of
+from airlight.planets.schema.tagged_union import TaggedUnion
 from airlight.planets.star import BLACK_BODY
 from airlight.viewer.parameters.parameter import Parameter, Value
 
@@ -121,7 +121,7 @@ def _with_phase(tables: Tables, constituent: str) -> Tables:
     """Add a phase function to a constituent that has none."""
     if get(tables, f"{constituent}.phase_function") is not None:
         return tables
-    fresh = PHASES.fresh("henyey-greenstein", {}, 1e3 * _thickness(tables))
+    fresh = PHASES.default_table("henyey-greenstein", {}, 1e3 * _thickness(tables))
     return put(tables, f"{constituent}.phase_function", fresh)
 
 
@@ -137,8 +137,8 @@ def _star(old: Tables, spectrum: str) -> Tables:
 def _fresh(tables: Tables, path: str, kind: str) -> Tables:
     """Table of another kind, filled with typical values."""
     kinds = TABLES[key_at(tables, path).table]
-    assert isinstance(kinds, Kinds)
-    return kinds.fresh(kind, get(tables, path), 1e3 * _thickness(tables))
+    assert isinstance(kinds, TaggedUnion)
+    return kinds.default_table(kind, get(tables, path), 1e3 * _thickness(tables))
 
 
 def restored(tables: Tables, base: Tables, path: str) -> Tables:

@@ -89,7 +89,7 @@ def _wavelengths(planet: Planet) -> FloatArray:
     """Wavelengths of the coefficients, ascending. [nm]"""
     low, high = planet.wavelength_limits
     inside = [min(max(nm, low), high) for nm in WAVELENGTHS]
-    return np.unique([*inside, *(planet.own_wavelengths or ())])
+    return np.unique([*inside, *(planet.default_wavelengths or ())])
 
 
 def _per_km(values: FloatArray) -> Any:

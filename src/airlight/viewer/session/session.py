@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
-from airlight.exports.whole_file import whole_file
+from airlight.exports.atomic_file import atomic_file
 from airlight.planets.planet import Planet
 from airlight.planets.reading.planet_file import planet_file
 from airlight.planets.reading.reader import read_tables
@@ -170,7 +170,7 @@ class Session(Editing):
         changes = state.changes
         if changes:
             comments.append(f"Changed: {', '.join(change[0] for change in changes[:40])}.")
-        with whole_file(path) as place:
+        with atomic_file(path) as place:
             place.write_text(planet_file(state.tables, tuple(comments)), encoding="utf-8")
 
     def to_state(self) -> dict[str, Any]:

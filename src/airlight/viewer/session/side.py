@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Any, Final
 
 from airlight.errors import ParameterError
-from airlight.planets.schema.section import suggestion
+from airlight.planets.schema.toml_table import suggestion
 from airlight.viewer.parameters.amounts import Amount
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.parameters.parameter_list import value_at

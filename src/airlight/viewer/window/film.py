@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from airlight.color.display import to_display
 from airlight.color.exposure import eased
 from airlight.errors import Cancelled, FileError
-from airlight.exports.whole_file import whole_file
+from airlight.exports.atomic_file import atomic_file
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.scene_painter import ScenePainter
 from airlight.planets.parameters import replace
@@ -134,7 +134,7 @@ def write_film(
         raise FileError(path, "the film is too large; allowed: a shorter or a smaller one")
     first, *rest = _frames(picture, scenes, progress, cancel)
     more = {"quality": _QUALITY, "method": 2} if form == "WEBP" else {}
-    with whole_file(path) as place:
+    with atomic_file(path) as place:
         first.save(
             place, form, save_all=True, append_images=rest, duration=1000 // RATE, loop=0, **more
         )

@@ -12,9 +12,9 @@ from typing import Final
 import numpy as np
 
 from airlight.errors import FileError
-from airlight.exports.whole_file import check_target
+from airlight.exports.atomic_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
-from airlight.kernel.ahead import CompiledAhead
+from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.paint.drawing_device import Choice, live_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import live_solver
@@ -51,7 +51,7 @@ class Start:
     other : str, optional
         Planet to compare it with.
     changes : tuple of str
-        Overrides ``PATH=VALUE``, as for ``airlight render --set``.
+        Overrides ``PATH=VALUE``.
     view : mapping
         View values by path.
     look : (float, float), optional
@@ -156,7 +156,7 @@ def opened(start: Start) -> Session:
         from airlight.planets.reading.overrides import overridden, parsed
 
         changed = overridden(session.planet.tables, dict(parsed(one) for one in start.changes))
-        session.replace_tables("--set", changed)
+        session.replace_tables("overrides", changed)
     for path, value in start.view.items():
         session.set(path, value)
     placed = "#" in start.planet or bool(set(start.view) & _PLACED)
@@ -199,7 +199,7 @@ def _session_of(planet: str) -> Session:
 
 
 def painter_by(
-    choice: Choice, device: Device, ahead: CompiledAhead | None = None
+    choice: Choice, device: Device, ahead: BackgroundCompiler | None = None
 ) -> Callable[[], Painter]:
     """Factory of painters for the graphics device or the processor, which waits for its loops."""
 

@@ -17,7 +17,7 @@ from airlight.planets.matter.phases.phase_function import (
     PhaseRow,
 )
 from airlight.planets.matter.phases.tabulated import TabulatedPhase
-from airlight.planets.schema.kinds import Kinds
+from airlight.planets.schema.tagged_union import TaggedUnion
 
 __all__ = [
     "INTEGRAL_TOLERANCE", "PHASES", "CornetteShanks", "DoubleHenyeyGreenstein", "FormulaPhase",
@@ -25,7 +25,7 @@ __all__ = [
 ]  # fmt: skip
 
 #: Kinds of ``phase_function = { kind = … }``.
-PHASES: Final[Kinds[PhaseFunction]] = Kinds(
+PHASES: Final[TaggedUnion[PhaseFunction]] = TaggedUnion(
     (
         Rayleigh,
         HenyeyGreenstein,

@@ -13,7 +13,7 @@ from airlight.optics.phase_functions import INV_4PI
 from airlight.optics.phase_matrix import anisotropy
 from airlight.planets.matter.phases.phase_function import FormulaPhase
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.key import Key, always
+from airlight.planets.schema.field import Field, always
 from airlight.planets.spectral import Spectral
 
 FloatArray = npt.NDArray[np.float64]
@@ -21,13 +21,13 @@ FloatArray = npt.NDArray[np.float64]
 #: Largest ``|g|``: beyond it the forward lobe is narrower than the sun's disc.
 LARGEST_ASYMMETRY: Final = 0.999
 #: Asymmetry of a newly made phase function of particles.
-FRESH_ASYMMETRY: Final = 0.7
+INITIAL_ASYMMETRY: Final = 0.7
 
 
-def asymmetry_key(label: str, text: str, fresh: float = FRESH_ASYMMETRY, **more: Any) -> Key:
+def asymmetry_key(label: str, text: str, initial: float = INITIAL_ASYMMETRY, **more: Any) -> Field:
     """Key of the mean cosine of a lobe, or of its equivalent."""
-    return Key(label=label, help=text, range=(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY),
-               slider=(-0.99, 0.99), spectral=True, per="wavelengths", fresh=fresh,
+    return Field(label=label, help=text, range=(-LARGEST_ASYMMETRY, LARGEST_ASYMMETRY),
+               slider=(-0.99, 0.99), spectral=True, per="wavelengths", initial=initial,
                **more)  # fmt: skip
 
 
@@ -47,7 +47,7 @@ class Rayleigh(FormulaPhase):
 
     depolarisation: Annotated[
         Spectral,
-        Key(
+        Field(
             label="depolarisation",
             help="Depolarisation ratio of the molecules; 0 for isotropic ones.",
             range=(0.0, 0.5),
@@ -149,13 +149,13 @@ class DoubleHenyeyGreenstein(FormulaPhase):
     ]
     weight: Annotated[
         Spectral,
-        Key(
+        Field(
             label="weight of the first lobe",
             help="Weight of the first lobe; the second has the remainder.",
             range=(0.0, 1.0),
             spectral=True,
             example="0.743",
             per="wavelengths",
-            fresh=0.9,
+            initial=0.9,
         ),
     ]

@@ -14,7 +14,7 @@ from airlight.kernel import vectorized
 from airlight.optics.legendre import legendre_moments
 from airlight.optics.phase_matrix import unpolarising_ratio
 from airlight.optics.phase_table import interpolated
-from airlight.planets.schema.record import Record, fields_of
+from airlight.planets.schema.toml_model import TomlModel, fields_of
 from airlight.planets.spectral import Limits, PerWavelength, spectral_at, spectral_limits
 from airlight.units import values_in
 
@@ -32,7 +32,7 @@ _DIGITS: Final = 6
 #: Points between two angles of a table in the integrals of its polarisation.
 _STEPS_A_CELL: Final = 4
 #: Number of formulas and parameters whose polarising elements are kept: edits change few of them.
-_KEPT: Final = 512
+_CACHE_SIZE: Final = 512
 
 
 class PhaseRow(NamedTuple):
@@ -57,7 +57,7 @@ class PhaseRow(NamedTuple):
     ratios: FloatArray | None = None
 
 
-class PhaseFunction(Record, ABC):
+class PhaseFunction(TomlModel, ABC):
     """Distribution of scattered light, as a parameter object; its integral over the sphere is 1.
 
     Attributes
@@ -155,7 +155,7 @@ class FormulaPhase(PhaseFunction):
     """Phase function by a formula of the cosine and of its fields, in their order.
 
     A further phase function is a frozen class (``@parameters``) with a ``keyword``, its ``formula``
-    and fields declared by ``Key``; its name in ``PHASES`` registers it for reader, editors and
+    and fields declared by ``Field``; its name in ``PHASES`` registers it for reader, editors and
     solvers.
 
     Attributes
@@ -221,7 +221,7 @@ def _formula_rows(formula: Any, *given: float) -> tuple[PhaseRow, ...]:
     return (PhaseRow(1.0, angles, at(angles)),)
 
 
-@lru_cache(maxsize=_KEPT)
+@lru_cache(maxsize=_CACHE_SIZE)
 def _formula_moments(formula: Any, *given: float) -> tuple[float, float, float, float]:
     """``polarising_moments_of`` a formula with the given parameters. [1]"""
     return polarising_moments_of(_formula_rows(formula, *given))

@@ -21,8 +21,8 @@ from airlight.planets.matter.phases.phase_function import (
     PhaseRow,
 )
 from airlight.planets.parameters import all_between, ascending, numbers, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.section import Section, quantity_list
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_table import TomlTable, quantity_list
 from airlight.planets.spectral import (
     EVERYWHERE,
     LONGEST,
@@ -58,34 +58,38 @@ def _ratio_rows(name: str) -> BeforeValidator:
     return BeforeValidator(rows)
 
 
-def _ratio_key(element: str, help: str, note: str) -> Key:
+def _ratio_key(element: str, help: str, note: str) -> Field:
     """Key of a ratio of elements of the phase matrix."""
-    return Key(
+    return Field(
         label=f"{element}/F₁₁",
         help=help,
         note=note,
         read=_ratios,
         slider=(-1.0, 1.0),
-        typed=(-1.0, 1.0),
+        input_range=(-1.0, 1.0),
         per="angles",
         per_unit="deg",
         mode="advanced",
     )
 
 
-def _ratios(section: Section, name: str, wavelengths: Wavelengths) -> tuple[tuple[float, ...], ...]:
+def _ratios(
+    section: TomlTable, name: str, wavelengths: Wavelengths
+) -> tuple[tuple[float, ...], ...]:
     """Read one list of ratios, or one for each wavelength. [1]"""
     return _listed(section, name, wavelengths, "1", "a list of numbers, or one list per wavelength")
 
 
-def _values(section: Section, name: str, wavelengths: Wavelengths) -> tuple[tuple[float, ...], ...]:
+def _values(
+    section: TomlTable, name: str, wavelengths: Wavelengths
+) -> tuple[tuple[float, ...], ...]:
     """Read one list, or one for each wavelength. [sr⁻¹]"""
     allowed = "a list of numbers in /sr, or one list per wavelength"
     return _listed(section, name, wavelengths, "1/sr", allowed)
 
 
 def _listed(
-    section: Section, name: str, wavelengths: Wavelengths, unit: str, allowed: str
+    section: TomlTable, name: str, wavelengths: Wavelengths, unit: str, allowed: str
 ) -> tuple[tuple[float, ...], ...]:
     values = section.required(name, allowed)
     field = section.name_of(name)
@@ -127,7 +131,7 @@ class TabulatedPhase(PhaseFunction):
 
     angles: Annotated[
         tuple[float, ...],
-        Key(
+        Field(
             label="angle",
             help="Scattering angles of the rows, in increasing order.",
             note="From 0 to 180 deg.",
@@ -136,13 +140,13 @@ class TabulatedPhase(PhaseFunction):
             listed=True,
             example="0, 90, 180 deg",
             mode="advanced",
-            fresh=["0 deg", "90 deg", "180 deg"],
+            initial=["0 deg", "90 deg", "180 deg"],
         ),
     ]
     rows: Annotated[
         tuple[tuple[float, ...], ...],
         BeforeValidator(_rows),
-        Key(
+        Field(
             name="values",
             label="phase function",
             help="Values at these angles; the integral over the sphere is 1.",
@@ -153,7 +157,7 @@ class TabulatedPhase(PhaseFunction):
             read=_values,
             shown="/sr",
             slider=(1e-4, 1e3),
-            typed=(0.0, 1e9),
+            input_range=(0.0, 1e9),
             scale="log",
             per="angles",
             per_unit="deg",
@@ -241,7 +245,7 @@ class TabulatedPhase(PhaseFunction):
         return np.stack([f12, f33, f34], axis=1)
 
     @classmethod
-    def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
+    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
         """Angles and rows; the wavelengths of the constituent if there is a row for each."""
         values = super().read_values(section, wavelengths)
         given = section.raw("values")
@@ -312,7 +316,7 @@ class TabulatedPhase(PhaseFunction):
         return weights
 
     @classmethod
-    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Table of isotropic scattering; see ``Record.fresh``."""
+    def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """Table of isotropic scattering; see ``TomlModel.default_table``."""
         even = float(f"{0.25 / math.pi:.10g}")
-        return {**super().fresh(old, thickness), "values": [even, even, even]}
+        return {**super().default_table(old, thickness), "values": [even, even, even]}

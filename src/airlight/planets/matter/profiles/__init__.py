@@ -10,7 +10,7 @@ from airlight.planets.matter.profiles.layers import Layers
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.matter.profiles.sounding import Sounding
 from airlight.planets.matter.profiles.tabulated import Tabulated
-from airlight.planets.schema.kinds import Kinds
+from airlight.planets.schema.tagged_union import TaggedUnion
 
 __all__ = [
     "PROFILES", "BulkGas", "Exponential", "Layer", "Layered", "Layers", "Profile", "Sounding",
@@ -18,7 +18,7 @@ __all__ = [
 ]  # fmt: skip
 
 #: Kinds of ``profile = { kind = … }``.
-PROFILES: Final[Kinds[Profile]] = Kinds(
+PROFILES: Final[TaggedUnion[Profile]] = TaggedUnion(
     (
         Exponential,
         Tent,

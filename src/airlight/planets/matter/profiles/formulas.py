@@ -9,13 +9,13 @@ from airlight.optics.density_profile import Row
 from airlight.optics.rayleigh import scale_height
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 
 
 @parameters
-class BulkGas(Record):
+class BulkGas(TomlModel):
     """Isothermal gas whose scale height is RT/(Mg).
 
     Parameters
@@ -30,7 +30,7 @@ class BulkGas(Record):
 
     temperature: Annotated[
         float,
-        Key(
+        Field(
             label="temperature",
             help="Temperature T in the scale height RT/(Mg).",
             unit="K",
@@ -38,14 +38,14 @@ class BulkGas(Record):
             open_ends=True,
             example="288.15 K",
             slider=(20.0, 1000.0),
-            typed=(1e-3, 1e9),
+            input_range=(1e-3, 1e9),
             scale="log",
             mode="advanced",
         ),
     ]
     molar_mass: Annotated[
         float,
-        Key(
+        Field(
             label="molar mass",
             help="Molar mass M in the scale height RT/(Mg).",
             unit="kg/mol",
@@ -54,14 +54,14 @@ class BulkGas(Record):
             example="28.9644 g/mol",
             shown="g/mol",
             slider=(1.0, 100.0),
-            typed=(1e-6, 1e9),
+            input_range=(1e-6, 1e9),
             scale="log",
             mode="advanced",
         ),
     ]
     gravity: Annotated[
         float,
-        Key(
+        Field(
             label="gravity",
             help="g of RT/(Mg).",
             unit="m/s^2",
@@ -69,14 +69,14 @@ class BulkGas(Record):
             open_ends=True,
             example="9.80665 m/s^2",
             slider=(0.1, 100.0),
-            typed=(1e-6, 1e9),
+            input_range=(1e-6, 1e9),
             scale="log",
             mode="advanced",
         ),
     ]
 
 
-def _scale_height(section: Section, name: str, wavelengths: Wavelengths) -> float:
+def _scale_height(section: TomlTable, name: str, wavelengths: Wavelengths) -> float:
     """Read a length, or the scale height of a gas by its bulk parameters. [m]"""
     if not isinstance(section.raw(name), dict):
         return section.number(name, "m", "8 km")
@@ -84,9 +84,9 @@ def _scale_height(section: Section, name: str, wavelengths: Wavelengths) -> floa
     return scale_height(gas.temperature, gas.molar_mass, gas.gravity)
 
 
-def height_key(label: str, text: str, **more: Any) -> Key:
+def height_key(label: str, text: str, **more: Any) -> Field:
     """Key of a height over which a density falls: layers thinner than a metre are surfaces."""
-    return Key(label=label, help=text, unit="m", range=(1.0, 1e9), shown="km",
+    return Field(label=label, help=text, unit="m", range=(1.0, 1e9), shown="km",
                slider=(0.1, 100.0), scale="log", **more)  # fmt: skip
 
 
@@ -116,7 +116,7 @@ class Exponential(Profile):
             read=_scale_height,
             example="8 km",
             table="bulk",
-            fresh_share=0.08,
+            initial_fraction=0.08,
         ),
     ]
 
@@ -141,7 +141,7 @@ class Tent(Profile):
 
     center: Annotated[
         float,
-        Key(
+        Field(
             label="centre",
             help="Altitude of the maximum density.",
             unit="m",
@@ -149,7 +149,7 @@ class Tent(Profile):
             example="25 km",
             shown="km",
             slider=(0.0, 100.0),
-            fresh_share=0.25,
+            initial_fraction=0.25,
         ),
     ]
     half_width: Annotated[
@@ -158,7 +158,7 @@ class Tent(Profile):
             "half width",
             "From the altitude where it is densest to where it ends.",
             example="15 km",
-            fresh_share=0.15,
+            initial_fraction=0.15,
         ),
     ]
 

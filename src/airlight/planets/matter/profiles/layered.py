@@ -10,10 +10,10 @@ from airlight.optics import density_profile
 from airlight.optics.density_profile import LayerTerms, Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import parameters
-from airlight.planets.schema.key import Key, Wavelengths, always
+from airlight.planets.schema.field import Field, Wavelengths, always
 from airlight.planets.schema.measures import text_of
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 
 #: Largest number of layers of a profile.
 MOST_LAYERS = 1000
@@ -21,15 +21,15 @@ MOST_LAYERS = 1000
 _FRESH_SHARE = 0.08
 
 
-def _term(label: str, text: str, unit: str = "1") -> Key:
+def _term(label: str, text: str, unit: str = "1") -> Field:
     """Key of a term of a layer; shown per kilometre if it is per metre."""
     most, end = (1e6, 2.0) if unit == "1" else (1.0, 1.0)
-    return Key(label=label, help=text, unit=unit, range=(-most, most), slider=(-end, end),
+    return Field(label=label, help=text, unit=unit, range=(-most, most), slider=(-end, end),
                shown="" if unit == "1" else "/km", offered=always)  # fmt: skip
 
 
 @parameters
-class Layer(Record):
+class Layer(TomlModel):
     """One of Bruneton's layers: exp_term·e^(exp_scale·h) + linear_term·h + constant_term.
 
     The sum is clamped to [0, 1].
@@ -46,7 +46,7 @@ class Layer(Record):
 
     width: Annotated[
         float,
-        Key(
+        Field(
             label="thickness",
             help="Thickness of the layer; the topmost extends to the top of the atmosphere.",
             unit="m",
@@ -65,7 +65,7 @@ class Layer(Record):
     ] = 0.0
 
 
-def _layers(section: Section, name: str, wavelengths: Wavelengths) -> tuple[Layer, ...]:
+def _layers(section: TomlTable, name: str, wavelengths: Wavelengths) -> tuple[Layer, ...]:
     parts = section.sections(name, "a list of tables such as [{ constant_term = 1 }]")
     return tuple(Layer.read(part) for part in parts)
 
@@ -84,7 +84,7 @@ class Layered(Profile):
 
     layers: Annotated[
         tuple[Layer, ...],
-        Key(
+        Field(
             label="layer",
             help="Layers, from the ground up.",
             note="Each is exp_term·e^(exp_scale·h) + linear_term·h + constant_term, clamped to"
@@ -117,7 +117,7 @@ class Layered(Profile):
         return density_profile.layered(terms, thickness)
 
     @classmethod
-    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Table of one exponential layer; see ``Record.fresh``."""
+    def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """Table of one exponential layer; see ``TomlModel.default_table``."""
         per_km = float(f"{-1e3 / (_FRESH_SHARE * thickness):.4g}")
         return {"layers": [{"exp_term": 1.0, "exp_scale": text_of(per_km, "/km")}]}

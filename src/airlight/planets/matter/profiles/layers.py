@@ -19,7 +19,7 @@ from airlight.planets.matter.profiles.weight_keys import (
     molar_mass_key,
 )
 from airlight.planets.parameters import MISSING, ascending, parameters
-from airlight.planets.schema.key import Key, always
+from airlight.planets.schema.field import Field, always
 
 #: Largest number of layers.
 MOST_LAYERS: Final = 100
@@ -60,7 +60,7 @@ class Layers(Profile):
     altitudes: (
         Annotated[
             tuple[float, ...],
-            Key(
+            Field(
                 label="base altitude",
                 help="Altitudes of the layers' bases, from 0 up.",
                 note="It or `pressures`. Geopotential altitudes beside a `gravity_radius`.",
@@ -78,7 +78,7 @@ class Layers(Profile):
     pressures: (
         Annotated[
             tuple[float, ...],
-            Key(
+            Field(
                 label="base pressure",
                 help="Pressures of the layers' bases instead, from that at the ground down.",
                 unit="Pa",
@@ -95,7 +95,7 @@ class Layers(Profile):
     ) = None
     temperature: Annotated[
         float,
-        Key(
+        Field(
             label="temperature",
             help="Temperature at the ground.",
             unit="K",
@@ -104,12 +104,12 @@ class Layers(Profile):
             slider=(20.0, 1000.0),
             scale="log",
             mode="advanced",
-            fresh="288.15 K",
+            initial="288.15 K",
         ),
     ]
     lapse_rates: Annotated[
         tuple[float, ...],
-        Key(
+        Field(
             label="lapse rate",
             help="Fall of the temperature with altitude in each layer.",
             note="One for each base; negative where it grows warmer upwards.",
@@ -122,8 +122,8 @@ class Layers(Profile):
             mode="advanced",
         ),
     ]
-    molar_mass: Annotated[float, molar_mass_key(fresh="28.9644 g/mol")]
-    gravity: Annotated[float, gravity_key(fresh="9.80665 m/s^2")]
+    molar_mass: Annotated[float, molar_mass_key(initial="28.9644 g/mol")]
+    gravity: Annotated[float, gravity_key(initial="9.80665 m/s^2")]
     gravity_radius: Annotated[float, gravity_radius_key(offered=always)] | None = None
 
     def __post_init__(self) -> None:
@@ -185,9 +185,9 @@ class Layers(Profile):
         return self.air.row(thickness)
 
     @classmethod
-    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Table of the Earth's troposphere and stratosphere; see ``Record.fresh``."""
-        table = super().fresh(old, thickness)
+    def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """Table of the Earth's troposphere and stratosphere; see ``TomlModel.default_table``."""
+        table = super().default_table(old, thickness)
         table["altitudes"] = ["0 km", "11 km"]
         table["lapse_rates"] = ["6.5 K/km", "0 K/km"]
         return table

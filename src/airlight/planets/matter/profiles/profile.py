@@ -6,14 +6,14 @@ from abc import ABC, abstractmethod
 
 from airlight.optics import density_profile
 from airlight.optics.density_profile import Row
-from airlight.planets.schema.record import Record
+from airlight.planets.schema.toml_model import TomlModel
 
 
-class Profile(Record, ABC):
+class Profile(TomlModel, ABC):
     """Relative density over altitude, as a parameter object.
 
     A further profile is a frozen class (``@parameters``) with a ``keyword``, fields declared by
-    ``Key`` and a ``row``; its name in ``PROFILES`` registers it for reader, editors and solvers.
+    ``Field`` and a ``row``; its name in ``PROFILES`` registers it for reader, editors and solvers.
     """
 
     @abstractmethod

@@ -17,7 +17,7 @@ from airlight.planets.matter.profiles.weight_keys import (
     molar_mass_key,
 )
 from airlight.planets.parameters import MISSING, ascending, parameters
-from airlight.planets.schema.key import Key, always
+from airlight.planets.schema.field import Field, always
 
 #: Largest number of rows of a table.
 MOST_ROWS: Final = 1000
@@ -60,7 +60,7 @@ class Sounding(Profile):
 
     temperatures: Annotated[
         tuple[float, ...],
-        Key(
+        Field(
             label="temperature",
             help="Temperatures of the table's rows.",
             unit="K",
@@ -75,7 +75,7 @@ class Sounding(Profile):
     altitudes: (
         Annotated[
             tuple[float, ...],
-            Key(
+            Field(
                 label="altitude",
                 help="Altitudes of the rows, in increasing order.",
                 note="They or pressures or both; what is left out follows from the gas's weight.",
@@ -93,7 +93,7 @@ class Sounding(Profile):
     pressures: (
         Annotated[
             tuple[float, ...],
-            Key(
+            Field(
                 label="pressure",
                 help="Pressures of the rows, in decreasing order.",
                 unit="Pa",
@@ -197,8 +197,8 @@ class Sounding(Profile):
         return tabulated(self.altitudes, self.densities, thickness)
 
     @classmethod
-    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Three levels of the Earth's lower air; see ``Record.fresh``."""
+    def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """Three levels of the Earth's lower air; see ``TomlModel.default_table``."""
         return {
             "altitudes": ["0 km", "5 km", "11 km"],
             "pressures": ["1013.25 hPa", "540.48 hPa", "226.99 hPa"],

@@ -11,8 +11,8 @@ from airlight.errors import ParameterError
 from airlight.optics.density_profile import Row
 from airlight.planets.matter.profiles.profile import Profile
 from airlight.planets.parameters import ascending, parameters
-from airlight.planets.schema.key import Key, Wavelengths
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, Wavelengths
+from airlight.planets.schema.toml_table import TomlTable
 
 #: Largest number of rows of a table.
 MOST_ROWS = 1000
@@ -38,19 +38,19 @@ class Tabulated(Profile):
 
     keyword = "tabulated"
     extra_keys = (
-        Key(
+        Field(
             name="table",
             label="table",
             help="Name of a density table included in the package.",
             note="Alternative to altitudes and densities.",
             kind="choice",
-            words=lambda: (OZONE_TABLE,),
+            choices=lambda: (OZONE_TABLE,),
         ),
     )
 
     altitudes: Annotated[
         tuple[float, ...],
-        Key(
+        Field(
             label="altitude",
             help="Altitudes of the table's rows, in increasing order.",
             note="Required without a `table`. Beyond its ends it is extrapolated exponentially,"
@@ -66,7 +66,7 @@ class Tabulated(Profile):
     ]
     densities: Annotated[
         tuple[float, ...],
-        Key(
+        Field(
             label="density",
             help="Relative density of each row.",
             note="Interpolated in the logarithm with a monotone cubic; straight lines next to a"
@@ -100,7 +100,7 @@ class Tabulated(Profile):
         return tabulated(self.altitudes, self.densities, thickness)
 
     @classmethod
-    def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
+    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
         """Altitudes and densities, given or from a table of the package."""
         if "table" not in section:
             return super().read_values(section, wavelengths)
@@ -112,6 +112,6 @@ class Tabulated(Profile):
         return {"altitudes": tuple(altitudes.tolist()), "densities": tuple(relative.tolist())}
 
     @classmethod
-    def fresh(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
-        """Table of the package; see ``Record.fresh``."""
+    def default_table(cls, old: Mapping[str, Any], thickness: float) -> dict[str, Any]:
+        """Table of the package; see ``TomlModel.default_table``."""
         return {"table": OZONE_TABLE}

@@ -4,26 +4,26 @@ from __future__ import annotations
 
 from typing import Any
 
-from airlight.planets.schema.key import Key
+from airlight.planets.schema.field import Field
 
 
-def molar_mass_key(**more: Any) -> Key:
+def molar_mass_key(**more: Any) -> Field:
     """Key of the molar mass of a gas under its own weight."""
-    return Key(label="molar mass", help="Molar mass of the gas.", unit="kg/mol", range=(1e-4, 1.0),
-               example="28.9644 g/mol", shown="g/mol", slider=(1.0, 100.0), scale="log",
-               mode="advanced", **more)  # fmt: skip
+    return Field(label="molar mass", help="Molar mass of the gas.", unit="kg/mol",
+               range=(1e-4, 1.0), example="28.9644 g/mol", shown="g/mol", slider=(1.0, 100.0),
+               scale="log", mode="advanced", **more)  # fmt: skip
 
 
-def gravity_key(**more: Any) -> Key:
+def gravity_key(**more: Any) -> Field:
     """Key of the gravity at the ground."""
-    return Key(label="gravity", help="Gravity at the ground.", unit="m/s^2", range=(1e-3, 1e4),
+    return Field(label="gravity", help="Gravity at the ground.", unit="m/s^2", range=(1e-3, 1e4),
                example="9.80665 m/s^2", slider=(0.1, 100.0), scale="log", mode="advanced",
                **more)  # fmt: skip
 
 
-def gravity_radius_key(**more: Any) -> Key:
+def gravity_radius_key(**more: Any) -> Field:
     """Key of the distance from the centre with whose square gravity falls."""
-    return Key(label="radius of gravity", help="Distance of the ground from the planet's centre.",
+    return Field(label="radius of gravity", help="Distance of the ground from the planet's centre.",
                note="Gravity falls with its square; without it gravity is constant.", unit="m",
                range=(1e3, 1e12), example="6356.766 km", shown="km", slider=(10.0, 1e5),
                scale="log", mode="advanced", **more)  # fmt: skip

@@ -23,7 +23,7 @@ from airlight.units import quantities, quantity
 LONGEST_LIST = 10_000
 
 
-class Section:
+class TomlTable:
     """Table of a TOML file, with its path in the file.
 
     Parameters
@@ -126,20 +126,20 @@ class Section:
         value = self.required(key, f"such as {example!r}, or a list with one for each wavelength")
         return spectral_of(value, unit, self.name_of(key), wavelengths)
 
-    def section(self, key: str, allowed: str) -> Section:
+    def section(self, key: str, allowed: str) -> TomlTable:
         """Table within this table."""
         value = self.required(key, allowed)
         if not isinstance(value, dict):
             raise ParameterError(self.name_of(key), value, allowed)
-        return Section(value, self.name_of(key), self.folder)
+        return TomlTable(value, self.name_of(key), self.folder)
 
-    def sections(self, key: str, allowed: str) -> list[Section]:
+    def sections(self, key: str, allowed: str) -> list[TomlTable]:
         """List of tables within this table."""
         value = self.required(key, allowed)
         if not isinstance(value, list) or len(value) > LONGEST_LIST:
             raise ParameterError(self.name_of(key), value, allowed)
         names = [f"{self.name_of(key)}[{i}]" for i in range(len(value))]
-        return [Section(item, name, self.folder) for item, name in zip(value, names, strict=True)]
+        return [TomlTable(item, name, self.folder) for item, name in zip(value, names, strict=True)]
 
     def beside(self, file: str) -> Path:
         """Path of a file that this file names, relative to its own folder."""
@@ -156,17 +156,17 @@ class Section:
         collector.raise_all()
 
     @contextlib.contextmanager
-    def blamed(self) -> Iterator[None]:
+    def prefix_errors(self) -> Iterator[None]:
         """Put this section's path before the field of any error raised inside."""
         try:
             yield
         except ParameterError as error:
-            raise changed(error, self._blamed) from None
+            raise changed(error, self._prefixed) from None
 
-    def _blamed(self, error: ParameterError) -> ParameterError:
+    def _prefixed(self, error: ParameterError) -> ParameterError:
         if error.file is not None or (self.path and error.field.startswith(self.path)):
             return error
-        return ParameterError(self.name_of(error.field), error.value, error.allowed)
+        return error.named(self.name_of(error.field))
 
 
 def quantity_list(value: Any, unit: str, field: str, *, bare: bool = False) -> tuple[float, ...]:
@@ -188,7 +188,7 @@ def spectral_of(
         return quantity(value, unit, field)
     values = quantity_list(value, unit, field)
     if wavelengths is None:
-        raise ParameterError(field, value, "one value, or a list beside a list of wavelengths")
+        raise ParameterError(field, value, "one value, or a list for a list of wavelengths")
     if len(values) != len(wavelengths):
         raise ParameterError(
             field, value, f"{len(wavelengths)} values, one for each of the wavelengths"

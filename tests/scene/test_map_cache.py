@@ -14,7 +14,7 @@ from airlight.errors import FileError
 from airlight.kernel import disk
 from airlight.kernel.large_arrays import FileMemory
 from airlight.scene import ground_overlay as overlays
-from airlight.scene import kept_maps, surface_map
+from airlight.scene import map_cache, surface_map
 from airlight.scene.map_levels import Levels
 
 HEIGHT = 256
@@ -24,7 +24,7 @@ HEIGHT = 256
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Folder of the cache, for maps of any size."""
     monkeypatch.setattr(disk, "cache_folder", lambda: tmp_path / "cache")
-    monkeypatch.setattr(kept_maps, "SMALLEST", 1)
+    monkeypatch.setattr(map_cache, "SMALLEST", 1)
     return tmp_path / "cache" / "maps"
 
 
@@ -94,7 +94,7 @@ def test_whatever_changes_a_map_has_it_decoded_again(
     elif change == "no water":
         water.unlink()
     elif change == "code":
-        monkeypatch.setattr(kept_maps, "fingerprint", lambda _: "another")
+        monkeypatch.setattr(map_cache, "fingerprint", lambda _: "another")
     else:
         (kept,) = cache.iterdir()
         kept.write_bytes(kept.read_bytes()[:-1000])
@@ -119,7 +119,7 @@ def test_overlays_are_kept_by_both_pictures(tmp_path: Path, decoded: list[str]) 
 def test_small_maps_are_not_kept(
     tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(kept_maps, "SMALLEST", 1 << 22)
+    monkeypatch.setattr(map_cache, "SMALLEST", 1 << 22)
     file = picture(tmp_path, "map.png", 1)
     assert_array_equal(loaded(file).flat, loaded(file).flat)
     assert not cache.exists()
@@ -148,9 +148,9 @@ def test_pictures_that_cannot_be_read_are_refused_as_ever(
 def test_foreign_arrays_count_as_none(tmp_path: Path, decoded: list[str]) -> None:
     file = picture(tmp_path, "map.png", 1)
     files = (file, None)
-    key = kept_maps._key(Path(surface_map.__file__), files)
+    key = map_cache._key(Path(surface_map.__file__), files)
     disk.save(key, {"size": np.array([1, 2])}, "maps")
     wanted = Levels(1, 2, np.arange(8, dtype=np.uint8))
-    found = kept_maps.kept_levels(Path(surface_map.__file__), files, lambda: wanted)
+    found = map_cache.cached_levels(Path(surface_map.__file__), files, lambda: wanted)
     assert found[:2] == (1, 2)
     assert_array_equal(found.flat, wanted.flat)

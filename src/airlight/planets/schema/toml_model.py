@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Final, Self, get_args, get_origin
 
 from airlight.errors import Collector, ParameterError, changed
-from airlight.planets.schema.key import WAVELENGTHS, FileTable, Key, Made, Wavelengths
+from airlight.planets.schema.field import WAVELENGTHS, Field, FileTable, Prebuilt, Wavelengths
 from airlight.planets.schema.measures import converted, text_of
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.toml_table import TomlTable
 
 
-class Record(Made):
-    """Base of parameter objects whose fields are declared by ``Key``.
+class TomlModel(Prebuilt):
+    """Base of parameter objects whose fields are declared by ``Field``.
 
     Attributes
     ----------
@@ -21,27 +21,27 @@ class Record(Made):
         Word, or key, by which a planet file selects this kind of table.
     has_wavelengths : bool
         Whether the table has its own list of wavelengths.
-    extra_keys : tuple of Key
+    extra_keys : tuple of Field
         Keys of the table that are not fields: other ways to give them.
     """
 
     keyword: ClassVar[str] = ""
     has_wavelengths: ClassVar[bool] = False
-    extra_keys: ClassVar[tuple[Key, ...]] = ()
+    extra_keys: ClassVar[tuple[Field, ...]] = ()
 
     @classmethod
-    def declared(cls, table: FileTable | None = None) -> tuple[Key, ...]:
+    def declared(cls, table: FileTable | None = None) -> tuple[Field, ...]:
         """Keys of its table, in the order of the fields."""
         own = tuple(key for key in fields_of(cls).values() if not key.within)
         return (*own, *([WAVELENGTHS] if cls.has_wavelengths else []), *cls.extra_keys)
 
     @classmethod
-    def read(cls, section: Section, wavelengths: Wavelengths = None) -> Self:
+    def read(cls, section: TomlTable, wavelengths: Wavelengths = None) -> Self:
         """Read the object from a table of a planet file.
 
         Parameters
         ----------
-        section : Section
+        section : TomlTable
         wavelengths : tuple of float, optional
             Wavelengths that its lists belong to, if the table has none of its own. [nm]
 
@@ -66,7 +66,7 @@ class Record(Made):
         return made
 
     @classmethod
-    def read_values(cls, section: Section, wavelengths: Wavelengths = None) -> dict[str, Any]:
+    def read_values(cls, section: TomlTable, wavelengths: Wavelengths = None) -> dict[str, Any]:
         """Values of the table, by field; keys that it leaves out are absent."""
         if cls.has_wavelengths:
             wavelengths = section.wavelengths()
@@ -79,17 +79,17 @@ class Record(Made):
         return {field: value for field, value in found.items() if value is not None}
 
     @classmethod
-    def made(cls, section: Section, values: Mapping[str, Any]) -> Self:
+    def made(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
         """Make the object of these fields; errors name the key of the file."""
         names = {field: key.name for field, key in fields_of(cls).items()}
-        with section.blamed():
+        with section.prefix_errors():
             try:
                 return cls(**values)
             except ParameterError as error:
                 raise changed(error, lambda one: _renamed(one, names)) from None
 
     @classmethod
-    def fresh(cls, old: FileTable, thickness: float) -> dict[str, Any]:
+    def default_table(cls, old: FileTable, thickness: float) -> dict[str, Any]:
         """Make the contents of a table that an editor changes to this kind.
 
         Parameters
@@ -106,30 +106,30 @@ class Record(Made):
         """
         table: dict[str, Any] = {}
         for key in fields_of(cls).values():
-            if key.fresh_share is not None:
-                height = converted(key.fresh_share * thickness, key.unit, key.shown_unit)
+            if key.initial_fraction is not None:
+                height = converted(key.initial_fraction * thickness, key.unit, key.shown_unit)
                 table[key.name] = text_of(float(f"{height:.4g}"), key.shown_unit)
-            elif key.fresh is not None:
-                table[key.name] = key.fresh
+            elif key.initial is not None:
+                table[key.name] = key.initial
         return table
 
 
 def _renamed(error: ParameterError, names: Mapping[str, str]) -> ParameterError:
     """Error of a field by the name of its key."""
-    return ParameterError(names.get(error.field, error.field), error.value, error.allowed)
+    return error.named(names.get(error.field, error.field))
 
 
-_FIELDS: Final[dict[type[Any], dict[str, Key]]] = {}
+_FIELDS: Final[dict[type[Any], dict[str, Field]]] = {}
 
 
-def fields_of(cls: type[Any]) -> dict[str, Key]:
+def fields_of(cls: type[Any]) -> dict[str, Field]:
     """Declarations of a class's fields, with names and defaults filled in."""
     if cls not in _FIELDS:
         _FIELDS[cls] = _declared_fields(cls)
     return _FIELDS[cls]
 
 
-def _declared_fields(cls: type[Any]) -> dict[str, Key]:
+def _declared_fields(cls: type[Any]) -> dict[str, Field]:
     annotated = cls.__pydantic_fields__
     found = {}
     for field in dataclasses.fields(cls):
@@ -146,10 +146,10 @@ def _declared_fields(cls: type[Any]) -> dict[str, Key]:
     return found
 
 
-def _key_in(hint: Any) -> Key | None:
+def _key_in(hint: Any) -> Field | None:
     """Declaration within an annotation, if there is one."""
     if get_origin(hint) is Annotated:
         for one in hint.__metadata__:
-            if isinstance(one, Key):
+            if isinstance(one, Field):
                 return one
     return next((key for key in map(_key_in, get_args(hint)) if key is not None), None)

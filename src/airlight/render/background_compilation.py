@@ -11,7 +11,7 @@ from typing import Any, Final, get_args
 
 import numpy as np
 
-from airlight.kernel.ahead import CompiledAhead
+from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.shader_fields import InTexture, shader_fields
 from airlight.pixels.picture_numbers import observer_from, screen_from
 from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
@@ -26,14 +26,14 @@ DRAWING: Final = (fill_texels, draw_pixels)
 MARCHING: Final = (march_pixels,)
 
 
-def compiled_ahead() -> CompiledAhead:
+def start_render_compiler() -> BackgroundCompiler:
     """Start to compile the loops in another process, unless they are on disk."""
-    return CompiledAhead(f"{__name__}:compile_loops", DRAWING, MARCHING)
+    return BackgroundCompiler(f"{__name__}:compile_loops", DRAWING, MARCHING)
 
 
-def drawing_ahead() -> CompiledAhead:
+def start_sky_view_compiler() -> BackgroundCompiler:
     """Start to compile the loops of one picture from a table of the sky, and no others."""
-    return CompiledAhead(f"{__name__}:compile_drawing", DRAWING)
+    return BackgroundCompiler(f"{__name__}:compile_drawing", DRAWING)
 
 
 def compile_loops() -> None:

@@ -1,7 +1,7 @@
-"""One key of a planet file, declared once: range, unit, default, words, and how it is edited.
+"""Declaration of a key of a planet file: range, unit, default, choices, and how it is edited.
 
-A ``Key`` is part of the annotation of a parameter object's field, where it checks the field's
-values; reader, ``--set``, the lists of controls and the handbook's tables read the same ``Key``.
+A ``Field`` is part of the annotation of a field of a parameter object, and validates its values;
+reader, overrides, lists of controls and the tables of the handbook use the same ``Field``.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from airlight.errors import ParameterError
 from airlight.plain_text import is_plain
 from airlight.planets.parameters import inside, numbers
 from airlight.planets.schema.measures import converted
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.toml_table import TomlTable
 from airlight.planets.spectral import LONGEST, SHORTEST, check_spectral
 
 Wavelengths = tuple[float, ...] | None
@@ -36,16 +36,16 @@ def never(table: FileTable) -> bool:
     return False
 
 
-class Made:
+class Prebuilt:
     """Base of parameter objects, which have checked themselves and may be given for a table."""
 
 
-def _no_words() -> tuple[str, ...]:
+def _no_choices() -> tuple[str, ...]:
     return ()
 
 
 @dataclass(frozen=True, kw_only=True)
-class Key:
+class Field:
     """Declaration of one key of one kind of table.
 
     Attributes
@@ -83,17 +83,17 @@ class Key:
         Unit in which it is edited; ``unit`` by default.
     slider : (float, float), optional
         Ends of its slider; ``range`` by default. [shown]
-    typed : (float, float), optional
+    input_range : (float, float), optional
         Range that an editor accepts, if narrower than ``range``. [shown]
     scale : str
         Scale of the slider: ``linear`` or ``log``.
-    fresh : object
+    initial : object
         Value that an editor enters when it makes a table of this kind, as a file writes it.
-    fresh_share : float, optional
+    initial_fraction : float, optional
         The same value, over the shell's thickness.
-    words : callable
+    choices : callable
         Allowed words, looked up at each use.
-    stand_in : str
+    placeholder : str
         Word by which an editor shows a table that has to leave the key out.
     table : str
         Kind of the table, or of each table of the list, that the key holds.
@@ -120,18 +120,18 @@ class Key:
     example: str = "1"
     spectral: bool = False
     listed: bool = False
-    read: Callable[[Section, str, Wavelengths], Any] | None = None
+    read: Callable[[TomlTable, str, Wavelengths], Any] | None = None
     required: bool | None = None
     default: Any = None
     offered: Callable[[FileTable], bool] = never
     shown: str = ""
     slider: tuple[float, float] | None = None
-    typed: tuple[float, float] | None = None
+    input_range: tuple[float, float] | None = None
     scale: str = "linear"
-    fresh: Any = None
-    fresh_share: float | None = None
-    words: Callable[[], tuple[str, ...]] = _no_words
-    stand_in: str = ""
+    initial: Any = None
+    initial_fraction: float | None = None
+    choices: Callable[[], tuple[str, ...]] = _no_choices
+    placeholder: str = ""
     table: str = ""
     prefix: str = ""
     per: str = ""
@@ -159,11 +159,11 @@ class Key:
             If it is not.
         """
         low, high = self.range
-        if self.table and isinstance(value, Made):
+        if self.table and isinstance(value, Prebuilt):
             return value
-        if self.kind == "choice" and self.words is not _no_words:
-            if value not in self.words():
-                raise ParameterError(field, value, " or ".join(map(repr, self.words())))
+        if self.kind == "choice" and self.choices is not _no_choices:
+            if value not in self.choices():
+                raise ParameterError(field, value, " or ".join(map(repr, self.choices())))
         elif self.kind == "text":
             if math.isfinite(high) and not (isinstance(value, str) and low <= len(value) <= high):
                 raise ParameterError(field, value, f"{low:.0f} to {high:.0f} letters")
@@ -171,11 +171,11 @@ class Key:
             if isinstance(text, str) and not is_plain(text):
                 raise ParameterError(field, value, "letters without control characters")
         elif self.kind == "number" and math.isfinite(high):
-            if self.words is not _no_words and isinstance(value, str):
-                if value in self.words():
+            if self.choices is not _no_choices and isinstance(value, str):
+                if value in self.choices():
                     return value
                 allowed = f"{low:g} to {high:g} {self.unit_text}".rstrip()
-                raise ParameterError(field, value, f"{allowed}, or {', '.join(self.words())}")
+                raise ParameterError(field, value, f"{allowed}, or {', '.join(self.choices())}")
             if self.listed:
                 return numbers(value, field, low, high, self.unit_text)
             if self.spectral:
@@ -195,7 +195,7 @@ class Key:
 
         Examples
         --------
-        >>> Key(label="g", help="-", unit="m/s^2").unit_words
+        >>> Field(label="g", help="-", unit="m/s^2").unit_words
         'm s⁻²'
         """
         top, *below = self.unit.split("/")
@@ -204,7 +204,7 @@ class Key:
 
     # --- of the file --------------------------------------------------------------------------
 
-    def read_from(self, section: Section, wavelengths: Wavelengths) -> Any:
+    def read_from(self, section: TomlTable, wavelengths: Wavelengths) -> Any:
         """Value of the key in a table of the file, in ``unit``; None if the table leaves it out.
 
         Raises
@@ -218,7 +218,7 @@ class Key:
         if self.read is not None:
             return self.read(section, name, wavelengths)
         if self.kind == "choice":
-            return section.choice(name, self.words())
+            return section.choice(name, self.choices())
         if self.kind == "text":
             return section.text(name, self.example)
         if self.kind == "switch":
@@ -239,8 +239,8 @@ class Key:
     @property
     def limits(self) -> tuple[float, float]:
         """Lowest and highest value that an editor accepts. [shown]"""
-        if self.typed is not None or self.kind != "number":
-            return self.typed or self.range
+        if self.input_range is not None or self.kind != "number":
+            return self.input_range or self.range
         return tuple(  # type: ignore[return-value]
             converted(end, self.unit, self.shown_unit) if math.isfinite(end) else end
             for end in self.range
@@ -259,7 +259,7 @@ def _inverse(unit: str) -> str:
 
 
 #: List of wavelengths that the other lists of a table belong to.
-WAVELENGTHS = Key(
+WAVELENGTHS = Field(
     name="wavelengths",
     label="wavelength",
     help="Wavelengths of this part's lists.",

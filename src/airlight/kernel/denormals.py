@@ -1,10 +1,10 @@
-"""Subnormal numbers count as zero while a thread runs blocks of work.
+"""Denormals flushed to zero (FTZ, DAZ) while a thread runs blocks of work.
 
 Light that fades by exponentials passes through the last numbers of single precision, from 1e-38 to
-1e-45, which have fewer digits the smaller they are. Processors of the x86 family, those of Intel
-above all, take some hundred cycles for an operation on one of them, unless told to count it as
-zero, as graphics cards do. No light that anybody sees is as small. The mode belongs to a thread;
-the caller's is given back, since other libraries may rely on it.
+1e-45, which have fewer digits the smaller they are. x86 processors, those of Intel above all, take
+some hundred cycles for an operation on a denormal, unless they flush it to zero, as GPUs do. No
+visible light is as small. The mode belongs to a thread; the caller's is restored, since other
+libraries may rely on it.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from numba.extending import intrinsic
 
 from airlight.kernel import compiled_loop
 
-#: Bits of the control register MXCSR: subnormal results become zero, and subnormal operands.
+#: Bits of the control register MXCSR: FTZ (denormal results) and DAZ (denormal operands).
 _AS_ZERO: Final = 0x8000 | 0x0040
 _WORD: Final = ir.IntType(32)
 #: Whether the processor has that register.
@@ -28,7 +28,7 @@ _HAS_REGISTER: Final = platform.machine().lower() in ("x86_64", "amd64", "i386",
 
 @intrinsic
 def _exchanged(typing_context: Any, bits: Any, kept: Any) -> Any:
-    """Replace bits of the control register that the mask ``kept`` lacks; its value before.
+    """Replace the bits of the control register outside the mask ``kept``; its value before.
 
     0 on a processor without the register.
     """
@@ -57,12 +57,12 @@ def _exchange(bits, kept):
     return _exchanged(bits, kept)
 
 
-def count_as_zero() -> int:
-    """Count subnormal numbers as zero in this thread from now on; returns its mode before."""
+def flush_denormals() -> int:
+    """Flush denormals of this thread to zero from now on; returns its mode before."""
     return 0 if config.DISABLE_JIT else int(_exchange(_AS_ZERO, -1))
 
 
 def restore(mode: int) -> None:
-    """Give this thread the mode back that ``count_as_zero`` returned."""
+    """Restore the mode of this thread that ``flush_denormals`` returned."""
     if not config.DISABLE_JIT:
         _exchange(mode, 0)

@@ -1,4 +1,4 @@
-"""Files and folders that are being written, so that a process that ends can remove them."""
+"""Registry of files and folders being written, which a process that ends removes."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-_begun: Final[set[Path]] = set()
+_partial: Final[set[Path]] = set()
 
 
 @contextlib.contextmanager
-def begun(path: Path) -> Iterator[None]:
-    """Note a path while it is written, and remove what is left of it at the end."""
-    _begun.add(path)
+def partial_output(path: Path) -> Iterator[None]:
+    """Register a path while it is written, and remove what remains of it at the end."""
+    _partial.add(path)
     try:
         yield
     finally:
         remove(path)
-        _begun.discard(path)
+        _partial.discard(path)
 
 
 def remove_all() -> None:
-    """Remove all that is being written, before the process ends without its ``finally`` blocks."""
-    for path in tuple(_begun):
+    """Remove all partial outputs, before the process ends without its ``finally`` blocks."""
+    for path in tuple(_partial):
         remove(path)
 
 

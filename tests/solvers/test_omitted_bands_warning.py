@@ -13,7 +13,7 @@ import airlight
 from airlight import AirlightWarning, load_planet
 from airlight.cli.app import main
 from airlight.planets import replace
-from airlight.planets.missing_bands import warn_of_missing_bands
+from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.spectra.tables import read_spectrum
 from airlight.sweep import Grid, sweep
@@ -55,9 +55,9 @@ def test_gas_wavelength_and_size_of_a_band_are_named(
     name: str, nm: float, gas: str, size: int
 ) -> None:
     # The tables by Beer's law.
-    words = re.escape(f"bands of {gas} are left out: up to {size} %") + f".*at {nm:g} nm"
+    words = re.escape(f"bands of {gas} are omitted: up to {size} %") + f".*at {nm:g} nm"
     with pytest.warns(AirlightWarning, match=words) as caught:
-        warn_of_missing_bands(load_planet(name), [550.0, nm])
+        warn_of_omitted_bands(load_planet(name), [550.0, nm])
     assert len(caught) == 1
     assert caught[0].filename == __file__
 
@@ -67,12 +67,12 @@ def test_air_by_its_name_has_oxygen(tmp_path: Path) -> None:
     file = tmp_path / "named.toml"
     file.write_text(NAMED, encoding="utf-8")
     with pytest.warns(AirlightWarning, match=r"Named: bands of O2 .* 37 % .* at 761 nm"):
-        warn_of_missing_bands(load_planet(file), [761.0])
+        warn_of_omitted_bands(load_planet(file), [761.0])
 
 
 def test_solve_warns_before_it_computes() -> None:
     # The order: a callback that cancels at once comes too late to silence it.
-    with pytest.warns(AirlightWarning, match="O2 are left out"), pytest.raises(airlight.Cancelled):
+    with pytest.warns(AirlightWarning, match="O2 are omitted"), pytest.raises(airlight.Cancelled):
         airlight.solve("earth", [761.0], "preview", cache=False, cancel=lambda: True)
 
 
@@ -83,7 +83,7 @@ def test_the_command_line_says_it_once(capsys: pytest.CaptureFixture[str]) -> No
     lines = capsys.readouterr().err.splitlines()
     (line,) = [line for line in lines if "O2" in line]
     assert line == (
-        "airlight: Earth: bands of O2 are left out: up to 37 % of direct light at airmass 1.5, "
+        "airlight: Earth: absorption bands of O2 are omitted: up to 37 % of direct light at airmass 1.5, "
         "at 761 nm; docs/planets.md has absorbers for them"
     )
 
@@ -91,7 +91,7 @@ def test_the_command_line_says_it_once(capsys: pytest.CaptureFixture[str]) -> No
 def test_a_sweep_warns_in_the_process_that_asks(tmp_path: Path) -> None:
     # Workers have no reader.
     grid = Grid(planets=["earth"], sun_zenith=[0], view_zenith=[0], wavelengths=[940.0])
-    with pytest.warns(AirlightWarning, match="H2O are left out"):
+    with pytest.warns(AirlightWarning, match="H2O are omitted"):
         sweep(grid, tmp_path / "band.zarr", quality="preview", workers=1)
 
 
@@ -104,7 +104,7 @@ def test_pictures_of_every_preset_are_silent(name: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for nm in [*sets, sets[1][::-1]]:
-            warn_of_missing_bands(planet, nm)
+            warn_of_omitted_bands(planet, nm)
 
 
 def test_wavelengths_between_the_bands_and_planets_with_them_are_silent(tmp_path: Path) -> None:
@@ -120,6 +120,6 @@ def test_wavelengths_between_the_bands_and_planets_with_them_are_silent(tmp_path
     )
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        warn_of_missing_bands(load_planet("earth"), [360.0, 440.0, 500.0, 670.0, 780.0, 870.0])
+        warn_of_omitted_bands(load_planet("earth"), [360.0, 440.0, 500.0, 670.0, 780.0, 870.0])
         for one in (planet, replace(planet, constituents=(*planet.constituents[:-1], own))):
-            warn_of_missing_bands(one, [577.0, 689.0, 720.0, 761.0, 820.0, 940.0])
+            warn_of_omitted_bands(one, [577.0, 689.0, 720.0, 761.0, 820.0, 940.0])

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from airlight.errors import Cancelled
-from airlight.kernel.subnormals import count_as_zero, restore
+from airlight.kernel.denormals import flush_denormals, restore
 from airlight.kernel.threads import run_blocks
 
 pytestmark = pytest.mark.skipif(
@@ -77,8 +77,8 @@ def test_the_mode_is_given_back_after_an_error(monkeypatch: pytest.MonkeyPatch) 
 
 def test_modes_nest() -> None:
     half = product(LEAST, 0.5)
-    first = count_as_zero()
-    second = count_as_zero()
+    first = flush_denormals()
+    second = flush_denormals()
     assert product(LEAST, 0.5) == 0.0
     restore(second)
     assert product(LEAST, 0.5) == 0.0

@@ -1,8 +1,8 @@
-"""Maps as they are drawn, kept on disk: a picture is decoded once for all processes.
+"""Cache of decoded ground maps on disk, shared by all processes.
 
 A map of the ground with its levels has some hundred million bytes, which take longer to decode than
-a picture takes to draw. They stay in their file: processes share its memory, and the system takes
-back what nobody reads.
+a frame takes to render. The file is memory-mapped: processes share its pages, and the system
+reclaims those in no use.
 """
 
 from __future__ import annotations
@@ -21,17 +21,19 @@ from airlight.scene.map_levels import Levels
 
 #: Folder of the cache.
 _FOLDER: Final = "maps"
-#: Size of a map from which it is kept; smaller ones are decoded in no time. [byte]
+#: Smallest map that is cached; smaller ones are decoded in no time. [byte]
 SMALLEST: Final = 1 << 22
 
 
-def kept_levels(source: Path, files: Sequence[Path | None], decode: Callable[[], Levels]) -> Levels:
-    """Load the levels of a map from disk, or decode its pictures and keep what results.
+def cached_levels(
+    source: Path, files: Sequence[Path | None], decode: Callable[[], Levels]
+) -> Levels:
+    """Levels of a map, from the cache or decoded and cached.
 
     Parameters
     ----------
     source : Path
-        Source file of what decodes them: its code belongs to the key.
+        Source file of the decoder, whose code belongs to the cache key.
     files : sequence of Path or None
         Pictures; None, or one that is missing, for a part that the map lacks.
     decode : callable
@@ -40,7 +42,7 @@ def kept_levels(source: Path, files: Sequence[Path | None], decode: Callable[[],
     Returns
     -------
     Levels
-        Size and texels, in the memory of their file if they are kept; not to be written to.
+        Size and texels, read-only; memory-mapped if cached.
 
     Raises
     ------
@@ -51,17 +53,17 @@ def kept_levels(source: Path, files: Sequence[Path | None], decode: Callable[[],
         key = _key(source, files)
     except OSError:  # the reader finds words for it
         return decode()
-    kept = _kept(key)
+    kept = _load(key)
     if kept is None:
         made = decode()
         if made.flat.nbytes < SMALLEST:
             return made
         disk.save(key, {"size": np.array(made[:2]), "flat": made.flat}, _FOLDER)
-        kept = _kept(key)
+        kept = _load(key)
     return made if kept is None else kept
 
 
-def _kept(key: str) -> Levels | None:
+def _load(key: str) -> Levels | None:
     arrays = disk.load(key, _FOLDER, in_place=True)
     if arrays is None or not {"size", "flat"} <= set(arrays):
         return None

@@ -1,4 +1,4 @@
-"""Air above the top of the shell: what a low top cuts off from profiles that go on."""
+"""Constituents whose profile a low top of the shell truncates."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ ENOUGH: Final = 8.0
 _STEP: Final = 1e-3
 
 
-def cut_air(planet: Planet) -> list[str]:
-    """Name the constituents that end at the top of the shell rather than by themselves.
+def truncated_constituents(planet: Planet) -> list[str]:
+    """Constituents that the top of the shell truncates.
 
     Above the top each is taken to go on with the scale height that it has there, H, so that the
     column n H is missing. Uniform layers have no scale height and are not named.
@@ -34,11 +34,11 @@ def cut_air(planet: Planet) -> list[str]:
     Examples
     --------
     >>> from airlight.planets import load_planet
-    >>> cut_air(load_planet("earth"))
+    >>> truncated_constituents(load_planet("earth"))
     []
     >>> low = load_planet("earth-bruneton", {"shell.top_radius": "6400 km"})
-    >>> print(cut_air(low)[0])
-    air ends at 40 km, 5 of its scale heights up: 0.67 % of its column is cut off
+    >>> print(truncated_constituents(low)[0])
+    air ends at 40 km, 5 of its scale heights up: 0.67 % of its column is truncated
     """
     thickness = planet.thickness
     rows = [one.profile.row(thickness) for one in planet.constituents]
@@ -54,5 +54,5 @@ def cut_air(planet: Planet) -> list[str]:
         share = top * height / (column + top * height)
         up = f"{math.log(largest / top):.2g} of its scale heights up"
         lines.append(f"{one.name} ends at {thickness / 1e3:.4g} km, {up}: {100.0 * share:.2g} % of "
-                     "its column is cut off")  # fmt: skip
+                     "its column is truncated")  # fmt: skip
     return lines

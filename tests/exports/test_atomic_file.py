@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from airlight.errors import FileError
-from airlight.exports.whole_file import check_target, whole_file
+from airlight.exports.atomic_file import atomic_file, check_target
 
 
 def names(folder: Path) -> list[str]:
@@ -19,7 +19,7 @@ def names(folder: Path) -> list[str]:
 
 def test_the_content_appears_at_the_end(tmp_path: Path) -> None:
     target = tmp_path / "out.txt"
-    with whole_file(target) as place:
+    with atomic_file(target) as place:
         place.write_text("new")
         assert not target.exists()
     assert target.read_text() == "new"
@@ -32,7 +32,7 @@ def test_an_interrupted_write_leaves_the_old_file_alone(
 ) -> None:
     target = tmp_path / "out.txt"
     target.write_text("old")
-    with pytest.raises(interruption), whole_file(target) as place:
+    with pytest.raises(interruption), atomic_file(target) as place:
         place.write_text("half")
         raise interruption
     assert target.read_text() == "old"
@@ -41,7 +41,7 @@ def test_an_interrupted_write_leaves_the_old_file_alone(
 
 def test_a_full_disk_is_one_clear_line(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="cannot be written: No space left") as refusal:
-        with whole_file(tmp_path / "out.txt"):
+        with atomic_file(tmp_path / "out.txt"):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     assert "\n" not in str(refusal.value)
     assert names(tmp_path) == []
@@ -52,7 +52,7 @@ def test_a_link_is_followed_and_stays_a_link(tmp_path: Path) -> None:
     link = tmp_path / "link.txt"
     real.write_text("old")
     link.symlink_to(real)
-    with whole_file(link) as place:
+    with atomic_file(link) as place:
         place.write_text("new")
     assert link.is_symlink()
     assert real.read_text() == "new"
@@ -62,7 +62,7 @@ def test_a_link_is_followed_and_stays_a_link(tmp_path: Path) -> None:
 def test_the_file_has_the_rights_of_any_new_file(tmp_path: Path) -> None:
     # a second method: what an ordinary write gives under the same umask
     (tmp_path / "plain.txt").write_text("x")
-    with whole_file(tmp_path / "out.txt") as place:
+    with atomic_file(tmp_path / "out.txt") as place:
         place.write_text("x")
     plain, ours = (tmp_path / name for name in ("plain.txt", "out.txt"))
     assert ours.stat().st_mode == plain.stat().st_mode

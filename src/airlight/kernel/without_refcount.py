@@ -1,8 +1,8 @@
-"""Arrays that a compiled loop reads without counting its references to them.
+"""Arrays in a compiled loop without reference counts.
 
 Numba counts a reference each time that an array is taken out of a tuple, by an atomic instruction
-on a counter that all threads share: half the time of a loop over pixels. A loop whose caller keeps
-the arrays for it needs no count.
+on a counter that all threads share: half the time of a loop over pixels. A loop whose caller holds
+the arrays needs no count.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from numba.extending import intrinsic
 
 
 @intrinsic
-def borrowed(typing_context: Any, value: Any) -> Any:
-    """Return the same array, or tuple of arrays, without an owner: valid only within the call.
+def without_refcount(typing_context: Any, value: Any) -> Any:
+    """Same array, or tuple of arrays, without an owner: valid only within the call.
 
     Parameters
     ----------
     value : array, number or tuple of them
-        Arrays or numbers that the caller of the compiled loop keeps.
+        Arrays or numbers to which the caller of the compiled loop holds references.
     """
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:

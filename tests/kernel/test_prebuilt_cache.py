@@ -11,7 +11,7 @@ from types import ModuleType
 
 import pytest
 
-from airlight.kernel.shipped_code import copy_machine_code, target
+from airlight.kernel.prebuilt_cache import copy_machine_code, target
 
 FORMULA = """
 from airlight.kernel import compiled_loop, kernel
@@ -27,8 +27,8 @@ def cubed(x):
 SCRIPT = """
 import sys
 from pathlib import Path
-from airlight.kernel import shipped_code
-shipped_code.SHIPPED = Path({shipped!r})
+from airlight.kernel import prebuilt_cache
+prebuilt_cache.PREBUILT = Path({shipped!r})
 {before}
 sys.path.insert(0, {folder!r})
 from airlight.kernel.compiling import on_disk
@@ -71,13 +71,13 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def test_shipped_code_runs_on_an_empty_cache(package: Path, tmp_path: Path) -> None:
+def test_prebuilt_cache_runs_on_an_empty_cache(package: Path, tmp_path: Path) -> None:
     assert run(package, tmp_path) == ["True", "27.0", "1"]
     assert not list(tmp_path.rglob("*.nbc"))
 
 
 def test_code_for_another_processor_is_not_run(package: Path, tmp_path: Path) -> None:
-    before = "shipped_code.target = lambda: None"  # a processor without the features
+    before = "prebuilt_cache.target = lambda: None"  # a processor without the features
     assert run(package, tmp_path, before) == ["False", "27.0", "0"]
     assert list(tmp_path.rglob("*.nbc"))
 

@@ -11,7 +11,7 @@ import numba
 import numpy as np
 
 from airlight import Camera, Scene, load_planet
-from airlight.render.ahead import _arguments
+from airlight.render.background_compilation import _arguments
 from airlight.render.drawing import Drawing
 from airlight.solvers.moments.march_tables import new_workspace
 

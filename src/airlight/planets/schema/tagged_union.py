@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
 
 from airlight.errors import ParameterError
-from airlight.planets.schema.key import FileTable, Key, Wavelengths
-from airlight.planets.schema.record import Record
-from airlight.planets.schema.section import Section
+from airlight.planets.schema.field import Field, FileTable, Wavelengths
+from airlight.planets.schema.toml_model import TomlModel
+from airlight.planets.schema.toml_table import TomlTable
 
-Kind = TypeVar("Kind", bound=Record)
+Kind = TypeVar("Kind", bound=TomlModel)
 
 
 @dataclass(frozen=True)
-class Kinds(Generic[Kind]):
+class TaggedUnion(Generic[Kind]):
     """Kinds of a table, distinguished by its key ``kind``.
 
     Attributes
@@ -24,7 +24,7 @@ class Kinds(Generic[Kind]):
     label, help : str
         Label and help of the choice among them.
     mode : str
-        See ``Key``.
+        See ``Field``.
     """
 
     classes: tuple[type[Kind], ...]
@@ -41,25 +41,25 @@ class Kinds(Generic[Kind]):
         """Class of the kind with this word."""
         return next((one for one in self.classes if one.keyword == keyword), None)
 
-    def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
+    def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
         """``kind`` and the keys of the table's kind; those of all kinds if it names none."""
-        choice = Key(name="kind", label=self.label, help=self.help, kind="choice",
-                     words=lambda: self.keywords, mode=self.mode, required=True)  # fmt: skip
+        choice = Field(name="kind", label=self.label, help=self.help, kind="choice",
+                     choices=lambda: self.keywords, mode=self.mode, required=True)  # fmt: skip
         kind = self.of((table or {}).get("kind"))
         return (choice, *(kind.declared(table) if kind else merged(self.classes)))
 
-    def read(self, section: Section, wavelengths: Wavelengths = None) -> Kind:
+    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Kind:
         """Read the object from a table of a planet file."""
         kind = self.of(section.choice("kind", self.keywords))
         assert kind is not None
-        with section.blamed():
+        with section.prefix_errors():
             return kind.read(section, wavelengths)
 
-    def fresh(self, keyword: str, old: FileTable, thickness: float) -> dict[str, Any]:
-        """Make a table of a kind with its usual values; see ``Record.fresh``."""
+    def default_table(self, keyword: str, old: FileTable, thickness: float) -> dict[str, Any]:
+        """Make a table of a kind with its usual values; see ``TomlModel.default_table``."""
         kind = self.of(keyword)
         assert kind is not None
-        return {"kind": keyword, **kind.fresh(old, thickness)}
+        return {"kind": keyword, **kind.default_table(old, thickness)}
 
 
 @dataclass(frozen=True)
@@ -79,14 +79,14 @@ class Alternatives(Generic[Kind]):
         """Keys that distinguish the kinds."""
         return tuple(one.keyword for one in self.classes)
 
-    def declared(self, table: FileTable | None = None) -> tuple[Key, ...]:
+    def declared(self, table: FileTable | None = None) -> tuple[Field, ...]:
         """Keys of the table's kind; those of all kinds if it has none of the keywords."""
         for one in self.classes:
             if one.keyword in (table or {}):
                 return one.declared(table)
         return merged(self.classes)
 
-    def read(self, section: Section, wavelengths: Wavelengths = None) -> Kind:
+    def read(self, section: TomlTable, wavelengths: Wavelengths = None) -> Kind:
         """Read the object from a table of a planet file."""
         for one in self.classes:
             if one.keyword in section:
@@ -96,9 +96,9 @@ class Alternatives(Generic[Kind]):
         )
 
 
-def merged(classes: tuple[type[Any], ...]) -> tuple[Key, ...]:
+def merged(classes: tuple[type[Any], ...]) -> tuple[Field, ...]:
     """Keys of several kinds of table, without repetitions of a name."""
-    found: dict[str, Key] = {}
+    found: dict[str, Field] = {}
     for one in classes:
         for key in one.declared():
             found.setdefault(key.name, key)

@@ -23,7 +23,7 @@ CHANNELS: Final = (610.0, 550.0, 465.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Rests:
+class Residuals:
     """Measured and predicted values with what they belong to, n values.
 
     Attributes
@@ -61,11 +61,11 @@ class Rests:
 
     def rms(self, chosen: NDArray[np.bool_] | slice = slice(None)) -> float:
         """Root mean square difference, in the unit of the values."""
-        rest = (self.predicted - self.measured)[chosen]
-        return float(np.sqrt(np.square(rest).mean()))
+        residual = (self.predicted - self.measured)[chosen]
+        return float(np.sqrt(np.square(residual).mean()))
 
 
-def rests_of(sky: SkyFit) -> Rests:
+def residuals_of(sky: SkyFit) -> Residuals:
     """Collect the residuals of a fit.
 
     Parameters
@@ -74,7 +74,7 @@ def rests_of(sky: SkyFit) -> Rests:
     """
     found, data = sky.fitted, sky.data
     if isinstance(data, Measurements):
-        return Rests(
+        return Residuals(
             measured=data.radiance, predicted=found.predicted, first=sky.first, sigma=found.sigma,
             wavelength=data.wavelength, view_zenith=data.view_zenith, azimuth=data.azimuth,
             from_sun=data.angle_from_sun, sun_zenith=data.sun_zenith, scan=data.scan,
@@ -83,13 +83,13 @@ def rests_of(sky: SkyFit) -> Rests:
     return _of_photograph(sky, data)
 
 
-def _of_photograph(sky: SkyFit, data: Photograph) -> Rests:
+def _of_photograph(sky: SkyFit, data: Photograph) -> Residuals:
     count = data.view_zenith.size
 
     def each(values: ArrayLike) -> FloatArray:
         return np.repeat(np.asarray(values, dtype=np.float64), 3)
 
-    return Rests(
+    return Residuals(
         measured=data.rgb.ravel(), predicted=sky.fitted.predicted, first=sky.first,
         sigma=sky.fitted.sigma, wavelength=np.tile(CHANNELS, count),
         view_zenith=each(data.view_zenith), azimuth=each(data.azimuth),
@@ -120,18 +120,18 @@ class Binned:
     count: IntArray
 
 
-def binned(rests: Rests, by: FloatArray, edges: ArrayLike | None = None) -> Binned:
+def binned(residuals: Residuals, by: FloatArray, edges: ArrayLike | None = None) -> Binned:
     """Residuals in bins of an angle, or at each value if there are no edges.
 
     Parameters
     ----------
-    rests : Rests
+    residuals : Residuals
     by : array, shape (n,)
         What the bins are of.
     edges : array, optional
         Edges of the bins.
     """
-    squares = np.square(rests.predicted - rests.measured)
+    squares = np.square(residuals.predicted - residuals.measured)
     total = max(float(squares.sum()), np.finfo(float).tiny)
     if edges is None:
         middles = np.unique(by)
@@ -141,7 +141,7 @@ def binned(rests: Rests, by: FloatArray, edges: ArrayLike | None = None) -> Binn
         middles = np.array([0.5 * (a + b) for a, b in pairs])
         chosen = [(by >= a) & (by < b) for a, b in pairs]
     kept = [k for k, one in enumerate(chosen) if one.any()]
-    relative = rests.relative
+    relative = residuals.relative
     return Binned(
         middle=middles[kept],
         bias=np.array([relative[chosen[k]].mean() for k in kept]),

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.exports.beginnings import begun, remove
 from airlight.exports.manifest import MANIFEST, check_replaceable, own_files
 from airlight.exports.output_lock import hidden_file, output_lock
+from airlight.exports.partial_outputs import partial_output, remove
 
 #: Time that the writer of a folder waits for another one of the same folder. [s]
 WAIT: Final = 60.0
@@ -75,7 +75,7 @@ def check_folder(
         there = sorted(target.iterdir()) if target.is_dir() else []
         if there and not (target / MANIFEST).is_file() and not overwrite:
             reason = f"holds {there[0].name}, but no {MANIFEST}: name a new or empty folder"
-            raise FileError(folder, f"{reason}, or add --overwrite (overwrite=True)")
+            raise FileError(folder, f"{reason}, or allow overwriting")
         own = own_files(target / MANIFEST, form, overwrite=overwrite)
         check_replaceable(target, (), (MANIFEST, *own), patterns=files, overwrite=overwrite)
         for place in (target.parent, *((target,) if target.is_dir() else ())):
@@ -87,7 +87,7 @@ def check_folder(
 
 
 @contextlib.contextmanager
-def whole_folder(
+def atomic_folder(
     folder: str | Path, form: str, files: tuple[str, ...] = ("*",), *, overwrite: bool = False
 ) -> Iterator[Path]:
     """Yield a temporary folder whose files move to ``folder`` if the block ends well.
@@ -109,7 +109,7 @@ def whole_folder(
     if not target.parent.is_dir():
         raise FileError(folder, f"there is no folder {target.parent}")
     part = hidden_file(target, "part")
-    with output_lock(target, wait=WAIT), begun(part):
+    with output_lock(target, wait=WAIT), partial_output(part):
         check_folder(folder, form, files, overwrite=overwrite)  # no one replaces its files now
         try:
             remove(part)  # of a run that was killed

@@ -19,7 +19,7 @@ _NOTHING = 1e-6
 _BELOW = 2.5
 
 
-class Air:
+class PathRadiance:
     """Air in front of an observer, lit by one light.
 
     Parameters

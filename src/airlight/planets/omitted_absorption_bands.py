@@ -1,4 +1,4 @@
-"""Warnings of gas bands that a planet's gases have and its spectrum will not show."""
+"""Warnings of absorption bands of a planet's gases that its constituents omit."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from airlight.color.four_wavelengths import CHOSEN
 from airlight.errors import ParameterError, warn
-from airlight.planets.gas_bands import AIRMASS, bands_left_out, gas_columns
+from airlight.planets.gas_bands import AIRMASS, gas_columns, omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.planet import Planet
 from airlight.units import values_in
@@ -49,8 +49,8 @@ LEAST: Final = 1e23
 WEAKEST: Final = 0.02
 
 
-def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
-    """Name the bands of a planet's gases that are left out at some of the wavelengths.
+def omitted_absorption_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
+    """Describe the absorption bands of a planet's gases that are omitted at some wavelengths.
 
     Parameters
     ----------
@@ -69,18 +69,18 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
     Examples
     --------
     >>> from airlight.planets import load_planet
-    >>> for line in missing_bands(load_planet("earth"), [550.0, 764.0]):
+    >>> for line in omitted_absorption_bands(load_planet("earth"), [550.0, 764.0]):
     ...     print(line.partition(";")[0])
-    bands of O2 are left out: up to 41 % of direct light at airmass 1.5, at 764 nm
+    absorption bands of O2 are omitted: up to 41 % of direct light at airmass 1.5, at 764 nm
     """
     nm = values_in(wavelengths, "nm", "wavelengths")
     lines = []
-    for one in bands_left_out(planet, nm):
+    for one in omitted_bands(planet, nm):
         loss = np.nan_to_num(one.loss)
         if loss.size and loss.max() >= WEAKEST:
             lines.append(
-                f"bands of {one.name} are left out: up to {100.0 * loss.max():.0f} % of direct "
-                f"light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm; "
+                f"absorption bands of {one.name} are omitted: up to {100.0 * loss.max():.0f} % of "
+                f"direct light at airmass {AIRMASS:g}, at {nm[loss.argmax()]:g} nm; "
                 "docs/planets.md has absorbers for them"
             )
     columns = gas_columns(planet)
@@ -93,12 +93,12 @@ def missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> list[str]:
                 met.setdefault(formula, []).append(f"{low:g} to {high:g}")
     if met:
         named = "; ".join(f"{formula} {', '.join(spans)} nm" for formula, spans in met.items())
-        lines.append(f"bands without a table are missing, so that it is too bright there: {named}")
+        lines.append(f"radiance is overestimated in absorption bands without data: {named}")
     return lines
 
 
-def warn_of_missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
-    """Warn, a line for each kind of band, of what ``missing_bands`` names.
+def warn_of_omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
+    """Warn of omitted absorption bands, one line for each kind.
 
     Wavelengths of pictures are exempt: each stands for a part of the spectrum, and a colour of the
     Earth's sky has 0.3 % of its light in bands.
@@ -116,5 +116,5 @@ def warn_of_missing_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
         if np.array_equal(np.sort(nm), np.sort(picture_wavelengths(planet, nm.size))):
             return
     if not np.array_equal(np.sort(nm), few):
-        for line in missing_bands(planet, nm):
+        for line in omitted_absorption_bands(planet, nm):
             warn(f"{planet.name}: {line}")

@@ -1,7 +1,7 @@
-"""Compilation in another process, beside this one, into the same folder on disk.
+"""Compilation in a background process, into the same folder on disk.
 
-Numba compiles one function at a time in a process. What is needed later can be compiled by another
-one meanwhile; this one then loads it.
+Numba compiles one function at a time in a process. Another process can meanwhile compile what is
+needed later; this process then loads it.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from airlight.kernel.compiling import CompileListener, Compiling, is_kept, on_di
 _POLL: Final = 0.05
 
 
-class CompiledAhead:
-    """Process that compiles loops in their order, unless they are on disk.
+class BackgroundCompiler:
+    """Background process that compiles loops in their order, unless they are on disk.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ class CompiledAhead:
 
     Notes
     -----
-    A process that cannot be started, or fails, counts as ready: this process then compiles. None is
-    started where nothing is kept on disk.
+    A process that cannot be started, or fails, counts as ready: this process then compiles. Without
+    a cache on disk no process is started.
     """
 
     def __init__(self, compiler: str, loops: Sequence[Any], later: Sequence[Any] = ()) -> None:

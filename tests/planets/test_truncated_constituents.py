@@ -8,14 +8,16 @@ import re
 import pytest
 
 from airlight.planets import load_planet
-from airlight.planets.cut_air import cut_air
+from airlight.planets.truncated_constituents import truncated_constituents
 
 
 @pytest.mark.parametrize("kilometres", [20, 40, 60])
 def test_the_share_is_that_of_an_exponential(kilometres: int) -> None:
     # the column above z is exp(-z/H) of all; H = 8 km of Bruneton's molecules
     planet = load_planet("earth-bruneton", {"shell.top_radius": f"{6360 + kilometres} km"})
-    found = re.search(r", ([\d.]+) of its scale heights up: ([\d.e-]+) % of", cut_air(planet)[0])
+    found = re.search(
+        r", ([\d.]+) of its scale heights up: ([\d.e-]+) % of", truncated_constituents(planet)[0]
+    )
     assert found is not None
     assert float(found[1]) == pytest.approx(kilometres / 8.0, abs=0.06)
     # two digits are printed
@@ -24,4 +26,4 @@ def test_the_share_is_that_of_an_exponential(kilometres: int) -> None:
 
 def test_layers_that_end_by_themselves_are_not_named() -> None:
     planet = load_planet("earth-bruneton", {"shell.top_radius": "6424 km"})
-    assert cut_air(planet) == []
+    assert truncated_constituents(planet) == []

@@ -1,4 +1,4 @@
-"""Compiled code that comes with the package, for all processors of one family.
+"""Cache of compiled code in the package, for all processors of one family.
 
 ``builders/compiled_code.py`` puts it beside the source before a wheel is built. It is for a set of
 features that nearly all processors of a family have, and is found by the source's fingerprint, the
@@ -20,10 +20,10 @@ from numba.core.caching import FunctionCache
 from airlight.kernel.compiled_files import check_files, copy_code
 
 #: Folder of the code: ``<source>/<fingerprint>/<kind>`` as in the cache.
-SHIPPED: Final = Path(__file__).parents[1] / "compiled"
+PREBUILT: Final = Path(__file__).parents[1] / "compiled"
 
 
-class Target(NamedTuple):
+class CpuTarget(NamedTuple):
     """Processors that code is compiled for.
 
     Attributes
@@ -46,15 +46,15 @@ class Target(NamedTuple):
 _V3: Final = ("avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")
 #: Targets by the family's name, in small letters.
 _TARGETS: Final = {
-    "x86_64": Target("x86-64-v3", _V3),
-    "amd64": Target("x86-64-v3", _V3),
-    "aarch64": Target("generic", ("neon",)),
-    "arm64": Target("generic", ("neon",)),
+    "x86_64": CpuTarget("x86-64-v3", _V3),
+    "amd64": CpuTarget("x86-64-v3", _V3),
+    "aarch64": CpuTarget("generic", ("neon",)),
+    "arm64": CpuTarget("generic", ("neon",)),
 }
 
 
 @cache
-def target() -> Target | None:
+def target() -> CpuTarget | None:
     """Target whose code runs on this processor; None if there is none."""
     found = _TARGETS.get(platform.machine().lower())
     if found is None:
@@ -63,8 +63,8 @@ def target() -> Target | None:
     return found if all(has.get(one, False) for one in found.features) else None
 
 
-class ShippedCode(FunctionCache):
-    """Compiled code of one function that comes with the package.
+class PrebuiltCache(FunctionCache):
+    """Prebuilt code of one function.
 
     Parameters
     ----------
@@ -74,13 +74,15 @@ class ShippedCode(FunctionCache):
         Numba's implementation of a cache, which takes a function and a folder.
     folder : Path
         Folder of its code.
-    made_for : Target
+    cpu_target : CpuTarget
         Target of the code.
     """
 
-    def __init__(self, py_func: Any, implementation: Any, folder: Path, made_for: Target) -> None:
+    def __init__(
+        self, py_func: Any, implementation: Any, folder: Path, cpu_target: CpuTarget
+    ) -> None:
         self._impl_class = partial(implementation, folder=folder)
-        self._target = made_for
+        self._target = cpu_target
         super().__init__(py_func)
         check_files(self._cache_file, Path.read_bytes)
 
@@ -89,21 +91,24 @@ class ShippedCode(FunctionCache):
         return (signature, (system, self._target.processor, self._target.written), *code)
 
 
-def shipped_code(py_func: Any, implementation: Any, kept_in: Path) -> ShippedCode | None:
-    """Code of a function that comes with the package; None if there is none for this processor.
+def prebuilt_cache(py_func: Any, implementation: Any, cache_folder: Path) -> PrebuiltCache | None:
+    """Prebuilt code of a function; None if there is none for this processor.
 
     Parameters
     ----------
     py_func, implementation :
-        See ``ShippedCode``.
-    kept_in : Path
-        Folder of what this machine compiles of it, whose last three names are those here too.
+        See ``PrebuiltCache``.
+    cache_folder : Path
+        Cache folder of the function on this machine; the prebuilt code has the same last three
+        folder names.
     """
-    folder = SHIPPED.joinpath(*kept_in.parts[-3:])
+    folder = PREBUILT.joinpath(*cache_folder.parts[-3:])
     if not folder.is_dir():
         return None
-    made_for = target()
-    return None if made_for is None else ShippedCode(py_func, implementation, folder, made_for)
+    cpu_target = target()
+    return (
+        None if cpu_target is None else PrebuiltCache(py_func, implementation, folder, cpu_target)
+    )
 
 
 def copy_machine_code(cache: Path, to: Path) -> int:
@@ -114,7 +119,7 @@ def copy_machine_code(cache: Path, to: Path) -> int:
     cache : Path
         Folder of ``<source>/<fingerprint>/<kind>``, with code made for one ``Target``.
     to : Path
-        Folder like it, for instance ``SHIPPED``; what is in it stays.
+        Folder like it, for instance ``PREBUILT``; what is in it stays.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all: written beside their target, then renamed."""
+"""Atomic writes: files are written next to their target, then renamed."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Final
 
 from airlight.errors import FileError
-from airlight.exports.beginnings import begun, remove
 from airlight.exports.output_lock import hidden_file, output_lock
+from airlight.exports.partial_outputs import partial_output, remove
 
 #: Time that the writer of a file waits for another one of the same file. [s]
 WAIT: Final = 60.0
@@ -58,7 +58,7 @@ def check_target(path: str | Path) -> Path:
 
 
 @contextlib.contextmanager
-def whole_file(path: str | Path) -> Iterator[Path]:
+def atomic_file(path: str | Path) -> Iterator[Path]:
     """Yield a temporary path whose content moves to ``path`` if the block ends well.
 
     Another writer of the same file is waited for. What a killed one has left is removed.
@@ -83,14 +83,14 @@ def whole_file(path: str | Path) -> Iterator[Path]:
     --------
     >>> import tempfile
     >>> folder = Path(tempfile.mkdtemp())
-    >>> with whole_file(folder / "note.txt") as part:
+    >>> with atomic_file(folder / "note.txt") as part:
     ...     _ = part.write_text("done")
     >>> [file.name for file in folder.iterdir()]
     ['note.txt']
     """
     target = check_target(path)
     part = hidden_file(target, "part")
-    with output_lock(target, wait=WAIT), begun(part):
+    with output_lock(target, wait=WAIT), partial_output(part):
         try:
             for left in (part, part.with_suffix(".band")):
                 remove(left)
