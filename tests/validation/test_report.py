@@ -104,7 +104,7 @@ def test_the_worst_case_and_the_missed_bar_are_shown_not_folded_away(
     assert "**missed**" in text
 
 
-def test_markdown_leaves_long_tables_that_are_met_to_the_page(report: Report) -> None:
+def test_markdown_leaves_long_tables_that_are_met_to_the_page(report: ValidationReport) -> None:
     met = replace(WORST, marks=["pass", "pass"], note="Known to 1 %.")
     suite = Suite(name="x", title="X", summary="", parts=[met])
     text = markdown(replace(report, suites=[suite]), "pictures")
