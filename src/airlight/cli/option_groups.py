@@ -1,0 +1,110 @@
+"""Groups of options that several commands share, each declared once as a dataclass.
+
+A parameter of a command whose type is a dataclass stands for the options that are its fields, with
+their names, defaults and help.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import inspect
+from collections.abc import Callable, Mapping
+from typing import Any, get_type_hints
+
+
+def expand_groups(command: Callable[..., None]) -> Callable[..., None]:
+    """Command with one parameter per option, which calls ``command`` with its groups.
+
+    Parameters
+    ----------
+    command : callable
+        Function of a command. Its docstring is the help; parameters after the first option group
+        that it shares with others come later in the help.
+
+    Raises
+    ------
+    TypeError
+        If two groups declare the same option.
+
+    Examples
+    --------
+    >>> @dataclasses.dataclass
+    ... class Lens:
+    ...     width: int = 3
+    >>> def draw(name: str, lens: Lens) -> None:
+    ...     print(name, lens.width)
+    >>> draw.__annotations__ = {"name": str, "lens": Lens, "return": None}
+    >>> expand_groups(draw)(name="a", width=4)
+    a 4
+    """
+    hints = get_type_hints(command, include_extras=True)
+    groups = {
+        name: kind
+        for name, kind in hints.items()
+        if isinstance(kind, type) and dataclasses.is_dataclass(kind)
+    }
+    parameters: list[inspect.Parameter] = []
+    for name, parameter in inspect.signature(command).parameters.items():
+        if name in groups:
+            parameters += _fields(groups[name])
+        else:
+            parameters.append(
+                parameter.replace(annotation=hints[name], kind=inspect.Parameter.KEYWORD_ONLY)
+            )
+    names = [parameter.name for parameter in parameters]
+    if len(set(names)) < len(names):
+        raise TypeError(f"{command.__name__}: an option is declared twice among {names}")
+
+    @functools.wraps(command)
+    def flat(**values: Any) -> None:
+        packed = {
+            name: kind(**{one.name: values.pop(one.name) for one in dataclasses.fields(kind)})
+            for name, kind in groups.items()
+        }
+        command(**values, **packed)
+
+    vars(flat).pop("__wrapped__")
+    flat.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    flat.__annotations__ = {one.name: one.annotation for one in parameters}
+    return flat
+
+
+def _fields(kind: type) -> list[inspect.Parameter]:
+    """Parameters of the options of a group."""
+    hints = get_type_hints(kind, include_extras=True)
+    return [
+        inspect.Parameter(
+            one.name,
+            inspect.Parameter.KEYWORD_ONLY,
+            default=inspect.Parameter.empty if one.default is dataclasses.MISSING else one.default,
+            annotation=hints[one.name],
+        )
+        for one in dataclasses.fields(kind)
+    ]
+
+
+def option_name(field: str) -> str:
+    """Name of the option of a parameter.
+
+    Examples
+    --------
+    >>> option_name("sun_zenith"), option_name("set_"), option_name("season")
+    ('--sun-zenith', '--set', '--ls')
+    """
+    return {"season": "--ls"}.get(field, "--" + field.strip("_").replace("_", "-"))
+
+
+def given_options(group: Any, *fields: str) -> dict[str, Any]:
+    """Values that differ from the defaults of a group, by the name of the option.
+
+    Parameters
+    ----------
+    group : dataclass
+        Options of a command.
+    *fields : str
+        Names of the fields to look at; all if none is named.
+    """
+    defaults: Mapping[str, Any] = {one.name: one.default for one in dataclasses.fields(group)}
+    values = {name: getattr(group, name) for name in fields or defaults}
+    return {option_name(name): v for name, v in values.items() if v != defaults[name]}
