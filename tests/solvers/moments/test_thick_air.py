@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose, assert_array_less
 from airlight import load_planet, solve
 from airlight.kernel import vectorized
 from airlight.kernel.lanes import LANES
+from airlight.optics.layer_edges import ThinLayer
 from airlight.planets import Constituent, Ground, Planet, Star, replace
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential, Tent
@@ -90,6 +91,21 @@ def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
     assert_array_less(steps, 2.0 + 1e-6)
     assert gathering.size < 80
     assert_array_less(0.0, np.diff(levels.row))
+
+
+def test_levels_in_very_deep_layers_are_bounded() -> None:
+    # Steps of 2 would be 1000 for a depth of 2000: at most four times a clear grid, and the ends
+    # of the layers. Below that bound a layer's levels are those of its depth.
+    even, altitude = np.linspace(0.0, 1.0, 4097), np.linspace(0.0, 100e3, 4097)
+    layers = tuple(ThinLayer(z, z + 5e3) for z in (10e3, 30e3))
+    inside = sum(np.clip((altitude - one.bottom) / 5e3, 0.0, 1.0) for one in layers)
+    sizes = {}
+    for depth in (40.0, 2e3, 2e6):
+        levels = radial_grid(even, Depths(altitude, 0.5 * depth * inside, layers), 24)
+        sizes[depth] = levels.altitudes[:: levels.parts].size
+        assert_array_less(0.0, np.diff(levels.row))
+    assert sizes[2e3] == sizes[2e6] <= 24 + 4 * 23 + 4 * 23 + 2 * 8 + 5
+    assert sizes[40.0] < sizes[2e3] - 40
 
 
 def test_between_radii_a_cubic_keeps_its_mean_and_an_exponential_stays_positive() -> None:

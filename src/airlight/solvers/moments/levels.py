@@ -43,7 +43,8 @@ _BEND: Final = 4.0
 _STEPS: Final = 23
 #: Part of the clear grid's radii that thick air does not need.
 _SPARED: Final = 0.25
-#: Largest number of steps, over that of a clear grid.
+#: Largest number of steps that follow the depth of the air, or of its thin layers, over that of a
+#: clear grid.
 _MOST: Final = 4.0
 #: Number of steps of that grid in a thin layer, beside those that follow its optical depth.
 _LAYER_STEPS: Final = 8.0
@@ -152,14 +153,22 @@ def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
     ends = sorted({end for layer in depths.layers for end in layer})
     bounds = [0, *(int(np.abs(altitude - end).argmin()) for end in ends), altitude.size - 1]
     row = np.zeros(altitude.size)
-    for low, high in pairwise(sorted(set(bounds))):
-        here = slice(low, high + 1)
-        along = coordinate[here] - coordinate[low]
+    stretches = list(pairwise(sorted(set(bounds))))
+    within: dict[int, FloatArray] = {}
+    for low, high in stretches:
         middle = 0.5 * (altitude[low] + altitude[high])
         if any(layer.bottom < middle < layer.top for layer in depths.layers):
-            within = depth[here] - depth[low]
-            along = along + (count - 1) / _STEPS * _steps(within)
-            along = along + _LAYER_STEPS * (count - 1) / _STEPS * within / max(within[-1], 1e-300)
+            within[low] = depth[low : high + 1] - depth[low]
+    per_step = (count - 1) / _STEPS
+    followed = {low: per_step * _steps(inner) for low, inner in within.items()}
+    total = sum(float(steps[-1]) for steps in followed.values())
+    part = min(1.0, _MOST * (count - 1) / max(total, 1e-300))
+    for low, high in stretches:
+        here = slice(low, high + 1)
+        along = coordinate[here] - coordinate[low]
+        if low in within:
+            even = within[low] / max(within[low][-1], 1e-300)
+            along = along + part * followed[low] + _LAYER_STEPS * per_step * even
         row[here] = row[low] + along * (max(round(along[-1]), 1) / max(along[-1], 1e-300))
     return row
 
