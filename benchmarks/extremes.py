@@ -1,17 +1,15 @@
 """Extremes of what a planet may be: solved or refused, how fast, and whether light is conserved.
 
-``python benchmarks/extremes.py [docs/reliability.md] [--quality preview]`` solves each planet of
-the list, adds up the light that leaves the top and that the ground keeps, looks from every edge
-towards suns on every edge, compares light exactly on edges with that next to them, and writes the
-tables into the section "Extremes" of the page; text below them is to be kept by hand.
+``python benchmarks/extremes.py [--quality preview]`` solves each planet of the list, adds up the
+light that leaves the top and that the ground keeps, looks from every edge towards suns on every
+edge, compares light exactly on edges with that next to them, and prints the tables that
+docs/reliability.md summarises.
 """
 
 from __future__ import annotations
 
 import argparse
-import re
 from itertools import pairwise
-from pathlib import Path
 from time import perf_counter, process_time
 from typing import NamedTuple
 
@@ -29,16 +27,13 @@ from airlight.solvers import Solution
 FloatArray = NDArray[np.float64]
 
 EARTH, SHELL = 6360e3, 60e3
-HEADING = "## Extremes"
-
 
 ABOUT = """\
-`python benchmarks/extremes.py docs/reliability.md`, quality `{quality}`: one kind of particle
-(Henyey-Greenstein), scale height an eighth of the shell, 550 nm. Seconds are processor time of the
-solve. Energy: light that came, less what left the top and what the ground kept, over what came,
-where the air absorbs nothing. Verdict *solved* includes radiances, finite and not negative, from
-the ground, the top and above it, under suns and towards directions in the zenith, on both
-horizons, level and in the nadir.
+Quality `{quality}`: one kind of particle (Henyey-Greenstein), scale height an eighth of the shell,
+550 nm. Seconds are CPU time of the solve. Energy: light that came, less what left the top and
+what the ground kept, over what came, where the air absorbs nothing. Verdict *solved* includes
+radiances, finite and not negative, from the ground, the top and above it, under suns and towards
+directions in the zenith, on both horizons, level and in the nadir.
 """
 EDGE_ABOUT = """
 Light exactly on an edge, less that of the nearer neighbour (1e-6 of the shell or 1e-5 degrees
@@ -253,23 +248,15 @@ def row(case: Case, quality: str) -> str:
 
 
 def main() -> None:
-    """Solve all cases and write the section."""
+    """Solve all cases and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("page", nargs="?", type=Path)
     parser.add_argument("--quality", default="preview")
     given = parser.parse_args()
     solve(Case().planet(), quality=given.quality, cache=False)  # compiles
-    lines = [HEADING, "", ABOUT.format(quality=given.quality), *COLUMNS]
+    print(ABOUT.format(quality=given.quality), *COLUMNS, sep="\n", flush=True)
     for case in CASES:
-        lines.append(row(case, given.quality))
-        print(lines[-1], flush=True)
-    edges = edge_lines(given.quality)
-    print("\n".join(edges), flush=True)
-    lines += edges
-    if given.page is not None:
-        old = given.page.read_text() if given.page.exists() else "# Reliability\n"
-        kept = re.sub(rf"{HEADING}\n.*?(?=^## |\Z)", "", old, flags=re.DOTALL | re.MULTILINE)
-        given.page.write_text(kept.rstrip() + "\n\n" + "\n".join(lines) + "\n")
+        print(row(case, given.quality), flush=True)
+    print(*edge_lines(given.quality), sep="\n", flush=True)
 
 
 if __name__ == "__main__":

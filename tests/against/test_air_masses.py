@@ -17,7 +17,7 @@ BOTTOM, THICK = 6377e3, 250e3
 DENSITY = DensitySegments.from_rows([exponential(7996.0, THICK), exponential(1200.0, THICK)])
 
 #: Altitude [deg]; gas straight, gas bent, Pickering, haze straight, haze bent. The first number is
-#: printed as 35.42: it is R/H·exp(R/H)·K₁(R/H) = 35.411 (docs/decisions/0007).
+#: printed as 35.42: it is R/H·exp(R/H)·K₁(R/H) = 35.411.
 TABLE = [
     (0.0, "35.41", "39.47", "38.75", "91.4", "103.8"),
     (1.0, "24.88", "26.47", "26.64", "41.7", "43.7"),

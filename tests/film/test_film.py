@@ -180,7 +180,7 @@ def test_a_wrong_film_is_refused_in_one_line(tmp_path: Path, old: str, new: str,
 
 
 def test_the_tables_of_the_page_are_those_of_the_declarations() -> None:
-    # written by builders/planet_file_tables.py
+    # written by builders/file_keys.py
     page = (Path(__file__).parents[2] / "docs" / "films.md").read_text(encoding="utf-8")
     assert all(f"<!-- keys: {kind} -->" in page for kind in TABLES)
     assert filled(page, key_table) == page

@@ -89,7 +89,7 @@ def test_the_page_names_every_kind():
 
 
 def test_the_tables_of_the_page_are_those_of_the_declarations():
-    # written by builders/planet_file_tables.py; every kind of table has its block but one, whose
+    # written by builders/file_keys.py; every kind of table has its block but one, whose
     # keys are the names of gases
     kinds = re.findall(r"<!-- keys: (\w+) -->", PAGE)
     assert sorted(kinds) == sorted(set(TABLES) - {"composition"})

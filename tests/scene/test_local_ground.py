@@ -93,7 +93,7 @@ def test_the_map_is_read_where_the_observer_is() -> None:
 
 def test_the_sea_mirrors_as_much_as_its_share_of_water() -> None:
     # Mid-Atlantic: all water for thousands of kilometres, so the sea's colour in the map and what
-    # it mirrors of a uniform sky, 0.056 at 5 m/s (decision 17).
+    # it mirrors of a uniform sky, 0.056 at 5 m/s.
     earth = load_planet("earth")
     sea = local_ground(earth, latitude=0.0, longitude=-25.0)
     assert sea.ground.local is not None

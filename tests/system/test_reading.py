@@ -120,7 +120,7 @@ def test_files_are_told_apart(tmp_path: Path) -> None:
 
 
 def test_the_tables_of_the_page_are_those_of_the_declarations() -> None:
-    # written by builders/planet_file_tables.py
+    # written by builders/file_keys.py
     page = (Path(__file__).parents[2] / "docs" / "scenes.md").read_text(encoding="utf-8")
     assert all(f"<!-- keys: {kind} -->" in page for kind in TABLES)
     assert filled(page, key_table) == page

@@ -73,7 +73,7 @@ def _mean_flux(cosines: list[float], share: tuple[float, ...]) -> float:
 
 
 def test_the_light_below_gas_is_that_of_discrete_ordinates() -> None:
-    # A second method. The aim is 1 %; docs/decisions/0030 says where it is missed.
+    # A second method. The aim is 1 %.
     suite = disort(cases=[CASES[name] for name in GASES])
     for threshold in suite.thresholds:
         assert threshold.allowed == AIM
@@ -97,7 +97,7 @@ def test_a_planet_that_is_not_the_reference_s_fails_its_bar() -> None:
 
 @pytest.mark.validation
 def test_all_cases_are_as_near_as_the_decision_says() -> None:
-    # Which miss the aim is said in docs/decisions/0025; a further one is news.
+    # These miss the aim (docs/decisions/02-acceleration.md); a further one is news.
     suite = disort()
     known = ("gas of depth 37.65", "cloud of depth", "venus")
     missed = [threshold.name for threshold in suite.thresholds if not threshold.passed]

@@ -5,7 +5,7 @@ is dusty: it was scattered twice by small angles. Eight linear texels of nu lose
 shape is nearly the same from place to place. So the smooth light is divided by the shape that it
 has along one reference line of sight, read as a phase function, and the table holds the ratio,
 which varies little. An angle that no view and star of a texel can have is filled by the same shape.
-Measurements: docs/decisions/0035-tables-of-peaked-air.md.
+Measurements: docs/decisions/14-engine-exports.md.
 """
 
 from __future__ import annotations

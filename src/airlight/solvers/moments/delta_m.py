@@ -5,12 +5,12 @@ unscattered (δ-M: Wiscombe 1977, JAS 34, 1408), and the first order is computed
 function and the scaled extinction (TMS: Nakajima & Tanaka 1988, JQSRT 40, 51). Where the particles
 are optically thin, the peak's light is scattered once, δ-M gains nothing and spoils the narrow
 bright band along the horizon; f is therefore faded in with the particles' vertical optical depth.
-Measurements: docs/decisions/0001-moments-in-the-twilight.md.
+Measurements: docs/decisions/04-forward-peaks.md.
 
 Q and U are expanded to degree 2 only, beyond which particles scatter them forward. A larger
 fraction of them counts therefore as unscattered: the element of degree 5 of the phase matrix, which
 represents those of degree 3 and more to 0.01 of the degree of polarisation under haze
-(docs/decisions/0049-haze-in-polarised-light.md). Molecules have none.
+(docs/decisions/05-polarisation.md). Molecules have none.
 """
 
 from __future__ import annotations

@@ -5,8 +5,7 @@ is thick (``levels``). Sun elevations e crowd around the terminator, by 1/sqrt(w
 in a degree, where w and s are 0.6 and 0.3 of the dip of the horizon seen from the top of the shell
 (6° and 3° for Earth), so that every planet gets its own grid. Far in the shadow, where no light is
 left, they are sparser; by day they are not as sparse as that, for there light is a curved function
-of the elevation. Measurements: docs/decisions/0001-moments-in-the-twilight.md,
-docs/decisions/0073-deep-twilight.md.
+of the elevation. Measurements: docs/decisions/01-moments.md.
 """
 
 from __future__ import annotations

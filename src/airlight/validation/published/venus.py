@@ -133,5 +133,5 @@ def venus(solve: Solve, quality: object = "preview") -> PublishedSection:
         title="Sunlight at the ground of Venus", rows=rows, aims=[aim],
         note="Ours from 400 to 1000 nm, preview quality, one wavelength at a time: 3 % too much "
         "against discrete ordinates, by which the ground absorbs 20.2 W m⁻². Nothing is fitted to "
-        "these numbers: docs/decisions/0025 has what each absorber takes, and what is left out.",
+        "these numbers (docs/decisions/13-sources.md).",
     )  # fmt: skip
