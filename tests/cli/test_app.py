@@ -73,7 +73,10 @@ def test_version_is_the_installed_one(capsys: pytest.CaptureFixture[str]) -> Non
         (["radiance", "earth", "--sun-zenith", "181", "--view-zenith", "0"], "0 to 180 deg"),
         (["radiance", "earth", "--altitude=-1km", "--sun-zenith=0", "--view-zenith=0"], "-440 m"),
         (["radiance", "earth", "--output", "a.csv"], "only together with --input"),
-        (["radiance", "earth", "--input", "-", "--azimuth", "0"], "--azimuth cannot be combined with --input"),
+        (
+            ["radiance", "earth", "--input", "-", "--azimuth", "0"],
+            "--azimuth cannot be combined with --input",
+        ),
         (["radiance", "earth", "--input", "no.csv"], "no.csv: cannot be read: No such file"),
     ],
 )

@@ -58,7 +58,10 @@ def test_choices_reach_the_manifest(
     ("words", "said"),
     [
         (["--layout", "bruneton", "--mapping", "linear"], "--mapping is 'linear'"),
-        (["--layout", "bruneton", "--packing", "rgba"], "--packing requires --layout atmosphere-plus"),
+        (
+            ["--layout", "bruneton", "--packing", "rgba"],
+            "--packing requires --layout atmosphere-plus",
+        ),
         (["--layout", "atmosphere-plus", "--mie", "combined"], "--mie requires --layout bruneton"),
         (["--layout", "atmosphere-plus", "--azimuth", "3"], "requires --packing phase-included"),
         (["--layout", "bruneton", "--size", "32x32"], "4 whole numbers such as 32x128x32x8"),
@@ -70,7 +73,10 @@ def test_choices_reach_the_manifest(
         (["--layout", "bruneton", "--lowest-sun", "low"], "--lowest-sun is 'low'"),
         (["--layout", "atmosphere-plus", "--lowest-sun", "99"], "requires --layout bruneton"),
         (["--layout", "atmosphere-plus", "--smooth-phase", "own"], "requires --layout bruneton"),
-        (["--layout", "takram", "--smooth-phase", "own"], "--layout takram takes no --smooth-phase"),
+        (
+            ["--layout", "takram", "--smooth-phase", "own"],
+            "--layout takram takes no --smooth-phase",
+        ),
         (["--layout", "cube"], "cube"),
     ],
 )

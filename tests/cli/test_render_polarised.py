@@ -79,12 +79,32 @@ def test_a_filter_shows_and_its_file_says_so(tmp_path: Path) -> None:
     [
         (PLANET, ["-o", "a.png", "--stokes"], "--stokes requires an .exr file"),
         (PLANET, ["-o", "a.png", "--polariser", "500"], "polariser is 500.0; allowed: -360 to"),
-        (PLANET, ["-o", "a.png", "--polariser", "30", "--show", "dolp"], "cannot be combined with --show"),
-        (PLANET, ["-o", "a.exr", "--polariser", "30", "--stokes"], "--polariser cannot be combined with --stokes"),
-        (PLANET, ["-o", "a.png", "--polariser", "30", "--no-polarisation"], "cannot be combined with --no-pol"),
-        (PLANET, ["-o", "a.png", "--show", "dolp", "--exposure", "3"], "cannot be combined with --show"),
+        (
+            PLANET,
+            ["-o", "a.png", "--polariser", "30", "--show", "dolp"],
+            "cannot be combined with --show",
+        ),
+        (
+            PLANET,
+            ["-o", "a.exr", "--polariser", "30", "--stokes"],
+            "--polariser cannot be combined with --stokes",
+        ),
+        (
+            PLANET,
+            ["-o", "a.png", "--polariser", "30", "--no-polarisation"],
+            "cannot be combined with --no-pol",
+        ),
+        (
+            PLANET,
+            ["-o", "a.png", "--show", "dolp", "--exposure", "3"],
+            "cannot be combined with --show",
+        ),
         (PLANET, ["-o", "a.png", "--show", "aolp", "--size", "64x36", *QUICK], "240 pixels or"),
-        ("lunar-eclipse", ["-o", "a.png", "--sun-zenith", "30"], "--sun-zenith is not available for scene files"),
+        (
+            "lunar-eclipse",
+            ["-o", "a.png", "--sun-zenith", "30"],
+            "--sun-zenith is not available for scene files",
+        ),
         ("lunar-eclipse", ["-o", "a.png", "--show", "dolp"], "--show is 'dolp'; allowed: none"),
     ],
 )

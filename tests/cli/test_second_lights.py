@@ -44,7 +44,10 @@ def test_lights_are_told_in_the_header(tmp_path: Path) -> None:
         (["--second-star", "80,12"], "--second-star is '80,12'; allowed: zenith,azimuth,temp"),
         (["--second-star", "80,12,3K"], "temperature 100 to 1e"),
         (["--stars", "--set", "body="], "--stars is True; allowed: a planet whose body is"),
-        (["--stars", "--projection", "orthographic"], "--stars cannot be combined with projection orthographic"),
+        (
+            ["--stars", "--projection", "orthographic"],
+            "--stars cannot be combined with projection orthographic",
+        ),
     ],
 )
 def test_what_cannot_be_is_one_clear_line(

@@ -93,7 +93,10 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
         (["--for", "dome", "-o", "a.exr", "--tilt", "120"], "--tilt is 120.0; allowed: 0 to 90"),
         (["--for", "usd", "-o", "a.exr", "--exposure", "1"], "--exposure is '1'; allowed: left"),
         (["--for", "usd", "-o", "a.exr", "--tone-map", "aces"], "--tone-map is 'aces'; allowed"),
-        (["--for", "usd", "-o", "a.png", "--precision", "half"], "--precision does not apply to .png files"),
+        (
+            ["--for", "usd", "-o", "a.png", "--precision", "half"],
+            "--precision does not apply to .png files",
+        ),
         (["--for", "usd", "-o", "a.exr", "--scale", "-1"], "--scale is '-1'"),
         (["--for", "usd", "-o", "a.png", "--bits", "12"], "--bits is 12; allowed: 8 or 16"),
         (["--for", "usd", "-o", "a.exr", "--size", "65x40"], "twice as wide as high"),

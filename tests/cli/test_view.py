@@ -35,7 +35,10 @@ def test_help_names_every_option_of_the_view(capsys: pytest.CaptureFixture[str])
     [
         (["nowhere"], "nowhere"),
         (["earth", "--size", "10x10"], "--size is '10x10'; allowed: sides of 320 to 8192 pixels"),
-        (["earth", "--look", "85,0", "--look-at", "sun"], "--look cannot be combined with --look-at"),
+        (
+            ["earth", "--look", "85,0", "--look-at", "sun"],
+            "--look cannot be combined with --look-at",
+        ),
         (["earth", "--altitude", "5 kg"], "--altitude"),
         (["earth", "--sun-zenith", "200"], "view.sun_zenith is 200.0; allowed: 0 to 180 deg"),
         (["earth", "--tone-map", "rosy"], "display.tone_map is 'rosy'; allowed: natural"),

@@ -203,7 +203,7 @@ def test_fractions_within_a_percent_of_1_are_divided_by_their_sum():
         ({"temperature": None}, "temperature is missing"),
         ({"pressure": None}, "number_density is missing"),
         ({"reference_density": 2.8e25}, "number_density"),
-        ({"depolarisation": 0.7}, "depolarisation is 0.7; allowed: 0 to 0.5, that of a rod"),
+        ({"depolarisation": 0.7}, "depolarisation is 0.7; allowed: 0 to 0.5, that of a linear"),
         ({"depolarisation": -0.1}, "depolarisation"),
         ({"refractivity": 4.5e-6}, "refractivity"),
         ({"refractivity_pressure": 1e5}, "refractivity is missing"),

@@ -134,7 +134,12 @@ WRONG = [
     (', gravity = "9.80665 m/s^2"', "", "constituents[0].gas.gravity is missing", "scale height"),
     ("gravity", "gravty", "constituents[0].gas is 'gravty'", "'gravity'?"),
     ("gas = {", "gas = { depolarisation = 0.7,", "constituents[0].gas.depolarisation", "rod"),
-    ("gas = {", 'scattering = "1e-6 /m"\ngas = {', "constituents[0].scattering", "combined with gas"),
+    (
+        "gas = {",
+        'scattering = "1e-6 /m"\ngas = {',
+        "constituents[0].scattering",
+        "combined with gas",
+    ),
     ('"ozone-293k"', '"ozone-193k"', "constituents[1].absorption.cross_section", "'ozone-293k'?"),
     ('"ozone-293k"', '"astm-g173"', "constituents[1].absorption.cross_section", "ozone-293k"),
     ('"ozone-293k"', '"1e-25 m"', "constituents[1].absorption.cross_section", "'m^2'"),

@@ -129,7 +129,7 @@ WRONG = [
     ('irradiance = "1 W/m^2/nm"', 'temperature = "5772 K"', "star.distance is missing", "length"),
     ('angular_radius = "0.2678 deg"', "", "star.angular_radius is missing", "deg"),
     ('"0.2678 deg"', '"-1 deg"', "star.angular_radius", "0 to 30 deg"),
-    ('name = "ozone"', 'name = "air"', "constituents[2].name", "a name of its own"),
+    ('name = "ozone"', 'name = "air"', "constituents[2].name", "a unique name"),
     (
         'scale_height = "8 km"',
         'scale_height = "0 km"',
@@ -199,8 +199,8 @@ WRONG = [
     (
         'scattering = "3.996e-6 /m"',
         'scattering = { rayleigh = "air", temperature = "273.15 K" }',
-        "constituents[1].scattering.pressure is missing",
-        "both or neither",
+        "constituents[1].scattering.temperature",
+        "requires pressure",
     ),
     (
         'scattering = "3.996e-6 /m"',

@@ -69,7 +69,7 @@ def test_literal_turbidity_is_eq_17_as_printed():
         ),
         (
             lambda: Turbidity(optical_depth=0.1, junge=4.0).phase_function([550.0]),
-            "phase_function is missing; allowed: one, since turbidity",
+            "phase_function is required with turbidity",
         ),
     ],
 )

@@ -116,7 +116,7 @@ def test_metadata_that_airlight_does_not_write_are_one_line(
     with pytest.raises(FileError) as refusal:
         swept(grid, path)
     assert line in str(refusal.value)
-    assert "remove it, or name another folder" in str(refusal.value)
+    assert "remove it, or choose another folder" in str(refusal.value)
     assert "\n" not in str(refusal.value)
 
 
@@ -186,7 +186,7 @@ def test_damaged_blocks_are_computed_again(
     damage(path / chunk_file("dolp" if stokes else "radiance", blocks[2]))
     done = swept(grid, path, stokes=stokes, told=lines.append)
     assert (done.computed, done.kept, done.damaged) == (2, 2, 2)
-    assert lines == ["2 of 4 blocks were damaged and are computed again"]
+    assert lines == ["2 of 4 blocks are damaged and will be recomputed"]
     assert files(path) == before
     assert swept(grid, path, stokes=stokes).kept == 4
 
@@ -219,7 +219,7 @@ def test_a_damaged_mark_or_axis_is_written_again(grid: Grid, tmp_path: Path) -> 
     flip(path / "sun_zenith/0")
     assert swept(grid, path, told=lines.append).damaged == 1
     assert lines == ["the axis sun_zenith was damaged and is written again",
-                     "1 of 4 blocks were damaged and are computed again"]  # fmt: skip
+                     "1 of 4 blocks are damaged and will be recomputed"]  # fmt: skip
     assert files(path) == before
 
 

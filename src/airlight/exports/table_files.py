@@ -301,7 +301,7 @@ def _read_manifest(path: Path) -> dict[str, Any]:
 def _checked(path: Path, said: dict[str, Any], largest: int) -> dict[str, NDArray[Any]]:
     data = read_bytes(path, largest)
     if hashlib.sha256(data).hexdigest() != said["sha256"]:
-        raise FileError(path, "is damaged: its SHA-256 is not what the manifest says")
+        raise FileError(path, "is damaged: its SHA-256 differs from the manifest")
     return read_arrays(path, data, largest)
 
 

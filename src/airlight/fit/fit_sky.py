@@ -351,7 +351,7 @@ def _instrument(
     found = []
     for name in [*settings.free, *settings.per_scan]:
         if name in (RED, BLUE):
-            raise ParameterError("free", name, "a photograph's")
+            raise ConflictError(name, "requires a photograph")
         if name not in (SCALE, AZIMUTH, ZENITH):
             if name in settings.per_scan:
                 allowed = ", ".join((SCALE, AZIMUTH, ZENITH))
@@ -430,7 +430,7 @@ def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray,
         return data.uncertainty, True
     sizes = np.maximum(data.radiance, _DARKEST * float(np.median(data.radiance)))
     if not sizes.all():
-        raise ParameterError(f"radiance in {data.source}", 0.0, "values of which most are above 0")
+        raise ParameterError(f"radiance in {data.source}", 0.0, "values that are mostly above 0")
     if settings.uncertainty is not None:
         return settings.uncertainty * sizes, True
     return sizes, False

@@ -104,7 +104,7 @@ def free_parameter(
         raise _unknown(name, tables)
     if isinstance(get(tables, path), list):
         first = joined(name, 0)
-        raise ParameterError("free", name, f"a number, not a list: one of its items, as {first}")
+        raise ParameterError("free", name, f"a number, not a list: an item such as {first}")
     return _number(name, path, tables)
 
 

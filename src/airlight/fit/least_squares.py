@@ -310,7 +310,7 @@ class _Problem:
                 raise ParameterError(
                     one.name,
                     one.start,
-                    "a parameter that the data constrain; no predicted value depends on it",
+                    "a parameter constrained by the data; no predicted value depends on it",
                 )
 
     def check_rank(self, slopes: FloatArray, x: FloatArray) -> None:
@@ -328,7 +328,7 @@ class _Problem:
         raise ParameterError(
             one.name,
             float(x[first]),
-            f"a parameter that the data constrain; they cannot tell it from {other.name}",
+            f"a parameter constrained by the data; it is degenerate with {other.name}",
         )
 
 

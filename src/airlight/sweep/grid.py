@@ -99,7 +99,7 @@ class Grid:
             object.__setattr__(self, name, values)
         count = len(self.planets) * math.prod(len(values) for values in self.vary.values())
         if not 1 <= count <= MOST_PLANETS:
-            raise ParameterError("planets", count, f"1 to {MOST_PLANETS} with all that varies")
+            raise ParameterError("planets", count, f"1 to {MOST_PLANETS} including varied keys")
         for names in (self.names, *self.vary.values()):
             texts = [str(one) for one in names]
             for text in texts:

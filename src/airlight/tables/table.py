@@ -186,4 +186,5 @@ def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
     try:
         return LAYOUTS[kind](**parameters)
     except TypeError as error:
-        raise ParameterError(f"parameters of layout {kind}", str(error), "its own") from None
+        allowed = "parameters of this layout"
+        raise ParameterError(f"parameters of layout {kind}", str(error), allowed) from None

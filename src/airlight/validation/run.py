@@ -167,7 +167,7 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
         elif data is not None and not _has_one(data, entry.files):
             reason = f"no {' or '.join(entry.files)} in the reference data"
             if name in names:
-                raise FileError(data, f"holds no {' or '.join(entry.files)}")
+                raise FileError(data, f"contains no {' or '.join(entry.files)}")
         out[name] = reason
     return out
 

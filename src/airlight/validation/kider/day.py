@@ -88,7 +88,7 @@ def day_files(folder: Path) -> list[Path]:
     """
     found = sorted(folder.glob(FILES))
     if not found:
-        raise FileError(folder, f"holds no {FILES}")
+        raise FileError(folder, f"contains no {FILES}")
     return found
 
 

@@ -322,9 +322,9 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
     except ValueError as error:
         raise FileError(file, f"is not a table of numbers by wavelength: {error}") from error
     if table.ndim != 2 or table.shape[1] != len(known) + 1 or len(known) < 2:
-        raise FileError(file, f"has rows of other lengths than its {len(known)} wavelengths")
+        raise FileError(file, f"has rows that do not match its {len(known)} wavelengths")
     if not (table[:, 1:] > 0.0).all() or not min(known) > 0.0:
-        raise FileError(file, "holds a phase function that is not above 0")
+        raise FileError(file, "contains a phase function that is not above 0")
     angles, logs, x = table[:, 0], np.log(table[:, 1:]), np.log(known)
     nm = np.asarray(wavelengths, dtype=np.float64)
     k = np.clip(np.searchsorted(x, np.log(nm)) - 1, 0, len(x) - 2)
