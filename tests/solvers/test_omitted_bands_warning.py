@@ -83,7 +83,8 @@ def test_the_command_line_says_it_once(capsys: pytest.CaptureFixture[str]) -> No
     lines = capsys.readouterr().err.splitlines()
     (line,) = [line for line in lines if "O2" in line]
     assert line == (
-        "airlight: Earth: absorption bands of O2 are omitted: up to 37 % of direct light at airmass 1.5, "
+        "airlight: Earth: absorption bands of O2 are omitted: up to 37 % of direct light at "
+        "airmass 1.5, "
         "at 761 nm; docs/planets.md has absorbers for them"
     )
 

@@ -201,7 +201,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _interruption(error: BaseException | None) -> BaseException | None:
-    """Interruption that a library has made an error of its own of, as while a class is made."""
+    """Interruption that a library has wrapped in an error of its own."""
     while error is not None and not isinstance(error, (KeyboardInterrupt, SystemExit)):
         error = error.__cause__ or error.__context__
     return error

@@ -1,4 +1,4 @@
-"""Ctrl-C within a second: what is waited for is left behind.
+"""Exit within a second of Ctrl-C, without waiting for threads.
 
 Python notices a signal between two of its own instructions, and the compiler of kernels, or a block
 of a computation on all threads, may keep it from that for minutes. A thread reads the signals that
@@ -76,7 +76,7 @@ def _watch(heard: int) -> None:
 
 
 def _unraisable(what: sys.UnraisableHookArgs) -> None:
-    """Say nothing of an interruption that a callback swallowed, as those of the compiler do."""
+    """Suppress the report of an interruption swallowed by a callback, as of the compiler."""
     if not isinstance(what.exc_value, (KeyboardInterrupt, SystemExit)):
         sys.__unraisablehook__(what)
 
@@ -92,7 +92,7 @@ def _terminated(*_: object) -> None:
 
 
 def say_cancelled() -> None:
-    """Say that the command was cancelled; the process does not end before it is said."""
+    """Print that the command was cancelled, and flush it."""
     with _saying:
         answered.set()
         note("cancelled")

@@ -341,7 +341,7 @@ def _check_polarised(
 
 
 def _check_legend(width: int) -> None:
-    """Refuse what has no room for a legend, before any long work."""
+    """Refuse pictures without room for a legend, before any long work."""
     from airlight.plots.figure import require_matplotlib
     from airlight.plots.polarised_picture import check_width
 

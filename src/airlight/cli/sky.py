@@ -280,6 +280,6 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
 
 
 def _moved(disc: Disc) -> str:
-    """Words about a disc whose colour was beyond sRGB."""
+    """Remark on a disc whose colour was outside sRGB."""
     share = disc.gamut_change
     return "" if share == 0.0 else f", mapped into sRGB: a channel by {share:.2g} of its luminance"

@@ -1,4 +1,4 @@
-"""``airlight spectrum``: what a telescope measures of a planet, over wavelengths."""
+"""``airlight spectrum``: disc-integrated and limb observables of a planet."""
 
 from __future__ import annotations
 

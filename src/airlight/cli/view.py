@@ -156,7 +156,7 @@ def _view_values(
     ev: float | Literal["auto"],
     quality: str,
 ) -> dict[str, float | str | bool]:
-    """Values of the view by path, of the options that were given."""
+    """Values of the view by path, of the specified options."""
     view: dict[str, float | str | bool] = {
         path: read(text, option)
         for path, (text, read, option) in numbers.items()

@@ -90,7 +90,7 @@ def check_folder(
 def atomic_folder(
     folder: str | Path, form: str, files: tuple[str, ...] = ("*",), *, overwrite: bool = False
 ) -> Iterator[Path]:
-    """Yield a temporary folder whose files move to ``folder`` if the block ends well.
+    """Yield a temporary folder whose files are moved to ``folder`` if the block succeeds.
 
     Files that an older manifest lists are removed if they are unchanged; others stay.
 

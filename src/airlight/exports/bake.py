@@ -1,4 +1,4 @@
-"""``bake``: tables for engines, made from a solution, with their error against it."""
+"""``bake``: tables for engines, computed from a solution, with their error against it."""
 
 from __future__ import annotations
 

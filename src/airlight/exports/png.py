@@ -33,7 +33,7 @@ _END: Final = b"\0\0\0\0IEND\xaeB\x60\x82"
 
 
 def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
-    """Chunks that say what the numbers of a picture mean, the first that a reader knows first.
+    """Chunks of the colour space of a picture, most specific first.
 
     Parameters
     ----------

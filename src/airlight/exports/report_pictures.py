@@ -1,4 +1,4 @@
-"""Pictures of a report in Markdown: a folder beside it, with a manifest."""
+"""Pictures of a report in Markdown: a folder with a manifest."""
 
 from __future__ import annotations
 

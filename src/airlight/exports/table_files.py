@@ -1,4 +1,4 @@
-"""Tables on disk: NPZ for programs, EXR for engines and eyes, one JSON manifest for both.
+"""Tables on disk: NPZ for programs, EXR for engines, and a JSON manifest of both.
 
 Every table has ``<name>.npz`` with the array ``values``, shape (axes in the manifest's order,
 channels), as stored, and ``<name>.exr`` with the same values as a picture: the texture's slices one

@@ -1,4 +1,4 @@
-"""Free parameters of a planet: any number of its file, and what one says of air and ground.
+"""Free parameters of a planet: numbers of its file, optical depths, columns and albedo.
 
 ``NAME.optical_depth``, ``NAME.angstrom`` and ``NAME.column`` of a constituent, and
 ``ground.albedo``, are found however the file gives them.

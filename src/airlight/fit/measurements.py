@@ -128,7 +128,7 @@ def angle_from_sun(
 def turned(
     view_zenith: FloatArray, azimuth: FloatArray, by_zenith: FloatArray, by_azimuth: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Directions of an instrument that points elsewhere than it says.
+    """Directions of an instrument with a pointing offset.
 
     Parameters
     ----------

@@ -246,7 +246,7 @@ def _encoded(path: Path) -> tuple[FloatArray, dict[str, str]]:
 
 
 def _sixteen_bits(path: Path) -> FloatArray | None:
-    """Pixels of a PNG of 16 bits, which Pillow cuts to 8; None for one of 8."""
+    """Pixels of a 16-bit PNG, which Pillow truncates to 8 bits; None for 8 bits."""
     import png
 
     try:

@@ -185,7 +185,7 @@ def _frame(axes: Axes, title: str, sun: float) -> None:
 
 
 def correlation_picture(found: FitResult, title: str = "Correlations") -> ReportPicture | None:
-    """Correlations of the first parameters as a square of colours; None of a single one.
+    """Correlation matrix of the first parameters; None for a single parameter.
 
     Parameters
     ----------

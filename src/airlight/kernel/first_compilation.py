@@ -1,4 +1,4 @@
-"""A line about the first compilation, which takes long: after two seconds of it.
+"""Line about the first compilation, after two seconds.
 
 What compiles before a solve may be short, and the solve's loops long: these have a line of their
 own.
@@ -29,7 +29,7 @@ _SECONDS: Final = 8e-5
 
 
 class FirstCompilation(event.Listener):
-    """Listener of Numba that says that functions are compiled, and about how long it takes."""
+    """Listener of Numba that reports compilation and its estimated time."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -53,7 +53,7 @@ class FirstCompilation(event.Listener):
 
     @contextlib.contextmanager
     def elsewhere(self, loops: Iterable[Any]) -> Iterator[None]:
-        """Count loops that another process compiles meanwhile, and for which this one waits."""
+        """Count loops that another process compiles, and for which this one waits."""
         waited_for = tuple(one for one in loops if not on_disk(one))
         if self._said or not waited_for:
             yield

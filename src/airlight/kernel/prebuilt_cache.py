@@ -112,7 +112,7 @@ def prebuilt_cache(py_func: Any, implementation: Any, cache_folder: Path) -> Pre
 
 
 def copy_machine_code(cache: Path, to: Path) -> int:
-    """Copy what Python can call from a cache of compiled code, without intermediate code.
+    """Copy machine code of a cache, without intermediate code.
 
     Parameters
     ----------

@@ -88,7 +88,7 @@ class _Blocks:
 
 
 def _run_here(blocks: _Blocks) -> bool:
-    """Run the next block in the calling thread; what it calls between blocks has its own mode."""
+    """Run the next block in the calling thread, and restore its floating-point mode."""
     mode = flush_denormals()
     try:
         return blocks.run_next()

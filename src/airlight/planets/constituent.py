@@ -1,4 +1,4 @@
-"""Constituent of the air: how much of it there is where, what it scatters and absorbs."""
+"""Constituent of the atmosphere: density profile, scattering and absorption."""
 
 from __future__ import annotations
 
@@ -289,7 +289,7 @@ class Constituent(TomlModel):
         return self.phase_function_at(nm).moments(nm, degree)
 
     def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Phase function given, or that of the gas or matter, known at these wavelengths.
+        """Explicit phase function, or that of the gas or matter at these wavelengths.
 
         Parameters
         ----------

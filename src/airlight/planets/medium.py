@@ -173,7 +173,7 @@ class Medium:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Medium:
-        """Sample a planet; the last samples are kept with the planet.
+        """Sample a planet; the last samples are cached with the planet.
 
         Parameters
         ----------

@@ -296,7 +296,7 @@ class Planet(TomlModel):
 
     @property
     def world(self) -> World:
-        """World whose sky it has.
+        """World that it represents.
 
         Raises
         ------

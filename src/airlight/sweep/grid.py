@@ -42,7 +42,7 @@ _BLOCK: Final = 1 << 19
 
 @dataclass(frozen=True, kw_only=True)
 class Grid:
-    """Grid of a sweep: every planet, at every value of what varies, in every direction.
+    """Grid of a sweep: planets × varied keys × geometry × wavelengths.
 
     Parameters
     ----------

@@ -89,7 +89,7 @@ def size_on_disk(grid: Grid, *, stokes: bool) -> int:
 
 
 def check_room(path: Path, needed: int) -> None:
-    """Refuse a store that is larger than what it takes already and the disk has free.
+    """Refuse a store that exceeds its present size plus the free disk space.
 
     Parameters
     ----------
@@ -299,7 +299,7 @@ class SweepStore:
     # --- a group that is there ----------------------------------------------------------------
 
     def _check_metadata(self) -> None:
-        """Compare the metadata with what is written for this grid, before any array is read."""
+        """Compare the metadata with those of this grid, before any array is read."""
         self._check_files("")
         attributes = self._read(".zattrs")
         if attributes.get(AXES_ATTRIBUTE) != self._attributes[AXES_ATTRIBUTE]:

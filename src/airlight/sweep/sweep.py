@@ -208,7 +208,7 @@ def sweep(
 
 
 def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
-    """Refuse a grid for which disk or memory are too small, and state the size of a large one."""
+    """Refuse a grid that exceeds disk or memory; announce the size of a large one."""
     count = math.prod(grid.blocks)
     size = size_on_disk(grid, stokes=stokes)
     work = f"a sweep of {math.prod(grid.shape):.3g} radiances in {count} blocks"
@@ -246,7 +246,7 @@ def _announce(
     grid: Grid, variants: Collection[tuple[int, ...]], missing: list[tuple[int, ...]],
     how: tuple[str, bool, bool],
 ) -> None:  # fmt: skip
-    """Announce the work, and warn of what planets are not known for: nobody sees a worker's."""
+    """Announce the work, and emit the warnings that would be lost in a worker."""
     quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
         warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)

@@ -174,7 +174,7 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
 
 
 def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
-    """Make a layout from its name and parameters, as given in a manifest.
+    """Layout of the name and parameters in a manifest.
 
     Raises
     ------

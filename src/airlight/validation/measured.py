@@ -1,4 +1,4 @@
-"""The suite ``measured``: fifteen measured skies, in one table with published models."""
+"""Suite ``measured``: fifteen measured skies, compared with published models."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The suite ``kider``: every measured day that is found, the load fitted, one scan left out."""
+"""Suite ``kider``: measured days, with fitted aerosol load and leave-one-out scores."""
 
 from __future__ import annotations
 

@@ -247,7 +247,7 @@ class GasMixture(Matter):
             )
 
     def _check_refractivity(self, refractivity: Spectral) -> None:
-        """Refuse a refractivity that belongs to another state than the given one."""
+        """Refuse a refractivity of another state than temperature and pressure."""
         low, high = self._gas_limits
         nm = np.array([min(max(550.0, low), high)])
         if isinstance(refractivity, PerWavelength):
@@ -265,7 +265,7 @@ class GasMixture(Matter):
 
     @property
     def _density_of_refractivity(self) -> float:
-        """Number density of the state that the given refractivity belongs to. [m⁻³]"""
+        """Number density of the state of the refractivity. [m⁻³]"""
         temperature, pressure = self.refractivity_temperature, self.refractivity_pressure
         if temperature is None and pressure is None:
             return self.number_density
@@ -404,7 +404,7 @@ class GasMixture(Matter):
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Zeros, shape (nl,): absorption is given beside the gas. [m⁻¹]
+        """Zeros, shape (nl,): absorption is a separate key. [m⁻¹]
 
         Parameters
         ----------

@@ -68,7 +68,7 @@ GASES: Final = {
 def density_of_state(
     density: float | None, temperature: float | None, pressure: float | None
 ) -> float:
-    """Number density, given or implied; refused if it is missing or inconsistent.
+    """Number density, explicit or by the equation of state; refused if missing or inconsistent.
 
     Parameters
     ----------
@@ -238,7 +238,7 @@ class GasScattering(_Molecules):
 
 @parameters
 class RefractiveScattering(_Molecules):
-    """Rayleigh scattering by any gas whose refractivity is known at some state.
+    """Rayleigh scattering by a gas of known refractivity.
 
     Parameters
     ----------

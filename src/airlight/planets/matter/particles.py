@@ -196,7 +196,7 @@ class Particles(Matter):
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> None:
-        """Compute the nodes for these wavelengths [nm]; kept in memory and on disk."""
+        """Compute the nodes for these wavelengths [nm]; cached in memory and on disk."""
         if self.method == "mie":
             wanted = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
             if self.optical_depth is not None:

@@ -1,4 +1,4 @@
-"""Haze by one number, turbidity or optical depth, and by its dependence on wavelength."""
+"""Haze by turbidity or optical depth, and its Ångström or Junge exponent."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _turbidity_key(**more: Any) -> Field:
 
 
 class _Haze(Matter):
-    """Matter that needs a phase function beside it."""
+    """Matter that requires a phase function."""
 
     @property
     def needs_phase(self) -> str:

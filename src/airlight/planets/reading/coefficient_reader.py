@@ -1,4 +1,4 @@
-"""Coefficients of one constituent: the keys of a planet file that give them, in every form."""
+"""Reader of the coefficients of a constituent, in all their forms."""
 
 from __future__ import annotations
 

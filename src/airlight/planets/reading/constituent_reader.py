@@ -71,7 +71,7 @@ def _matter(section: TomlTable, wavelengths: Wavelengths) -> Matter | None:
 
 
 def _profile_of(section: TomlTable, matter: Matter | None) -> Profile:
-    """Profile given, or the exponential that temperature and gravity give to a gas."""
+    """Explicit profile, or the exponential by temperature and gravity of a gas."""
     if matter is not None and "profile" not in section:
         with (
             section.prefix_errors(),

@@ -59,7 +59,7 @@ class Erratum:
 
     @property
     def effect(self) -> str:
-        """Quantity by both forms, and the remark, on one line."""
+        """Value by both forms, and the remark, on one line."""
         if not self.quantity:
             return self.remark
         unit = f" {self.unit}" if self.unit else ""

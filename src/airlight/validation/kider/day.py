@@ -1,4 +1,4 @@
-"""One measured day: rows whose parameters stand before their score, the load left one scan out."""
+"""Measured day: models without or with fitted aerosol load, cross-validated scan by scan."""
 
 from __future__ import annotations
 
