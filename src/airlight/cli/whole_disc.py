@@ -1,4 +1,4 @@
-"""``--projection orthographic``: the disc of a distant planet, and the options that it excludes.
+"""``--projection orthographic``: disc of a distant planet, and the options that it excludes."""
 
 from __future__ import annotations
 
