@@ -58,7 +58,7 @@ class FitSettings:
         ``pointing.azimuth``, ``pointing.zenith``; of a photograph also ``white_balance.red`` and
         ``white_balance.blue``.
     per_scan : sequence of str
-        Those of the instrument that each scan has of its own.
+        Parameters of the instrument that are fitted per scan.
     bounds : mapping of str to (float, float)
         Narrower bounds by name.
     priors : mapping of str to Prior
@@ -355,7 +355,7 @@ def _instrument(
         if name not in (SCALE, AZIMUTH, ZENITH):
             if name in settings.per_scan:
                 allowed = ", ".join((SCALE, AZIMUTH, ZENITH))
-                raise ParameterError("each-scan", name, allowed)
+                raise ParameterError("per_scan", name, allowed)
             continue
         every = np.ones(len(scans), bool)
         if name not in settings.per_scan:
