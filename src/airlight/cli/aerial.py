@@ -65,7 +65,7 @@ def aerial(
     overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Fill textures with the air before every point around an observer, for a shader's pass.
+    """Bake aerial perspective around an observer to textures and shader functions.
 
     The folder has half-float textures, functions in WGSL and GLSL that read them, and a manifest
     with their error. The camera may turn, and move as far as the air is the same.

@@ -39,7 +39,7 @@ def errata(
         typer.Option("--output", "-o", metavar="FILE", help="Output page, .md."),
     ] = None,
 ) -> None:
-    """List what the source documents print otherwise, and compute what it changes.
+    """List misprints of the source documents, and compute their effects.
 
     Each row: the source, the text as printed, what stands here, and a quantity both ways. The first
     run compiles a solver, which takes half a minute.

@@ -201,7 +201,7 @@ def render(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Compute a picture of a planet's air, or of a scene with several bodies and lights.
+    """Render a planet's atmosphere, or a scene of several bodies and lights.
 
     Numbers carry their units (400km, 85deg); without one they are metres and degrees.
     """

@@ -114,7 +114,7 @@ def sky(
     overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Write an observer's sky as an environment map, with a JSON that says where its sun stands.
+    """Write an observer's sky as an environment map, with a JSON file of its lights.
 
     The map shows east, north and zenith where the program looks for them: x east, y north, z up, or
     where y is up, x east and -z north (Unity: z north). Unless said otherwise the observer stands

@@ -99,7 +99,7 @@ def view(
     ] = None,
     set_: options.Set = None,
 ) -> None:
-    """Open a window on a planet: fly, turn the sun, edit every parameter and read the light.
+    """Open an interactive viewer: fly, move the sun, edit parameters, probe radiances.
 
     F1 in the window lists mouse and key bindings. The first start compiles code, with progress.
     """
