@@ -70,7 +70,7 @@ def warnings_of(sky: SkyFit) -> list[str]:
         if ratio > 1.0 + _WIDER / np.sqrt(2.0 * (errors.groups - 1)):
             out.append(
                 f"error bars from {_groups(sky)} are up to {ratio:.2g} times those by noise: use "
-                "them, what is left is no noise"
+                "them, since the residuals are systematic"
             )
     names = [one.name for one in found.parameters]
     for i in range(len(names)):

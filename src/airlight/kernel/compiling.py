@@ -187,12 +187,12 @@ def _length(function: Any) -> int:
 class CompileListener(event.Listener):
     """Listener of Numba that names each function once it is compiled."""
 
-    def __init__(self, told: Callable[[str], None]) -> None:
-        self._told = told
+    def __init__(self, on_compiled: Callable[[str], None]) -> None:
+        self._on_compiled = on_compiled
 
     def on_start(self, _: Any) -> None:
         """Do nothing."""
 
     def on_end(self, ended: Any) -> None:
         """Name the function."""
-        self._told(name_of(ended.data["dispatcher"]))
+        self._on_compiled(name_of(ended.data["dispatcher"]))

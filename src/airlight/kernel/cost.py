@@ -92,7 +92,7 @@ def timed(kind: str, count: float, work: str) -> Iterator[None]:
 def announce_all(work: str, amounts: Iterable[tuple[str, float]]) -> None:
     """Announce long work of several kinds, distributed to processes.
 
-    The line is of this machine, with all its processors: on a cluster it is an upper limit.
+    The time is for all cores of this machine: an upper limit on a cluster.
 
     Parameters
     ----------

@@ -37,7 +37,7 @@ class FirstCompilation(event.Listener):
         self._loops: dict[str, Any] = {}
         self._elsewhere: tuple[Any, ...] = ()
         self._finished: set[str] = set()
-        self._spent = self._processor = 0.0
+        self._spent = self._cpu = 0.0
         self._began = (0.0, 0.0)
         self._silent = multiprocessing.parent_process() is not None  # whose parent says it
         self._said = self._silent
@@ -49,7 +49,7 @@ class FirstCompilation(event.Listener):
             fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
             self._loops |= fresh
             if self._said and not self._silent and not all(map(on_disk, fresh.values())):
-                self._said, self._spent, self._processor = False, 0.0, 0.0
+                self._said, self._spent, self._cpu = False, 0.0, 0.0
 
     @contextlib.contextmanager
     def elsewhere(self, loops: Iterable[Any]) -> Iterator[None]:
@@ -90,19 +90,19 @@ class FirstCompilation(event.Listener):
                 self._timer.cancel()
                 self._timer = None
                 self._spent += time.perf_counter() - self._began[0]
-                self._processor += time.process_time() - self._began[1]
+                self._cpu += time.process_time() - self._began[1]
 
     def _say(self, listener: Callable[[str], None] | None) -> None:
-        """Say the line; the time is of a processor as busy as it was."""
+        """Emit the line; the time assumes the CPU load so far."""
         with self._lock:
             if self._said:
                 return
             loops, finished = list(self._loops.values()), frozenset(self._finished)
-            clock, processor = self._spent, self._processor
+            wall, cpu = self._spent, self._cpu
             if self._depth:
-                clock += time.perf_counter() - self._began[0]
-                processor += time.process_time() - self._began[1]
-        busy = max(clock / processor, 1.0) if processor > 0.0 else 1.0
+                wall += time.perf_counter() - self._began[0]
+                cpu += time.process_time() - self._began[1]
+        busy = max(wall / cpu, 1.0) if cpu > 0.0 else 1.0
         work = max(work_left(loops, finished), work_left(self._elsewhere, ()))
         if busy * _SECONDS * work < PATIENCE:  # nearly over
             return
