@@ -96,7 +96,10 @@ def test_mars_by_season_and_solar_time(tmp_path: Path, capsys: pytest.CaptureFix
         (["--zone", "solar"], "--zone requires --at"),
         ([*STOCKHOLM, "--sun-zenith", "80"], "--sun-zenith cannot be combined with --at"),
         ([*STOCKHOLM, "--latitude", "8"], "--latitude cannot be combined with --at"),
-        (["--at", "59N,18E,2km", "--altitude", "3km", "--time", "noon"], "--altitude cannot be combined with an altitude in --at"),
+        (
+            ["--at", "59N,18E,2km", "--altitude", "3km", "--time", "noon"],
+            "--altitude cannot be combined with an altitude in --at",
+        ),
         (["--at", "91N,18E", "--time", "noon"], "--at is '91N,18E'; allowed: latitudes from -90"),
         (["--at", "59N,18E", "--time", "2026-06-21T10:00"], "a time with its zone"),
         (["--at", "59N,18E", "--time", "2026-06-21 10:00", "--zone", "X"], "--zone is 'X'"),
