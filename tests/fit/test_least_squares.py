@@ -151,7 +151,9 @@ def test_parameter_that_nothing_depends_on_is_refused_by_name() -> None:
     # No data could say anything of it.
     parameters = [free("a"), free("idle")]
     model = Curve(lambda v: v[0] * X, parameters)
-    with pytest.raises(ParameterError, match=r"idle is 1\.0; allowed: a parameter that the data"):
+    with pytest.raises(
+        ParameterError, match=r"idle is 1\.0; allowed: a parameter constrained by the data"
+    ):
         fit(model, data_of(2.0 * X), parameters)
 
 

@@ -66,7 +66,7 @@ def test_air_by_its_name_has_oxygen(tmp_path: Path) -> None:
     # The same column as the mixture's: 101 325 Pa over 288.15 K, 8434.5 m of it.
     file = tmp_path / "named.toml"
     file.write_text(NAMED, encoding="utf-8")
-    with pytest.warns(AirlightWarning, match=r"Named: bands of O2 .* 37 % .* at 761 nm"):
+    with pytest.warns(AirlightWarning, match=r"Named: absorption bands of O2 .* 37 % .* at 761 nm"):
         warn_of_omitted_bands(load_planet(file), [761.0])
 
 

@@ -341,7 +341,7 @@ def test_a_sweep_that_the_disk_cannot_hold_is_refused_at_once(
     assert 1.66e12 < size < 1.9e12
     monkeypatch.setattr(stores.shutil, "disk_usage", lambda path: shutil._ntuple_diskusage(  # type: ignore[attr-defined]
         2e12, 1e12, 1e12))  # fmt: skip
-    line = "needs up to 1.67 TB, and the disk has 1 TB free: name fewer values, or another disk"
+    line = "needs up to 1.67 TB, and the disk has 1 TB free: choose fewer values, or another disk"
     with pytest.raises(FileError, match=line):
         swept(grid, tmp_path / "a.zarr")
     assert list(tmp_path.iterdir()) == []
