@@ -50,7 +50,7 @@ def main() -> None:
         cache = Path(place) / "cache"
         own = {
             "AIRLIGHT_CACHE": str(cache),
-            "NUMBA_CPU_NAME": made_for.processor,
+            "NUMBA_CPU_NAME": made_for.cpu,
             "NUMBA_CPU_FEATURES": made_for.written,
             "NUMBA_DISABLE_INTEL_SVML": "1",  # a library that others need not have
         }

@@ -12,8 +12,8 @@ from airlight.cli import main
 @pytest.mark.parametrize(
     ("words", "line"),
     [
-        (["-o", "a.mp4"], "a folder of frames, and at most one .mp4"),
-        (["-o", "a", "-o", "b"], "a folder of frames"),
+        (["-o", "a.mp4"], "one folder of frames, and at most one .mp4"),
+        (["-o", "a", "-o", "b"], "one folder of frames"),
         (["-o", "a.png"], "a folder without a suffix, or an .mp4"),
         (["-o", "a", "-o", "a.mp4", "--bits", "16"], "--bits must be 8 for an MP4"),
         (["-o", "a", "-o", "a.mp4", "--format", "exr"], "--format must be png for an MP4"),

@@ -57,7 +57,10 @@ def test_choices_reach_the_manifest(
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--layout", "bruneton", "--mapping", "linear"], "--mapping is 'linear'"),
+        (
+            ["--layout", "bruneton", "--mapping", "linear"],
+            "--mapping requires --layout atmosphere-plus",
+        ),
         (
             ["--layout", "bruneton", "--packing", "rgba"],
             "--packing requires --layout atmosphere-plus",

@@ -154,7 +154,7 @@ def test_the_sun_of_a_place_and_time_is_that_of_its_angles(tmp_path: Path) -> No
     [
         (["missing.exr", "-o", "out.exr"], "missing.exr: cannot be read: No such file"),
         (["render.exr", "-o", "out.jpg"], "ends in .png, .exr, .hdr"),
-        (["render.exr", "-o", "out.exr"], "--camera is None; allowed: a transforms.json"),
+        (["render.exr", "-o", "out.exr"], "--camera is required: render.exr lacks worldToCamera"),
         (["camera.json", "-o", "out.exr"], "camera.json: cannot be read as OpenEXR"),
         (["render.exr", "--camera", "camera.json", "-o", "out.exr", "--depth-channel=Q"],
          "--depth-channel is 'in channels ViewLayer.Combined.A"),

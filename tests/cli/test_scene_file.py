@@ -60,7 +60,7 @@ def test_a_scene_file_becomes_a_picture(
         (["--set", "rock.colour=3"], "--set is 'rock.colour'; allowed: a key of the body rock"),
         (["--set", "camera.colour=3"], "camera"),
         (["--wavelengths", "rgb"], "--wavelengths does not apply to a scene without air"),
-        (["--exact"], "--exact is True"),
+        (["--exact"], "--exact is not available for scene files"),
         (["--samples", "99"], "samples is 99; allowed: 1 to 16"),
     ],
 )

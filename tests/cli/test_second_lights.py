@@ -43,7 +43,7 @@ def test_lights_are_told_in_the_header(tmp_path: Path) -> None:
         (["--moon", "60,40,200"], "phase 0 to 180 deg"),
         (["--second-star", "80,12"], "--second-star is '80,12'; allowed: zenith,azimuth,temp"),
         (["--second-star", "80,12,3K"], "temperature 100 to 1e"),
-        (["--stars", "--set", "body="], "--stars is True; allowed: a planet whose body is"),
+        (["--stars", "--set", "body="], "--stars requires a planet whose body is"),
         (
             ["--stars", "--projection", "orthographic"],
             "--stars cannot be combined with projection orthographic",

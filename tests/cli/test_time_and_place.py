@@ -44,7 +44,7 @@ def test_an_eclipse_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     said = capsys.readouterr().out
     apart = float(said.partition("in front of the sun, ")[2].partition("°")[0])
     assert apart < 0.02
-    assert "total; the sky of totality is that of a scene" in said
+    assert "total; for the sky of totality: airlight render" in said
     rendered(tmp_path / "b.png", *oregon, "2017-08-21T19:20:35Z")
     assert "in front of the sun" not in capsys.readouterr().out
 
@@ -61,7 +61,7 @@ def test_a_partial_eclipse_over_london_shows_its_crescent(
     assert main(["render", "earth", "-o", str(out), *quick, *words]) == 0
     said = capsys.readouterr().out
     # the limb is darker than the middle: of 9 % of the area 6 to 8 % of the light is left
-    left = float(said.partition("from its middle: ")[2].partition(" %")[0])
+    left = float(said.partition("from its centre: ")[2].partition(" %")[0])
     assert 6.0 < left < 8.5
     bright = np.asarray(Image.open(out).convert("L")) > 200
     disc = np.pi * (0.5 * 0.5264 / 3.0 * 320) ** 2
@@ -96,7 +96,10 @@ def test_mars_by_season_and_solar_time(tmp_path: Path, capsys: pytest.CaptureFix
         (["--zone", "solar"], "--zone requires --at"),
         ([*STOCKHOLM, "--sun-zenith", "80"], "--sun-zenith cannot be combined with --at"),
         ([*STOCKHOLM, "--latitude", "8"], "--latitude cannot be combined with --at"),
-        (["--at", "59N,18E,2km", "--altitude", "3km", "--time", "noon"], "--altitude is '3km'"),
+        (
+            ["--at", "59N,18E,2km", "--altitude", "3km", "--time", "noon"],
+            "--altitude cannot be combined with an altitude in --at",
+        ),
         (["--at", "91N,18E", "--time", "noon"], "--at is '91N,18E'; allowed: latitudes from -90"),
         (["--at", "59N,18E", "--time", "2026-06-21T10:00"], "a time with its zone"),
         (["--at", "59N,18E", "--time", "2026-06-21 10:00", "--zone", "X"], "--zone is 'X'"),

@@ -109,10 +109,13 @@ def test_pictures_in_a_folder_of_ones_own_bring_the_markdown_too(
         (["validate", "-o", "report.pdf"], ".html or .md"),
         (["validate", "-o", "missing/report.html"], "there is no folder"),
         (["validate", "--suite", "gold", "-o", "a.html"], "--suite is 'gold'; allowed: golden"),
-        (["validate", "--suite", "spherical", "-o", "a.html"], "--data is 'missing'"),
+        (["validate", "--suite", "spherical", "-o", "a.html"], "--data is required for spherical"),
         (["validate", "--suite", "measured", "-o", "a.html"], "kider2013-05-27.npz"),
         (["validate", "--data", "nowhere", "-o", "a.html"], "nowhere: is not a folder"),
-        (["validate", "--suite", "spherical", "--data", ".", "-o", "a.html"], "holds no spherical"),
+        (
+            ["validate", "--suite", "spherical", "--data", ".", "-o", "a.html"],
+            "contains no spherical",
+        ),
     ],
 )
 def test_what_cannot_be_is_refused_before_any_work(

@@ -51,7 +51,7 @@ def test_the_frame_of_the_picture_s_name_is_taken(tmp_path: Path) -> None:
     camera, place = camera_from_json(written(tmp_path, data), "renders/two.exr")
     assert_allclose(camera.position, [7.0, 0.0, 0.0])
     assert place == {"lat": 5.0}
-    with pytest.raises(ParameterError, match=r"2 frames .*one named 'three'"):
+    with pytest.raises(ParameterError, match=r"2 frames .*a frame named 'three'"):
         camera_from_json(written(tmp_path, data), "three.exr")
 
 
@@ -89,7 +89,7 @@ def test_a_camera_of_another_size_sees_the_same() -> None:
         ({"w": 4, "h": 3, "transform_matrix": MATRIX}, "camera_angle_x is 'missing'"),
         (PLAIN | {"fl_x": "wide"}, "fl_x is 'wide'; allowed: a finite number"),
         (PLAIN | {"fl_x": -1.0}, "camera.focal_x is -1.0; allowed: a number above 0"),
-        (PLAIN | {"k1": 0.1}, "k1 is 0.1; allowed: 0: lenses that distort"),
+        (PLAIN | {"k1": 0.1}, "k1 is 0.1; allowed: 0: lens distortion"),
         (PLAIN | {"camera_model": "OPENCV_FISHEYE"}, "allowed: OPENCV, PINHOLE"),
         (PLAIN | {"transform_matrix": [[1, 2], [3, 4]]}, "allowed: a 4 x 4 matrix"),
         (PLAIN | {"transform_matrix": np.diag([1, 1, -1, 1]).tolist()}, "perpendicular axes"),

@@ -91,5 +91,5 @@ def test_a_relit_picture_has_the_ground_s_light(earth: MomentsSolution) -> None:
     spectrum = np.asarray(light["direct"] + light["diffuse"]) / earth.lights[0].irradiance
     wanted = 0.3 / np.pi * spectrum @ earth.lights[0].colors()
     assert_allclose(got, np.broadcast_to(wanted, shape), rtol=0.03)
-    with pytest.raises(ParameterError, match="only albedo and normals together"):
+    with pytest.raises(ParameterError, match="requires albedo and normals"):
         compose(np.zeros(shape), np.ones((6, 8)), camera, earth, place, normals=normals)

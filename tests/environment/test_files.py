@@ -180,7 +180,7 @@ def test_files_beside_a_map_that_are_not_ours_stop_before_any_is_written(
     shown = made("mitsuba", sun="light", width=32)
     for name in ("a.json", "a.xml"):
         (tmp_path / name).write_text('{"mine": 1}', encoding="utf-8")
-        with pytest.raises(FileError, match=rf"{name}: is .*--overwrite"):
+        with pytest.raises(FileError, match=rf"{name}: is .*allow overwriting"):
             write_map(tmp_path / "a.exr", shown)
         assert [file.name for file in tmp_path.iterdir()] == [name]
         write_map(tmp_path / "a.exr", shown, overwrite=True)

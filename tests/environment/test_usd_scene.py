@@ -95,7 +95,7 @@ def test_a_layer_with_z_up_is_the_one_with_y_up_turned(
     said = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
     assert said["frame"]["up"] == [0.0, 0.0, 1.0]
     assert_allclose(said["lights"][0]["direction"], shown.discs[0].direction, atol=1e-8)
-    with pytest.raises(ParameterError, match="for usd"):
+    with pytest.raises(ParameterError, match="requires usd"):
         made().consumer.with_up("z")
 
 

@@ -548,9 +548,9 @@ def test_a_table_of_one_order_says_so_and_any_solver_can_fill_it(
         ({"precision": "quarter"}, "precision is 'quarter'"),
         ({"mu_s_min": 0.3}, "mu_s_min is 0.3; allowed: -1 to 0"),
         ({"smooth_phase": "gas"}, "smooth_phase is 'gas'; allowed: own, rayleigh"),
-        ({"layout": "atmosphere-plus", "smooth_phase": "rayleigh"}, "only with layout bruneton"),
-        ({"layout": "atmosphere-plus", "mu_s_min": -0.3}, "only with layout bruneton"),
-        ({"layout": "atmosphere-plus", "higher_orders": True}, "only with layout bruneton"),
+        ({"layout": "atmosphere-plus", "smooth_phase": "rayleigh"}, "requires layout bruneton"),
+        ({"layout": "atmosphere-plus", "mu_s_min": -0.3}, "requires layout bruneton"),
+        ({"layout": "atmosphere-plus", "higher_orders": True}, "requires layout bruneton"),
         ({"points": 0}, "points is 0"),
     ],
 )

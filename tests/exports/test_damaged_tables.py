@@ -106,7 +106,7 @@ def test_numbers_that_are_not_finite_reach_no_look_up(
     stream = io.BytesIO()
     np.savez(stream, values=values)
     put(tmp_path, whole, "scattering.npz", stream.getvalue())
-    with pytest.raises(FileError, match="holds 2 values of values that are no finite numbers"):
+    with pytest.raises(FileError, match="contains 2 values of values that are not finite"):
         load_tables(tmp_path)
 
 

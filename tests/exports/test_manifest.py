@@ -68,7 +68,7 @@ def test_a_changed_or_foreign_file_stops_before_the_work_and_is_named(
     (folder / name).write_text("mine", encoding="utf-8")
     before = contents(tmp_path)
     for attempt in (lambda: check_folder(folder, FORM, FILES), lambda: write(folder, ("b.bin",))):
-        with pytest.raises(FileError, match=f"{name}: is not .*--overwrite"):
+        with pytest.raises(FileError, match=f"{name}: is not .*allow overwriting"):
             attempt()
         assert contents(tmp_path) == before
     write(folder, (name,), overwrite=True)
@@ -149,7 +149,7 @@ def test_links_are_neither_followed_nor_replaced(
 )
 def test_a_damaged_manifest_stops_in_one_line(tmp_path: Path, text: str) -> None:
     (tmp_path / MANIFEST).write_text(text, encoding="utf-8")
-    with pytest.raises(FileError, match="--overwrite") as error:
+    with pytest.raises(FileError, match="allow overwriting") as error:
         check_folder(tmp_path, FORM, FILES)
     assert len(str(error.value)) < 400
     write(tmp_path, overwrite=True)

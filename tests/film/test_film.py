@@ -160,7 +160,7 @@ def test_a_fingerprint_changes_with_what_the_frame_shows_and_with_nothing_else(
         ("frames = 5", "frames = 0", "film.frames is 0.0; allowed: 1 to 99999"),
         ("frames = 5", "frames = 2.5", "film.frames is 2.5; allowed: a whole number"),
         ("frames = 5", "farmes = 5", "did you mean 'frames'"),
-        ("frames = 5", "start = '2026-01-01T00:00Z'", "film.end is missing"),
+        ("frames = 5", "start = '2026-01-01T00:00Z'", "film.start requires end"),
         ('"view.altitude"', '"view.altitud"', "allowed: view.latitude, view.longitude"),
         ('"ground.albedo"', '"grund.albedo"', "did you mean 'ground.albedo'"),
         ("[0.1, 0.5]", "[0.1, 1.5]", "ground.albedo is 1.5; allowed: 0 to 1"),

@@ -116,7 +116,7 @@ def test_damaged_frames_are_drawn_again(
     (folder / f"rock_00001{finish.suffix}").unlink()
     done = drawn(rock, folder, finish, told=lines.append)
     assert (done.drawn, done.kept, done.damaged) == (3, 1, 2)
-    assert lines[0] == "2 of 4 frames were damaged and are drawn again"
+    assert lines[0] == "2 of 4 frames are damaged and will be rendered again"
     assert contents(folder) == before
 
 
@@ -139,7 +139,7 @@ def test_a_file_that_is_no_frame_is_left_alone(rock: Path, tmp_path: Path, kind:
         write_picture(file, np.ones((4, 4, 3), np.float32))
     with pytest.raises(FileError, match=r"rock_00002\.png: is not a ") as refusal:
         drawn(rock, folder)
-    assert "name another folder" in str(refusal.value)
+    assert "choose another folder" in str(refusal.value)
     assert [one.name for one in folder.iterdir()] == ["rock_00002.png"]
     assert note.read_text() == "mine"
 

@@ -74,7 +74,7 @@ def test_values_keep_their_units_and_lists() -> None:
         (["2 m", "3"], {}, "a number with a unit, such as 'm'"),
         ([2, "3 m"], {}, "a number without a unit"),
         (["2 m", "3 s"], {}, "values"),
-        ([[1, 2], [1]], {}, "lists of one length"),
+        ([[1, 2], [1]], {}, "lists of equal length"),
         (["noon", "dusk"], {}, "values"),
         ([0, 1], {"law": "exponential"}, "numbers above 0"),
         ([0, 1], {"law": "cubic"}, "'linear' or 'smooth'"),

@@ -279,7 +279,7 @@ def test_pixels_of_a_photograph_that_are_no_numbers_are_left_out_and_counted(tmp
     rgb[0, 1, 2], rgb[1, 3, 0] = np.nan, np.inf
     about = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     OpenEXR.File(about, {"RGB": rgb}).write(str(tmp_path / "a.exr"))
-    with pytest.warns(AirlightWarning, match="2 pixels are no finite numbers"):
+    with pytest.warns(AirlightWarning, match="2 pixels are not finite"):
         sound = _pixels(tmp_path / "a.exr", None)[1]
     wanted = np.ones((2, 4), bool)
     wanted[0, 1] = wanted[1, 3] = False

@@ -151,7 +151,9 @@ def test_parameter_that_nothing_depends_on_is_refused_by_name() -> None:
     # No data could say anything of it.
     parameters = [free("a"), free("idle")]
     model = Curve(lambda v: v[0] * X, parameters)
-    with pytest.raises(ParameterError, match=r"idle is 1\.0; allowed: a parameter that the data"):
+    with pytest.raises(
+        ParameterError, match=r"idle is 1\.0; allowed: a parameter constrained by the data"
+    ):
         fit(model, data_of(2.0 * X), parameters)
 
 
@@ -159,7 +161,7 @@ def test_parameters_that_cannot_be_told_apart_are_both_named() -> None:
     # Only their product enters.
     parameters = [free("a", 1.0, 0.1), free("b", 2.0, 0.1)]
     model = Curve(lambda v: v[0] * v[1] * X, parameters)
-    with pytest.raises(ParameterError, match=r"cannot tell it from [ab]"):
+    with pytest.raises(ParameterError, match=r"degenerate with [ab]"):
         fit(model, data_of(3.0 * X), parameters)
 
 

@@ -70,7 +70,7 @@ def test_wide_form_is_the_long_one(tmp_path: Path) -> None:
         ([HEADER + ",uncertainty", "550,60,30,90,0.1,0"], "line 2, uncertainty is '0'"),
         ([HEADER + " [lux]", "550,60,30,90,0.1"], "unit of radiance is 'lux'"),
         ([HEADER + ",radiance", "550,60,30,90,0.1,0.1"], "has the column radiance more than once"),
-        ([HEADER], "holds no radiance"),
+        ([HEADER], "contains no radiance"),
     ],
 )  # fmt: skip
 def test_faults_are_said_in_one_line(tmp_path: Path, lines: list[str], said: str) -> None:

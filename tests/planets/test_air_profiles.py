@@ -100,7 +100,7 @@ def test_measured_rows_are_met_and_their_weight_stands_in_for_a_column():
         ('kind = "sounding", temperatures = "280, 270 K"', "altitudes is missing"),
         (
             'kind = "sounding", temperatures = "280, 270 K", altitudes = "0, 1 km"',
-            "molar_mass is missing; allowed: one, without altitudes or pressures",
+            "molar_mass is required unless both altitudes and pressures are given",
         ),
         (
             'kind = "sounding", temperatures = "280 K", altitudes = "0 km"',

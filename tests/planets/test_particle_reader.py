@@ -151,7 +151,7 @@ def test_haze_by_turbidity_is_read():
         ),
         (
             "[constituents.particles]\nindex = 'water'\nmethod = 'anomalous-diffraction'\n" + SMALL,
-            r"constituents\[0\]\.phase_function is missing; allowed: one, since anomalous",
+            r"constituents\[0\]\.phase_function is required for anomalous",
         ),
         (
             "[constituents.particles]\nindex = 'water'\nradius = '1 um'\n" + SMALL,
@@ -167,7 +167,7 @@ def test_haze_by_turbidity_is_read():
         ),
         (
             HAZE,
-            r"constituents\[0\]\.phase_function is missing; allowed: one, since turbidity",
+            r"constituents\[0\]\.phase_function is required for turbidity",
         ),
         (
             PHASE + HAZE + "turbidity_literal = { turbidity = 2.0 }\n",

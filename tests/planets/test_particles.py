@@ -182,7 +182,7 @@ def test_anomalous_diffraction_takes_the_phase_function_given():
     )
     medium = Medium.from_planet(_planet(dust, HenyeyGreenstein(asymmetry=0.7)), RGB)
     assert_allclose(medium.single_scattering_albedo[0], [0.980, 0.874, 0.748], rtol=0, atol=5e-4)
-    with pytest.raises(ParameterError, match="phase_function is missing; allowed: one, since anom"):
+    with pytest.raises(ParameterError, match="phase_function is required for anom"):
         Medium.from_planet(_planet(dust), RGB)
 
 

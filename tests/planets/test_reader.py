@@ -126,10 +126,15 @@ WRONG = [
     ('irradiance = "1 W/m^2/nm"', "", "star.light is missing", "spectrum, irradiance, temperature"),
     ('irradiance = "1 W/m^2/nm"', 'spectrum = "astm"', "star.spectrum", "astm-g173"),
     ('irradiance = "1 W/m^2/nm"', 'irradiance = "-1 W/m^2/nm"', "star.irradiance", "0 to"),
-    ('irradiance = "1 W/m^2/nm"', 'temperature = "5772 K"', "star.distance is missing", "length"),
+    (
+        'irradiance = "1 W/m^2/nm"',
+        'temperature = "5772 K"',
+        "star.temperature requires",
+        "distance",
+    ),
     ('angular_radius = "0.2678 deg"', "", "star.angular_radius is missing", "deg"),
     ('"0.2678 deg"', '"-1 deg"', "star.angular_radius", "0 to 30 deg"),
-    ('name = "ozone"', 'name = "air"', "constituents[2].name", "a name of its own"),
+    ('name = "ozone"', 'name = "air"', "constituents[2].name", "a unique name"),
     (
         'scale_height = "8 km"',
         'scale_height = "0 km"',
@@ -165,7 +170,12 @@ WRONG = [
         "finite",
     ),
     ("asymmetry = 0.8", "assymetry = 0.8", "asymmetry is missing", "0.8"),
-    ('phase_function = { kind = "rayleigh" }', "", "constituents[0].phase_function is missing", ""),
+    (
+        'phase_function = { kind = "rayleigh" }',
+        "",
+        "constituents[0].phase_function is required",
+        "",
+    ),
     ('absorption = "0.444e-6 /m"', "single_scattering_albedo = 1.2", "albedo", "0 to 1"),
     ('absorption = "0.444e-6 /m"', "single_scattering_albedo = 0", "absorption", "as implied"),
     (
@@ -199,8 +209,8 @@ WRONG = [
     (
         'scattering = "3.996e-6 /m"',
         'scattering = { rayleigh = "air", temperature = "273.15 K" }',
-        "constituents[1].scattering.pressure is missing",
-        "both or neither",
+        "constituents[1].scattering.temperature",
+        "requires pressure",
     ),
     (
         'scattering = "3.996e-6 /m"',

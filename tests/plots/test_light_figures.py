@@ -214,5 +214,5 @@ def test_orders_that_vanish_leave_no_rest() -> None:
 def test_a_solution_without_orders_is_refused(solution: Solution) -> None:
     if solution.highest_order > 1:
         pytest.skip("the moments keep their orders")
-    with pytest.raises(ParameterError, match="one that keeps its orders"):
+    with pytest.raises(ParameterError, match="a solution with scattering orders"):
         order_convergence(solution)

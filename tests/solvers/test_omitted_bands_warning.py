@@ -66,7 +66,7 @@ def test_air_by_its_name_has_oxygen(tmp_path: Path) -> None:
     # The same column as the mixture's: 101 325 Pa over 288.15 K, 8434.5 m of it.
     file = tmp_path / "named.toml"
     file.write_text(NAMED, encoding="utf-8")
-    with pytest.warns(AirlightWarning, match=r"Named: bands of O2 .* 37 % .* at 761 nm"):
+    with pytest.warns(AirlightWarning, match=r"Named: absorption bands of O2 .* 37 % .* at 761 nm"):
         warn_of_omitted_bands(load_planet(file), [761.0])
 
 
@@ -83,7 +83,8 @@ def test_the_command_line_says_it_once(capsys: pytest.CaptureFixture[str]) -> No
     lines = capsys.readouterr().err.splitlines()
     (line,) = [line for line in lines if "O2" in line]
     assert line == (
-        "airlight: Earth: absorption bands of O2 are omitted: up to 37 % of direct light at airmass 1.5, "
+        "airlight: Earth: absorption bands of O2 are omitted: up to 37 % of direct light at "
+        "airmass 1.5, "
         "at 761 nm; docs/planets.md has absorbers for them"
     )
 

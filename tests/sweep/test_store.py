@@ -116,7 +116,7 @@ def test_metadata_that_airlight_does_not_write_are_one_line(
     with pytest.raises(FileError) as refusal:
         swept(grid, path)
     assert line in str(refusal.value)
-    assert "remove it, or name another folder" in str(refusal.value)
+    assert "remove it, or choose another folder" in str(refusal.value)
     assert "\n" not in str(refusal.value)
 
 
@@ -186,7 +186,7 @@ def test_damaged_blocks_are_computed_again(
     damage(path / chunk_file("dolp" if stokes else "radiance", blocks[2]))
     done = swept(grid, path, stokes=stokes, told=lines.append)
     assert (done.computed, done.kept, done.damaged) == (2, 2, 2)
-    assert lines == ["2 of 4 blocks were damaged and are computed again"]
+    assert lines == ["2 of 4 blocks are damaged and will be recomputed"]
     assert files(path) == before
     assert swept(grid, path, stokes=stokes).kept == 4
 
@@ -219,7 +219,7 @@ def test_a_damaged_mark_or_axis_is_written_again(grid: Grid, tmp_path: Path) -> 
     flip(path / "sun_zenith/0")
     assert swept(grid, path, told=lines.append).damaged == 1
     assert lines == ["the axis sun_zenith was damaged and is written again",
-                     "1 of 4 blocks were damaged and are computed again"]  # fmt: skip
+                     "1 of 4 blocks are damaged and will be recomputed"]  # fmt: skip
     assert files(path) == before
 
 
@@ -341,7 +341,7 @@ def test_a_sweep_that_the_disk_cannot_hold_is_refused_at_once(
     assert 1.66e12 < size < 1.9e12
     monkeypatch.setattr(stores.shutil, "disk_usage", lambda path: shutil._ntuple_diskusage(  # type: ignore[attr-defined]
         2e12, 1e12, 1e12))  # fmt: skip
-    line = "needs up to 1.67 TB, and the disk has 1 TB free: name fewer values, or another disk"
+    line = "needs up to 1.67 TB, and the disk has 1 TB free: choose fewer values, or another disk"
     with pytest.raises(FileError, match=line):
         swept(grid, tmp_path / "a.zarr")
     assert list(tmp_path.iterdir()) == []

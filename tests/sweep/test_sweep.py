@@ -76,7 +76,7 @@ def test_polarised_light_is_beside_the_radiance(tmp_path: Path) -> None:
     assert_allclose(data.aolp, 0.5 * np.degrees(np.arctan2(data.U, data.Q)), atol=1e-3)
     assert float(data.dolp.max()) > 0.5
     assert data.U.units == "W m-2 sr-1 nm-1"
-    with pytest.raises(FileError, match="holds the sweep of another grid"):
+    with pytest.raises(FileError, match="contains a sweep of another grid"):
         sweep(grid, path, quality="preview", workers=1)
 
 
@@ -122,7 +122,7 @@ def test_a_folder_of_another_grid_is_left_alone(tmp_path: Path) -> None:
     one = small(planets=["mars-rayleigh"], vary={}, altitude=[0.0], sun_zenith=[10.0])
     sweep(one, path, quality="preview", workers=1)
     before = radiances(path).radiance.values
-    with pytest.raises(FileError, match="holds the sweep of another grid"):
+    with pytest.raises(FileError, match="contains a sweep of another grid"):
         sweep(small(), path, quality="preview", workers=1)
     assert_array_equal(radiances(path).radiance.values, before)
 

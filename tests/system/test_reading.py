@@ -100,7 +100,7 @@ def test_errors_name_file_field_value_and_range(old: str, new: str, line: str | 
 def test_an_observer_inside_a_body_is_refused() -> None:
     head, _, rest = WHOLE.partition('body = "earth"')
     inside = 'position = ["384000 km", "0 km", "0 km"]\n[camera]' + rest.partition("[camera]")[2]
-    with pytest.raises(ParameterError, match=r"outside of every body"):
+    with pytest.raises(ParameterError, match=r"outside all bodies"):
         _ = read_system(head + inside, "x").eye
 
 

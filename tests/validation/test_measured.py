@@ -289,7 +289,7 @@ def test_damaged_scans_are_refused_in_one_line(tmp_path: Path) -> None:
     np.savez(file, **whole)
     assert read_scans(tmp_path).time == ("09:30",)
     for name, fault, said in (
-        ("radiance", None, "lacks an array"),
+        ("radiance", None, "has no array"),
         ("view_zenith_deg", np.zeros((1, 4)), "view_zenith is"),
         ("radiance", np.full((1, 3, 2), np.nan), "radiance contains"),
     ):

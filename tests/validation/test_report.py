@@ -88,14 +88,14 @@ def test_embedded_pictures_are_the_pictures(report: ValidationReport) -> None:
     assert base64.b64decode(data[1]) == png("red")
 
 
-def test_the_worst_case_and_the_missed_bar_are_shown_not_folded_away(
+def test_the_worst_case_and_the_missed_threshold_are_shown_not_folded_away(
     report: ValidationReport,
 ) -> None:
     page = html(report)
     assert "limb at 92°, |Δ| &amp; &lt;5 %" in page
     assert "4.87" in page
     assert '<details open="open"><summary>The worst case (2 rows, 1 missed)' in page
-    assert "2 of 3 bars are met; not run: measured" in page
+    assert "2 of 3 thresholds are met; not run: measured" in page
     assert re.search(r"largest error</td><td>4.87 %</td><td>≤ 2 %</td><td class=\"missed\">", page)
     text = markdown(report, "pictures")
     assert "**4.87**" in text

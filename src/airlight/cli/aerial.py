@@ -65,7 +65,7 @@ def aerial(
     overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Fill textures with the air before every point around an observer, for a shader's pass.
+    """Bake aerial perspective around an observer to textures and shader functions.
 
     The folder has half-float textures, functions in WGSL and GLSL that read them, and a manifest
     with their error. The camera may turn, and move as far as the air is the same.
@@ -113,8 +113,11 @@ def aerial(
 
 
 def _errors(made: AerialPerspective) -> str:
-    told = made.errors
-    pairs = (("air", told.air_95, told.air_largest), ("sky", told.sky_95, told.sky_largest))
+    errors = made.errors
+    pairs = (
+        ("air", errors.air_95, errors.air_largest),
+        ("sky", errors.sky_95, errors.sky_largest),
+    )
     return ", ".join(
         f"{name}: 95 % within {100.0 * usual:.2f} %, all within {100.0 * most:.1f} %"
         for name, usual, most in pairs

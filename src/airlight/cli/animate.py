@@ -118,7 +118,7 @@ def animate(
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,
 ) -> None:
-    """Draw the frames of a film: only those that are missing or have changed.
+    """Render the missing or changed frames of a film.
 
     The clock may run, and any number of the scene or the planet may follow key frames. Processes of
     this machine share the frames, or a Dask cluster does.

@@ -31,24 +31,19 @@ ERROR = 2
 COMMANDS: Final = {
     "planets": "List the planets that ship with airlight.",
     "show": "Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.",
-    "render": "Compute a picture of a planet's air, or of a scene with several bodies and lights.",
-    "animate": "Draw the frames of a film: only those that are missing or have changed.",
-    "sky": "Write an observer's sky as an environment map, with a JSON that says where its sun "
-    "stands.",
-    "compose": "Lay a planet's air over a picture by its depth, and its sky behind.",
-    "aerial": "Fill textures with the air before every point around an observer, for a shader's "
-    "pass.",
-    "view": "Open a window on a planet: fly, turn the sun, edit every parameter and read the "
-    "light.",
+    "render": "Render a planet's atmosphere, or a scene of several bodies and lights.",
+    "animate": "Render the missing or changed frames of a film.",
+    "sky": "Write an observer's sky as an environment map, with a JSON file of its lights.",
+    "compose": "Composite a planet's atmosphere over a rendered picture by its depth pass.",
+    "aerial": "Bake aerial perspective around an observer to textures and shader functions.",
+    "view": "Open an interactive viewer: fly, move the sun, edit parameters, probe radiances.",
     "radiance": "Compute spectral radiance along a line of sight, in W m⁻² sr⁻¹ nm⁻¹.",
-    "spectrum": "Compute what a telescope measures of a planet: albedos, phase curve, transit, "
-    "limb, disc.",
-    "sweep": "Compute radiances on a grid, in W m⁻² sr⁻¹ nm⁻¹: only the blocks that are missing "
-    "or changed.",
+    "spectrum": "Compute observables of a planet: albedos, phase curve, transit, limb, disc.",
+    "sweep": "Compute the missing or changed blocks of a grid of radiances, in W m⁻² sr⁻¹ nm⁻¹.",
     "fit": "Fit parameters of a planet to measured radiances, or to a photograph of its sky.",
-    "plot": "Draw a figure of a planet: its star, its air, its light, its tables.",
-    "bake": "Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.",
-    "export-page": "Write a page to fly round a planet: one file that opens from disk, below 5 MB.",
+    "plot": "Plot a figure of a planet: star, atmosphere, radiation or tables.",
+    "bake": "Bake a planet's radiation to look-up tables: NPZ, EXR and a JSON manifest.",
+    "export-page": "Write an interactive page of a planet: a single HTML file, below 5 MB.",
     "validate": "Check airlight against published numbers, independent codes and measured skies.",
 }
 
@@ -200,7 +195,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _interruption(error: BaseException | None) -> BaseException | None:
-    """Interruption that a library has made an error of its own of, as while a class is made."""
+    """Interruption that a library has wrapped in an error of its own."""
     while error is not None and not isinstance(error, (KeyboardInterrupt, SystemExit)):
         error = error.__cause__ or error.__context__
     return error

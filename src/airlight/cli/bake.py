@@ -123,7 +123,7 @@ def bake(
     overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Fill look-up tables with a planet's light: NPZ, EXR and a JSON manifest.
+    """Bake a planet's radiation to look-up tables: NPZ, EXR and a JSON manifest.
 
     The tables hold scattered light, transmittance and skylight; the manifest describes the look-ups
     and states the tables' error.

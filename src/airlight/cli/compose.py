@@ -160,7 +160,7 @@ def compose(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Lay a planet's air over a picture by its depth, and its sky behind.
+    """Composite a planet's atmosphere over a rendered picture by its depth pass.
 
     The picture stays on its own scale of brightness; see docs/compose.md.
     """

@@ -1,4 +1,4 @@
-"""Output of the command line: names and paths from outside are shown as text, whatever they hold.
+"""Output of the command line: control characters and markup of external texts are escaped.
 
 Every command writes by these functions, and none by ``print``: characters that steer a terminal
 stand as escapes, and Rich reads no markup.

@@ -43,7 +43,7 @@ def export_page(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Write a page to fly round a planet: one file that opens from disk, below 5 MB.
+    """Write an interactive page of a planet: a single HTML file, below 5 MB.
 
     It draws with WebGPU, or WebGL2 where there is none, and loads nothing from a network.
     """

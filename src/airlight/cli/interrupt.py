@@ -1,4 +1,4 @@
-"""Ctrl-C within a second: what is waited for is left behind.
+"""Exit within a second of Ctrl-C, without waiting for threads.
 
 Python notices a signal between two of its own instructions, and the compiler of kernels, or a block
 of a computation on all threads, may keep it from that for minutes. A thread reads the signals that
@@ -31,7 +31,7 @@ _saying: Final = threading.Lock()
 def end_at_once() -> None:
     """End the process at SIGINT without more ado, until ``end_when_interrupted``.
 
-    A process that has been told to ignore the signal goes on to do so.
+    A process that ignores the signal continues to do so.
     """
     if threading.current_thread() is not threading.main_thread():
         return
@@ -58,25 +58,27 @@ def end_when_interrupted() -> None:
     if sys.platform == "win32":
         return
     sys.unraisablehook = _unraisable
-    heard, told = os.pipe()
-    os.set_blocking(told, False)
+    read_end, write_end = os.pipe()
+    os.set_blocking(write_end, False)
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _interrupted)
     signal.signal(signal.SIGTERM, _terminated)
-    signal.set_wakeup_fd(told, warn_on_full_buffer=False)
-    threading.Thread(target=_watch, args=(heard,), name="airlight-interrupt", daemon=True).start()
+    signal.set_wakeup_fd(write_end, warn_on_full_buffer=False)
+    threading.Thread(
+        target=_watch, args=(read_end,), name="airlight-interrupt", daemon=True
+    ).start()
 
 
-def _watch(heard: int) -> None:
+def _watch(read_end: int) -> None:
     while True:
-        number = os.read(heard, 1)
+        number = os.read(read_end, 1)
         if number and number[0] in (signal.SIGINT, signal.SIGTERM):
             threading.Event().wait(PATIENCE)
             leave(128 + number[0])
 
 
 def _unraisable(what: sys.UnraisableHookArgs) -> None:
-    """Say nothing of an interruption that a callback swallowed, as those of the compiler do."""
+    """Suppress the report of an interruption swallowed by a callback, as of the compiler."""
     if not isinstance(what.exc_value, (KeyboardInterrupt, SystemExit)):
         sys.__unraisablehook__(what)
 
@@ -92,7 +94,7 @@ def _terminated(*_: object) -> None:
 
 
 def say_cancelled() -> None:
-    """Say that the command was cancelled; the process does not end before it is said."""
+    """Print that the command was cancelled, and flush it."""
     with _saying:
         answered.set()
         note("cancelled")

@@ -208,7 +208,7 @@ def with_solved_ground(
     longitude: str | None,
     altitude: float = 0.0,
 ) -> Planet:
-    """Planet with the ground that its air is solved for; itself if no option says which.
+    """Planet with the surface albedo of the options; unchanged without options.
 
     Parameters
     ----------

@@ -86,7 +86,7 @@ def plot(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Draw a figure of a planet: its star, its air, its light, its tables.
+    """Plot a figure of a planet: star, atmosphere, radiation or tables.
 
     Options that the kind does not use are rejected.
     """

@@ -287,7 +287,7 @@ def _long_table(
 
 
 def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
-    """Read the observers of a file, after checking that no other is given."""
+    """Read the observers of a file; refuse other observers."""
     from airlight.sweep.cases import read_cases
 
     _check_many(single, output)

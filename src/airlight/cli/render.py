@@ -201,7 +201,7 @@ def render(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Compute a picture of a planet's air, or of a scene with several bodies and lights.
+    """Render a planet's atmosphere, or a scene of several bodies and lights.
 
     Numbers carry their units (400km, 85deg); without one they are metres and degrees.
     """
@@ -341,7 +341,7 @@ def _check_polarised(
 
 
 def _check_legend(width: int) -> None:
-    """Refuse what has no room for a legend, before any long work."""
+    """Refuse pictures without room for a legend, before any long work."""
     from airlight.plots.figure import require_matplotlib
     from airlight.plots.polarised_picture import check_width
 

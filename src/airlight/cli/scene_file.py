@@ -1,4 +1,4 @@
-"""Scene files on the command line: their pictures, and what options change in them."""
+"""Scene files on the command line: rendering, and overrides by options."""
 
 from __future__ import annotations
 
@@ -174,7 +174,7 @@ def _of_place(given: SceneOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _moment(given: SceneOptions, tables: Mapping[str, Any], system: System) -> datetime:
-    """Instant that the scene is to show."""
+    """Time of the scene."""
     from airlight.ephemeris.sky import Place
     from airlight.ephemeris.time_text import read_time
 

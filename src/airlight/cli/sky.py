@@ -114,7 +114,7 @@ def sky(
     overwrite: options.Overwrite = False,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Write an observer's sky as an environment map, with a JSON that says where its sun stands.
+    """Write an observer's sky as an environment map, with a JSON file of its lights.
 
     The map shows east, north and zenith where the program looks for them: x east, y north, z up, or
     where y is up, x east and -z north (Unity: z north). Unless said otherwise the observer stands
@@ -280,6 +280,6 @@ def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: 
 
 
 def _moved(disc: Disc) -> str:
-    """Words about a disc whose colour was beyond sRGB."""
+    """Remark on a disc whose colour was outside sRGB."""
     share = disc.gamut_change
     return "" if share == 0.0 else f", mapped into sRGB: a channel by {share:.2g} of its luminance"

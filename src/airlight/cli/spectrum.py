@@ -1,4 +1,4 @@
-"""``airlight spectrum``: what a telescope measures of a planet, over wavelengths."""
+"""``airlight spectrum``: disc-integrated and limb observables of a planet."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def spectrum(
     set_: options.Set = None,
     no_cache: options.NoCache = False,
 ) -> None:
-    """Compute what a telescope measures of a planet: albedos, phase curve, transit, limb, disc.
+    """Compute observables of a planet: albedos, phase curve, transit, limb, disc.
 
     Each integral comes with the error of its quadrature.
     """

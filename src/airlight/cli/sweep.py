@@ -70,7 +70,7 @@ def sweep(
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,
 ) -> None:
-    """Compute radiances on a grid, in W m⁻² sr⁻¹ nm⁻¹: only the blocks that are missing or changed.
+    """Compute the missing or changed blocks of a grid of radiances, in W m⁻² sr⁻¹ nm⁻¹.
 
     Axes: planet, varied keys, altitude, sun, view, azimuth and wavelength.
     """

@@ -1,4 +1,4 @@
-"""Options that say where and when: ``--at``, ``--time``, ``--zone``, ``--ls``."""
+"""Options of place and time: ``--at``, ``--time``, ``--zone``, ``--ls``."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ _MIDDLE = 550.0
 
 @dataclass(frozen=True, kw_only=True)
 class Placed:
-    """Observer and sun as the options say.
+    """Observer and sun of the options.
 
     Attributes
     ----------
@@ -195,7 +195,7 @@ def given(
 
 
 def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
-    """Planet on whose ground an observer below 0 stands, his altitude above it, and a word.
+    """Planet whose ground is below an observer at negative altitude, and the altitude above it.
 
     Raises
     ------
@@ -225,7 +225,7 @@ def lit(planet: Planet, placed: Placed, sun_distance: str) -> Planet:
 
 
 def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
-    """Line that says place, time, sun and moon, and by which distance the planet is lit."""
+    """Line with place, time, sun, moon, and the sun's distance."""
     from airlight.ephemeris.sky import Place
     from airlight.ephemeris.sky_line import sky_line
     from airlight.planets.lowered_ground import stands_on_floor
@@ -250,7 +250,7 @@ def line(planet: Planet, placed: Placed, sun_distance: str) -> str:
 
 
 def _eclipse(planet: Planet, place: Place, time: datetime, moon: MoonSighting) -> str:
-    """Words about a Moon in front of the sun, and what it leaves of its light."""
+    """Remark on a solar eclipse, with the visible fraction of the sun's light."""
     from airlight.ephemeris.sky import sun_seen
     from airlight.geometry.disc_overlap import visible_light
 

@@ -99,7 +99,7 @@ def view(
     ] = None,
     set_: options.Set = None,
 ) -> None:
-    """Open a window on a planet: fly, turn the sun, edit every parameter and read the light.
+    """Open an interactive viewer: fly, move the sun, edit parameters, probe radiances.
 
     F1 in the window lists mouse and key bindings. The first start compiles code, with progress.
     """
@@ -156,7 +156,7 @@ def _view_values(
     ev: float | Literal["auto"],
     quality: str,
 ) -> dict[str, float | str | bool]:
-    """Values of the view by path, of the options that were given."""
+    """Values of the view by path, of the specified options."""
     view: dict[str, float | str | bool] = {
         path: read(text, option)
         for path, (text, read, option) in numbers.items()

@@ -1,4 +1,4 @@
-"""``--projection orthographic``: a planet's disc from far away, and what it leaves no choice of."""
+"""``--projection orthographic``: disc of a distant planet, and the options that it excludes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exposure: factor from radiance to display, given, of a camera, or measured on the picture."""
+"""Exposure: factor from radiance to display, explicit, by camera settings, or metered."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def _is_number(value: object) -> bool:
 
 
 def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
-    r"""Exposure of a camera: what saturates its sensor becomes 1.
+    r"""Saturation-based exposure of a camera: sensor saturation is 1.
 
     .. math:: L_\mathrm{sat} = \frac{78}{S} \frac{N^2}{q\,t}, \quad q = 0.65
 
@@ -136,7 +136,7 @@ def camera_exposure(iso: float, aperture: float, shutter: float) -> float:
 
 @inlined
 def weighted_index(weight, first, share):
-    """Index at which the sum of weights from ``first`` on reaches a share of the whole."""
+    """Index at which the cumulative weight from ``first`` on reaches a fraction of the total."""
     total = 0.0
     for i in range(first, weight.size):
         total += weight[i]

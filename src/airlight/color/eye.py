@@ -1,4 +1,4 @@
-"""The eye in the dark: below some candelas rods take over from cones, without colour but blue."""
+"""Mesopic and scotopic vision: Purkinje shift below some cd m⁻²."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _MOST: Final = 3.0
 
 @kernel
 def rod_share(bright):
-    """Share of the rods in what is seen of a luminance [cd m⁻²], from 1 in the dark to 0. [1]
+    """Weight of rod vision at a luminance [cd m⁻²], from 1 in the dark to 0. [1]
 
     References
     ----------

@@ -123,7 +123,7 @@ def to_white(grey, bounded):
 
 @kernel
 def gamut_share(grey, up, red, green, blue):
-    """Share of the way from the grey of its lightness to the edge of the gamut. [1]
+    """Chroma relative to the gamut boundary at the same lightness and hue. [1]
 
     Parameters
     ----------
@@ -188,7 +188,7 @@ def share_at(primaries, lightness, up, by_long, by_medium, by_short, amount):
 
 @kernel
 def amount_of_share(primaries, lightness, up, by_long, by_medium, by_short, wanted, start, most):
-    """Amount of the chroma at which a colour reaches a share of the gamut. [1]
+    """Factor of the chroma at which a colour reaches a relative chroma. [1]
 
     Parameters
     ----------

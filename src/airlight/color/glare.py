@@ -368,7 +368,7 @@ def checked_amount(amount: float, field: str = "glare") -> float:
 
 
 def _finite(rgb: NDArray[np.floating[Any]]) -> NDArray[np.floating[Any]]:
-    """The picture, or a copy with zeros for what is not finite."""
+    """Picture with zeros for values that are not finite."""
     if all(np.isfinite(band.sum()) for band in bands(rgb)):
         return rgb
     finite = zeros(rgb.shape, rgb.dtype)

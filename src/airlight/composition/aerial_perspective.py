@@ -19,7 +19,7 @@ from airlight.composition.aerial_reading import (
     sky_radiance,
 )
 from airlight.composition.path_radiance import PathRadiance
-from airlight.errors import Cancelled, ParameterError
+from airlight.errors import Cancelled, ConflictError, ParameterError
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, store
 from airlight.kernel.threads import Cancel, Progress
@@ -139,7 +139,7 @@ class AerialPerspective:
             If ``cancel`` requested it.
         """
         if not isinstance(solution, MomentsSolution):
-            raise ParameterError("solution", type(solution).__name__, "a solution of moments")
+            raise ParameterError("solution", type(solution).__name__, "a solution by moments")
         nearest = quantity(nearest, "m", "nearest", bare=True)
         farthest = quantity(farthest, "m", "farthest", bare=True)
         check_request(
@@ -305,9 +305,9 @@ def check_request(
         allowed = f"below the top of the air, {thickness:g} m"
         raise ParameterError("scene.altitude", scene.altitude, allowed)
     if len(scene.lights) != 1:
-        raise ParameterError("scene.lights", len(scene.lights), "one light")
+        raise ParameterError("scene.lights", len(scene.lights), "1")
     if scene.camera.polariser is not None:
-        raise ParameterError("camera.polariser", scene.camera.polariser, "none of these tables")
+        raise ConflictError("camera.polariser", "does not apply to aerial perspective")
     if not 0.0 < nearest < np.inf:
         raise ParameterError("nearest", nearest, "above 0 m")
     if not 2.0 * nearest <= farthest <= 1e9:

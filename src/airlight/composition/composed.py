@@ -20,7 +20,7 @@ from airlight.composition.pinhole import Pinhole
 from airlight.composition.placement import PinholeView, Placement, pinhole_view
 from airlight.composition.relight import Relight
 from airlight.composition.surface_light import SurfaceLight
-from airlight.errors import Cancelled, ParameterError, warn
+from airlight.errors import Cancelled, ConflictError, ParameterError, warn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -166,7 +166,7 @@ def compose(
         raise ParameterError("white", white, "above 0")
     solution = solution_of(solution, picture_wavelengths, progress=progress, cancel=cancel)
     if not isinstance(solution, MomentsSolution):
-        raise ParameterError("solution", type(solution).__name__, "a solution of moments")
+        raise ParameterError("solution", type(solution).__name__, "a solution by moments")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
         _LightLayer(seen, lit, view, exact, disc)
@@ -238,7 +238,7 @@ def _checked(
         np.count_nonzero(np.isnan(passes).any(axis=-1) if passes.ndim > 2 else np.isnan(passes))
     )
     if missing:
-        warn(f"depth is not a number in {missing} pixels: they show no surface, but the sky")
+        warn(f"depth is NaN in {missing} pixels: they show no surface, but the sky")
     return colors, cover, passes, kind
 
 
@@ -252,7 +252,7 @@ def _relit(
     if albedo is None or normals is None:
         for name, one in (("albedo", albedo), ("normals", normals), ("shadow", shadow)):
             if one is not None:
-                raise ParameterError(name, np.shape(one), "only albedo and normals together")
+                raise ConflictError(name, "requires albedo and normals")
         return None
     lit = np.ones(shape[:2]) if shadow is None else np.asarray(shadow)
     given = {"albedo": np.asarray(albedo), "normals": np.asarray(normals), "shadow": lit}

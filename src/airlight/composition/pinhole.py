@@ -221,7 +221,7 @@ def _frame(data: Mapping[str, Any], picture: str) -> dict[str, Any]:
     found = [one for one in frames if Path(str(one.get("file_path", ""))).stem == stem]
     if len(found) != 1:
         names = ", ".join(str(one.get("file_path")) for one in frames[:5])
-        raise ParameterError("frames", f"{len(frames)} frames ({names})", f"one named {stem!r}")
+        raise ParameterError("frames", f"{len(frames)} frames ({names})", f"a frame named {stem!r}")
     return dict(found[0])
 
 
@@ -231,7 +231,7 @@ def _camera(data: Mapping[str, Any], size: tuple[int, int] | None) -> Pinhole:
         raise ParameterError("camera_model", model, ", ".join(_MODELS))
     for key in _DISTORTION:
         if data.get(key, 0.0) != 0.0:
-            raise ParameterError(key, data[key], "0: lenses that distort are not drawn")
+            raise ParameterError(key, data[key], "0: lens distortion is not supported")
     width, height = (
         _number(data, key, None if size is None else size[i]) for i, key in enumerate(("w", "h"))
     )

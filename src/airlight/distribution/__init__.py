@@ -1,4 +1,4 @@
-"""Independent tasks on one process, on the processes of this machine, or on a cluster of machines.
+"""Independent tasks on this process, on processes of this machine, or on a cluster.
 
 Nothing here knows what a task computes.
 """

@@ -99,7 +99,7 @@ class DaskRunner:
 
 @contextlib.contextmanager
 def _explained(client: Any) -> Iterator[None]:
-    """Say in one line that workers or the scheduler were lost."""
+    """Convert lost workers or a lost scheduler to a one-line error."""
     from distributed import CancelledError, KilledWorker
     from distributed.comm.core import CommClosedError
 
@@ -140,7 +140,7 @@ def _settings(patience: int) -> Iterator[None]:
 
 @contextlib.contextmanager
 def started(workers: int) -> Iterator[DaskRunner]:
-    """Start processes on this machine that share its processors, and end them with the block.
+    """Start processes that share the cores of this machine, and end them with the block.
 
     Parameters
     ----------
@@ -222,7 +222,7 @@ def _closed(client: Any, cluster: Any) -> None:
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    """Leave out what Dask logs: an error of a task is raised, and a lost worker replaced."""
+    """Silence the log of Dask: task errors are raised, lost workers replaced."""
     import distributed  # noqa: F401 - it gives loggers below its own their levels
 
     own = ("distributed", "asyncio", "tornado")

@@ -98,7 +98,7 @@ def _stamp(file: Path) -> tuple[int, int]:
 
 @cache
 def _content(file: Path, size: int, changed: int) -> bytes:
-    """Hash of a file's contents, found once for each size and time of change."""
+    """Hash of a file's contents, cached by size and modification time."""
     try:
         with file.open("rb") as stream:
             return hashlib.file_digest(stream, "sha256").digest()

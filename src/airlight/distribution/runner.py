@@ -1,4 +1,4 @@
-"""``Runner``: who runs tasks, whatever it is made of."""
+"""``Runner``: interface of task runners."""
 
 from __future__ import annotations
 
@@ -56,4 +56,4 @@ class Runner(Protocol):
         """
 
     def once_per_machine(self, function: Callable[..., Any], *arguments: Any) -> None:
-        """Run a function on every other machine, before tasks that use what it keeps on disk."""
+        """Run a function on every other machine, before tasks that use its results on disk."""

@@ -15,7 +15,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 
 FloatArray = NDArray[np.float64]
 
@@ -97,7 +97,7 @@ class Consumer:
             If it is another word, or the program is not USD, whose layers alone choose.
         """
         if self.name != "usd":
-            raise ParameterError("up", up, "for usd")
+            raise ConflictError("up", "requires usd")
         if up not in ("y", "z"):
             raise ParameterError("up", up, "y or z")
         return replace(self, axes=Y_UP if up == "y" else Z_UP)
@@ -118,7 +118,7 @@ class Consumer:
             If it is no dome, or a value is out of range.
         """
         if self.tilt is None:
-            raise ParameterError("front", front, "for a dome")
+            raise ConflictError("front", "requires a dome")
         for name, value, low in (("front", front, -360.0), ("tilt", tilt, 0.0)):
             high = 360.0 if name == "front" else 90.0
             if not low <= value <= high:

@@ -86,7 +86,7 @@ def check_beside(
     """
     suffix = picture_suffix(path)
     if not is_plain(path.name):
-        raise FileError(path, "has characters that are not shown; allowed: a name without")
+        raise FileError(path, "contains control characters")
     suffixes = [".json"]
     if consumer.name in SCENES and suffix in LINEAR:
         suffixes.append(SCENES[consumer.name][0])

@@ -26,7 +26,7 @@ def check_map(camera: Camera) -> None:
         If it is none of ``MAPS``.
     """
     if camera.projection not in MAPS:
-        raise ParameterError("camera.projection", camera.projection, f"of a map: {', '.join(MAPS)}")
+        raise ParameterError("camera.projection", camera.projection, f"{', '.join(MAPS)}")
 
 
 def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:

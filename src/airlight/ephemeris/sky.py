@@ -187,7 +187,7 @@ def moon_seen(place: Place, time: datetime) -> MoonSighting:
 def moon_after(place: Place, days: float) -> MoonSighting:
     """Moon some days after 2000-01-01 12:00 UTC; as ``moon_seen``."""
     if not place.world.has_moon:
-        raise ParameterError("body", place.body, "earth, whose moon is known")
+        raise ParameterError("body", place.body, "earth")
     from astronomy import Body, Illumination, MoonPhase
 
     time = ephemeris_time(days)

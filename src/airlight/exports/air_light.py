@@ -90,7 +90,7 @@ class AirLight:
 
     @property
     def has_first(self) -> bool:
-        """Whether light scattered once is included."""
+        """Whether single scattering is included."""
         return None in self.orders or 1 in self.orders
 
     def with_first(self, sight: Sight) -> tuple[FloatArray, FloatArray]:

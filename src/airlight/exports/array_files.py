@@ -61,12 +61,12 @@ def read_arrays(path: Path, content: bytes, largest: int) -> dict[str, NDArray[A
             check_memory(2.0 * size, f"{path}")
             arrays = {one.filename.removesuffix(".npy"): _array(archive, one) for one in members}
     except _DAMAGE as error:
-        reason = f"is damaged, no NPZ of numbers: {type(error).__name__} {error}"
+        reason = f"is damaged or not an NPZ file of numbers: {type(error).__name__} {error}"
         raise FileError(path, reason) from error
     for name, array in arrays.items():
         if array.dtype.kind == "f" and not np.isfinite(array).all():
             count = np.count_nonzero(~np.isfinite(array))
-            raise FileError(path, f"holds {count} values of {name} that are no finite numbers")
+            raise FileError(path, f"contains {count} values of {name} that are not finite")
     return arrays
 
 

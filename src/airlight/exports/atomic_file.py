@@ -59,7 +59,7 @@ def check_target(path: str | Path) -> Path:
 
 @contextlib.contextmanager
 def atomic_file(path: str | Path) -> Iterator[Path]:
-    """Yield a temporary path whose content moves to ``path`` if the block ends well.
+    """Yield a temporary path, renamed to ``path`` if the block succeeds.
 
     Another writer of the same file is waited for. What a killed one has left is removed.
 

@@ -39,7 +39,7 @@ def check_folder_name(folder: str | Path, suffix: str = "") -> None:
     if path.exists() or path.suffix.lower() == suffix or not _FORMAT.fullmatch(path.suffix):
         return
     allowed = f"ends in {suffix}, or has no suffix" if suffix else "has no suffix"
-    raise FileError(folder, f"names a file; allowed: a folder, whose name {allowed}")
+    raise FileError(folder, f"names a file; allowed: a folder whose name {allowed}")
 
 
 def check_folder(
@@ -90,7 +90,7 @@ def check_folder(
 def atomic_folder(
     folder: str | Path, form: str, files: tuple[str, ...] = ("*",), *, overwrite: bool = False
 ) -> Iterator[Path]:
-    """Yield a temporary folder whose files move to ``folder`` if the block ends well.
+    """Yield a temporary folder whose files are moved to ``folder`` if the block succeeds.
 
     Files that an older manifest lists are removed if they are unchanged; others stay.
 

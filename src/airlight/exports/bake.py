@@ -1,4 +1,4 @@
-"""``bake``: tables for engines, made from a solution, with their error against it."""
+"""``bake``: tables for engines, computed from a solution, with their error against it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.exports import table_errors
 from airlight.exports.air_light import AirLight, described_orders, lines_of_sight
 from airlight.exports.labelled_tables import Labels, facts, transmittance, unscattered
@@ -169,12 +169,12 @@ def bake(
     lowest = None if mu_s_min is None else within("mu_s_min", mu_s_min, -1.0, 0.0, "1")
     where = _layout(solution, layout, mapping, azimuth, size, lowest)
     if higher_orders and layout != "bruneton":
-        raise ParameterError("higher_orders", True, "only with layout bruneton")
+        raise ConflictError("higher_orders", "requires layout bruneton")
     packing = _packing(layout, packing)
     if smooth_phase not in ("own", "rayleigh"):
         raise ParameterError("smooth_phase", smooth_phase, "own, rayleigh")
     if smooth_phase != "own" and layout != "bruneton":
-        raise ParameterError("smooth_phase", smooth_phase, "only with layout bruneton")
+        raise ConflictError("smooth_phase", "requires layout bruneton")
     if precision not in ("single", "half"):
         raise ParameterError("precision", precision, "single, half")
     if points < 1:
@@ -241,7 +241,7 @@ def _layout(
         sizes = dict(zip(("radii", "views", "suns", "angles"), size or (), strict=False))
         return BrunetonLayout(**shell, **sizes, mu_s_min=mu_s_min)
     if mu_s_min is not None:
-        raise ParameterError("mu_s_min", mu_s_min, "only with layout bruneton")
+        raise ConflictError("mu_s_min", "requires layout bruneton")
     sizes = dict(zip(("altitudes", "views", "suns"), size or (), strict=False))
     return AtmospherePlusLayout(**shell, **sizes, mapping=mapping, azimuth=azimuth)
 

@@ -160,7 +160,7 @@ def write_exr_channels(
     kinds = {(array.dtype.name, array.shape) for array in channels.values()}
     sound = all(name in ("float16", "float32") and len(shape) == 2 for name, shape in kinds)
     if len(kinds) != 1 or not sound:
-        raise ParameterError("channels", sorted(kinds), "one shape (h, w), float16 or float32")
+        raise ParameterError("channels", sorted(kinds), "a common shape (h, w), float16 or float32")
     attributes: dict[str, Any] = {
         "compression": OpenEXR.ZIP_COMPRESSION,
         "type": OpenEXR.scanlineimage,

@@ -1,4 +1,4 @@
-"""OpenEXR of large pictures, band by band: of one part, of lines.
+"""Band-by-band reader and writer of large OpenEXR pictures: single part, scan lines.
 
 OpenEXR's Python module writes a picture from whole arrays. A file of lines is a header, a table of
 places, and blocks of lines that are compressed on their own; the blocks of a picture are therefore

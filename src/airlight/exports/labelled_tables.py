@@ -1,4 +1,4 @@
-"""Tables of a bake that hold no scattered light, and the facts of its manifest."""
+"""Tables of a bake without scattered light, and the metadata of its manifest."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ def fingerprint_of(content: bytes) -> dict[str, Any]:
 
 
 def listed(content: Any) -> dict[str, Any]:
-    """Files that a manifest lists, with what it says of them."""
+    """Files listed by a manifest, with their sizes and checksums."""
     if not isinstance(content, dict):
         return {}
     own = content.get("files")
@@ -132,7 +132,7 @@ def listed(content: Any) -> dict[str, Any]:
 
 
 def own_files(manifest: Path, form: str, *, overwrite: bool = False) -> tuple[str, ...]:
-    """Files beside a manifest that airlight may replace or delete: listed, and unchanged.
+    """Files of a manifest that airlight may replace or delete: listed, and unchanged.
 
     Parameters
     ----------

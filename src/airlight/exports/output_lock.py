@@ -1,4 +1,4 @@
-"""Lock on an output: one process or thread writes it at a time, and a killed one holds nothing."""
+"""Lock on an output: a single writer at a time; a killed process releases it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _PAUSE: Final = 0.02
 
 
 def hidden_file(output: Path, suffix: str) -> Path:
-    """Path of the hidden file of an output, beside it: the same for each run, and of no other.
+    """Path of the hidden file of an output, in its folder: unique, and equal in all runs.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def output_lock(output: Path, lock: Path | None = None, *, wait: float = 0.0) ->
 
 
 def _locked(output: Path, lock: Path) -> int | None:
-    """Handle of the locked file, or None if another one has it."""
+    """Handle of the locked file, or None if another process has locked it."""
     flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
     try:
         handle = os.open(lock, flags, 0o666)

@@ -1,4 +1,4 @@
-"""The air's light split into what tables hold: a smooth part and the particles' part.
+"""Separation of the atmosphere's radiance into a smooth part and single scattering by particles.
 
 The radiance at a point is reconstructed as smooth · p_gas(ν) + Σ particles · p(ν). Light scattered
 once has exactly this form; light scattered more often has not, since each phase function then

@@ -33,7 +33,7 @@ _END: Final = b"\0\0\0\0IEND\xaeB\x60\x82"
 
 
 def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
-    """Chunks that say what the numbers of a picture mean, the first that a reader knows first.
+    """Chunks of the colour space of a picture, most specific first.
 
     Parameters
     ----------
@@ -240,7 +240,7 @@ def read_png_header(path: str | Path) -> dict[str, str]:
     with Path(path).open("rb") as stream:
         stream.seek(-len(_END), io.SEEK_END)
         if stream.read() != _END:
-            raise OSError("cut off")
+            raise OSError("truncated")
         stream.seek(0)
         with Image.open(stream, formats=("PNG",)) as image:
             return {str(k): str(v) for k, v in image.info.items() if isinstance(v, str)}

@@ -180,7 +180,7 @@ class RenderPasses:
             If there are several.
         """
         if len(self.channels) > 1:
-            raise self._lacking("a pass", "one channel alone")
+            raise self._lacking("a pass", "a single channel")
         return next(iter(self.channels.values()))
 
     def _lacking(self, what: str, wanted: str) -> ParameterError:

@@ -1,4 +1,4 @@
-"""Pictures of a report in Markdown: a folder beside it, with a manifest."""
+"""Pictures of a report in Markdown: a folder with a manifest."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def write_pictures(
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
     with atomic_folder(folder, FORMAT, _FILES, overwrite=overwrite) as part:
         for name, png in pictures.items():
             (part / name).write_bytes(png)

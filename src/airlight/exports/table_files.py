@@ -1,4 +1,4 @@
-"""Tables on disk: NPZ for programs, EXR for engines and eyes, one JSON manifest for both.
+"""Tables on disk: NPZ for programs, EXR for engines, and a JSON manifest of both.
 
 Every table has ``<name>.npz`` with the array ``values``, shape (axes in the manifest's order,
 channels), as stored, and ``<name>.exr`` with the same values as a picture: the texture's slices one
@@ -301,7 +301,7 @@ def _read_manifest(path: Path) -> dict[str, Any]:
 def _checked(path: Path, said: dict[str, Any], largest: int) -> dict[str, NDArray[Any]]:
     data = read_bytes(path, largest)
     if hashlib.sha256(data).hexdigest() != said["sha256"]:
-        raise FileError(path, "is damaged: its SHA-256 is not what the manifest says")
+        raise FileError(path, "is damaged: its SHA-256 differs from the manifest")
     return read_arrays(path, data, largest)
 
 

@@ -106,7 +106,7 @@ def fill_angles(relative: FloatArray, nu: FloatArray) -> FloatArray:
 
 
 def balanced(values: FloatArray) -> FloatArray:
-    """Values whose errors from texel to texel average to nothing.
+    """Values whose interpolation errors average to zero.
 
     A look-up that is linear between exact texels errs to one side only, by an eighth of the second
     difference halfway: light that falls exponentially comes out too bright everywhere. Taking the

@@ -138,7 +138,7 @@ def animate(
         present = frames.present(progress)
         if present.damaged:
             count = len(present.damaged)
-            say(f"{count} of {frames.count} frames were damaged and are drawn again")
+            say(f"{count} of {frames.count} frames are damaged and will be rendered again")
         runner: Runner | None = None
 
         def opened(tasks: int) -> Runner:
@@ -147,7 +147,7 @@ def animate(
                 runner = stack.enter_context(
                     opened_runner(tasks, scheduler=scheduler, workers=workers)
                 )
-                say(f"{tasks} frames to draw by {runner.description}")
+                say(f"{tasks} frames to render by {runner.description}")
                 job.announce(tasks)
                 job.prepare(runner)
             return runner

@@ -58,7 +58,9 @@ class ExposureCurve:
     def __init__(self, numbers: Sequence[int], metered: Sequence[float]) -> None:
         found = np.asarray(metered, float)
         if not np.isfinite(found).all():
-            raise ParameterError("exposure", "auto", "a film that has light, or a fixed exposure")
+            raise ParameterError(
+                "exposure", "auto", "a fixed exposure for a film with black frames"
+            )
         self._numbers, self._values = np.asarray(numbers, float), smoothed(found)
 
     @cached_property

@@ -98,7 +98,7 @@ class FramesFolder:
             elif is_whole(content):
                 fingerprints[number] = read_picture_metadata(path).get(PREFIX + FINGERPRINT, "")
             elif _is_foreign(path, content):
-                reason = "is not a frame of a film; move it, or name another folder"
+                reason = "is not a frame of a film; move it, or choose another folder"
                 raise FileError(path, reason)
             elif has_checksum(content) or not _is_picture(path):
                 damaged.add(number)
@@ -144,7 +144,7 @@ class FramesFolder:
 def _content(path: Path) -> bytes | None:
     """Content of a frame's file; None if it cannot be read, or is too large for one."""
     if path.is_symlink() or not path.is_file():
-        raise FileError(path, "is not a regular file; remove it, or name another folder")
+        raise FileError(path, "is not a regular file; remove it, or choose another folder")
     try:
         return path.read_bytes() if path.stat().st_size <= _LARGEST else None
     except OSError:

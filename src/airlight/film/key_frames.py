@@ -82,7 +82,7 @@ class KeyFrames(TomlModel):
         numbers, _ = self._numbers()
         if self.at is not None:
             if len(self.at) != len(numbers):
-                raise ParameterError("at", self.at, f"{len(numbers)} moments, one for each value")
+                raise ParameterError("at", self.at, f"{len(numbers)} moments, as many as values")
             if any(b <= a for a, b in zip(self.at, self.at[1:], strict=False)):
                 raise ParameterError("at", self.at, "ascending moments")
         if self.law in LOGARITHMIC and not (numbers > 0.0).all():
@@ -119,7 +119,7 @@ class KeyFrames(TomlModel):
             raise ParameterError("values", shown, _FORM)
         rows = [list(item) if isinstance(item, (list, tuple)) else [item] for item in items]
         if len({len(row) for row in rows}) > 1 or not rows[0]:
-            raise ParameterError("values", self.values, "lists of one length")
+            raise ParameterError("values", self.values, "lists of equal length")
         unit = _unit_of(rows[0][0])
         numbers = [
             [_number(item, unit, f"values[{k}]") for item in row] for k, row in enumerate(rows)

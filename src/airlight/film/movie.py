@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ConflictError, FileError
 from airlight.exports.atomic_file import atomic_file, check_target
 
 if TYPE_CHECKING:
@@ -46,8 +46,7 @@ def check_movie(path: Path, field: str) -> None:
     """
     check_target(path)
     if util.find_spec("imageio_ffmpeg") is None:
-        allowed = "a folder of frames without imageio-ffmpeg: pip install airlight[film]"
-        raise ParameterError(field, str(path), allowed)
+        raise ConflictError(field, "requires imageio-ffmpeg for an MP4: pip install airlight[film]")
 
 
 def write_movie(
@@ -100,7 +99,7 @@ def write_movie(
         if written != len(frames):
             free = shutil.disk_usage(part.parent).free
             reason = (f"cannot be written: ffmpeg has written {written} of {len(frames)} frames; "
-                      f"the disk has {free / 1e6:.0f} MB free; all frames are kept")  # fmt: skip
+                      f"the disk has {free / 1e6:.0f} MB free; the frames remain")  # fmt: skip
             raise FileError(path, reason)
 
 

@@ -1,4 +1,4 @@
-"""Ångström exponent of a constituent: of what it has, and with another."""
+"""Ångström exponent of a constituent: evaluated, and replaced."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ _COLOUR_WAVELENGTHS: Final = 12
 
 @dataclass(frozen=True, kw_only=True)
 class FitSettings:
-    """What is asked of a fit.
+    """Settings of a fit.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class FitSettings:
         ``pointing.azimuth``, ``pointing.zenith``; of a photograph also ``white_balance.red`` and
         ``white_balance.blue``.
     per_scan : sequence of str
-        Those of the instrument that each scan has of its own.
+        Parameters of the instrument that are fitted per scan.
     bounds : mapping of str to (float, float)
         Narrower bounds by name.
     priors : mapping of str to Prior
@@ -220,7 +220,7 @@ def fit_photograph(
 
 
 class _Base:
-    """Planet to begin with: its tables, and the settings."""
+    """Initial planet: its tables, and the settings."""
 
     def __init__(
         self, planet: str | Path, settings: FitSettings, progress: Progress | None,
@@ -308,7 +308,7 @@ def _fitted(
 
 
 def check_names(settings: FitSettings, always: Sequence[str] = ()) -> None:
-    """Refuse bounds, priors and starts of what is not free, and what is free twice."""
+    """Refuse bounds, priors and starts of fixed parameters, and repeated free parameters."""
     free = [*settings.free, *settings.per_scan]
     free += [name for name in always if name not in free]
     for name in free:
@@ -347,15 +347,15 @@ def _adapted(parameter: FitParameter, settings: FitSettings) -> FitParameter:
 def _instrument(
     settings: FitSettings, scans: Sequence[str], scan: NDArray[np.int64]
 ) -> list[Nuisance]:
-    """Parameters of the instrument that are free, for all scans or for each."""
+    """Free parameters of the instrument, common or per scan."""
     found = []
     for name in [*settings.free, *settings.per_scan]:
         if name in (RED, BLUE):
-            raise ParameterError("free", name, "a photograph's")
+            raise ConflictError(name, "requires a photograph")
         if name not in (SCALE, AZIMUTH, ZENITH):
             if name in settings.per_scan:
                 allowed = ", ".join((SCALE, AZIMUTH, ZENITH))
-                raise ParameterError("each-scan", name, allowed)
+                raise ParameterError("per_scan", name, allowed)
             continue
         every = np.ones(len(scans), bool)
         if name not in settings.per_scan:
@@ -384,7 +384,7 @@ def _nuisance(
 
 
 def _camera(settings: FitSettings, first: FloatArray, data: Photograph) -> list[Nuisance]:
-    """Exposure, and what else of the camera is free."""
+    """Exposure and the other free parameters of the camera."""
     if settings.per_scan:
         raise ConflictError("per_scan", "does not apply to a photograph")
     whole, one = np.ones(first.size, bool), np.ones(1, bool)
@@ -430,7 +430,7 @@ def _uncertainty(data: Measurements, settings: FitSettings) -> tuple[FloatArray,
         return data.uncertainty, True
     sizes = np.maximum(data.radiance, _DARKEST * float(np.median(data.radiance)))
     if not sizes.all():
-        raise ParameterError(f"radiance in {data.source}", 0.0, "values of which most are above 0")
+        raise ParameterError(f"radiance in {data.source}", 0.0, "values that are mostly above 0")
     if settings.uncertainty is not None:
         return settings.uncertainty * sizes, True
     return sizes, False

@@ -1,4 +1,4 @@
-"""Free parameters of a planet: any number of its file, and what one says of air and ground.
+"""Free parameters of a planet: numbers of its file, optical depths, columns and albedo.
 
 ``NAME.optical_depth``, ``NAME.angstrom`` and ``NAME.column`` of a constituent, and
 ``ground.albedo``, are found however the file gives them.
@@ -104,7 +104,7 @@ def free_parameter(
         raise _unknown(name, tables)
     if isinstance(get(tables, path), list):
         first = joined(name, 0)
-        raise ParameterError("free", name, f"a number, not a list: one of its items, as {first}")
+        raise ParameterError("free", name, f"a number, not a list: an item such as {first}")
     return _number(name, path, tables)
 
 

@@ -212,7 +212,7 @@ class _Problem:
         return float(self.loss(np.square(self.residuals(x)))[0].sum())
 
     def slopes(self, x: FloatArray, *, central: bool) -> FloatArray:
-        """Derivatives of the predicted values, shape (n, p), fresh or still good."""
+        """Derivatives of the predicted values, shape (n, p), recomputed if necessary."""
         if not self._good(x, central):
             count = len(self.parameters)
             columns = [self.model.derivative(x, k, central=central) for k in range(count)]
@@ -310,11 +310,11 @@ class _Problem:
                 raise ParameterError(
                     one.name,
                     one.start,
-                    "a parameter that the data constrain; no predicted value depends on it",
+                    "a parameter constrained by the data; no predicted value depends on it",
                 )
 
     def check_rank(self, slopes: FloatArray, x: FloatArray) -> None:
-        """Refuse parameters that the data, and what is known before, cannot tell apart."""
+        """Refuse parameters that are degenerate given the data and the priors."""
         free = np.flatnonzero(~self._held(x))
         jacobian = self.with_priors(slopes)[:, free]
         lengths = np.linalg.norm(jacobian, axis=0)
@@ -328,7 +328,7 @@ class _Problem:
         raise ParameterError(
             one.name,
             float(x[first]),
-            f"a parameter that the data constrain; they cannot tell it from {other.name}",
+            f"a parameter constrained by the data; it is degenerate with {other.name}",
         )
 
 

@@ -81,10 +81,10 @@ class Measurements:
         Raises
         ------
         ParameterError
-            If none is left.
+            If no value remains.
         """
         if not kept.any():
-            raise ParameterError(self.source, "0 values", "at least one that is not left out")
+            raise ParameterError(self.source, "0 values", "at least one value that is not excluded")
         chosen, numbered = np.unique(self.scan[kept], return_inverse=True)
         return replace(
             self,
@@ -128,7 +128,7 @@ def angle_from_sun(
 def turned(
     view_zenith: FloatArray, azimuth: FloatArray, by_zenith: FloatArray, by_azimuth: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Directions of an instrument that points elsewhere than it says.
+    """Directions of an instrument with a pointing offset.
 
     Parameters
     ----------

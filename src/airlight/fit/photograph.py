@@ -183,9 +183,7 @@ def read_photograph(path: str | Path, shot: Shot) -> Photograph:
     away = angle_from_sun(zenith, np.asarray(shot.sun_zenith), azimuth)
     kept = (zenith <= 90.0 - shot.above) & (away >= shot.exclude_sun)
     if kept.sum() < FEWEST:
-        words = (
-            f"shows {int(kept.sum())} directions of sky that count; at least {FEWEST} are needed"
-        )
+        words = f"shows {int(kept.sum())} usable directions of sky; at least {FEWEST} are needed"
         raise FileError(path, words)
     parts = (place * _PARTS / np.array([height, width])).astype(np.int64)
     part = np.unique((parts[:, 0] * _PARTS + parts[:, 1])[kept], return_inverse=True)[1]
@@ -207,7 +205,7 @@ def _pixels(path: Path, shot: Shot) -> tuple[FloatArray, NDArray[np.bool_]]:
         finite = np.isfinite(linear).all(axis=-1)
         if not finite.all():
             count = np.count_nonzero(~finite)
-            warn(f"{path}: {count} pixels are no finite numbers; they are left out")
+            warn(f"{path}: {count} pixels are not finite and are excluded")
         return linear, finite & (linear.max(axis=-1) > 0.0)
     encoded, texts = _encoded(path)
     tone_map = shot.tone_map or texts.get("airlight.tone_map")
@@ -248,7 +246,7 @@ def _encoded(path: Path) -> tuple[FloatArray, dict[str, str]]:
 
 
 def _sixteen_bits(path: Path) -> FloatArray | None:
-    """Pixels of a PNG of 16 bits, which Pillow cuts to 8; None for one of 8."""
+    """Pixels of a 16-bit PNG, which Pillow truncates to 8 bits; None for 8 bits."""
     import png
 
     try:

@@ -185,7 +185,7 @@ def _frame(axes: Axes, title: str, sun: float) -> None:
 
 
 def correlation_picture(found: FitResult, title: str = "Correlations") -> ReportPicture | None:
-    """Correlations of the first parameters as a square of colours; None of a single one.
+    """Correlation matrix of the first parameters; None for a single parameter.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ def correlation_picture(found: FitResult, title: str = "Correlations") -> Report
     figure.colorbar(shown, ax=axes, shrink=0.8)
     return ReportPicture.from_figure(
         figure, title=title,
-        caption="Two parameters near ±1 can hardly be told apart by these data.",
+        caption="Two parameters near ±1 are nearly degenerate in these data.",
     )  # fmt: skip
 
 

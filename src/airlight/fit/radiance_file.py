@@ -124,7 +124,7 @@ def read_radiance_file(path: str | Path) -> Measurements:
     places = _places(cells[0], path)
     rows = list(_rows(places, cells, [n for n, _ in lines], path))
     if not rows:
-        raise FileError(path, "holds no radiance")
+        raise FileError(path, "contains no radiance")
     return _measurements(rows, str(path))
 
 
@@ -165,7 +165,7 @@ def _factor(column: Column, unit: str | None, name: str, path: str | Path) -> fl
     try:
         return quantity(f"1 {spelled}", column.unit, f"unit of {name}")
     except ParameterError as error:
-        raise ParameterError(error.field, unit, f"one such as {column.unit}", path) from None
+        raise ParameterError(error.field, unit, f"a unit such as {column.unit}", path) from None
 
 
 def _rows(

@@ -40,7 +40,7 @@ def number(value: float, error: float) -> str:
 
 
 def result_lines(sky: SkyFit) -> list[str]:
-    """One line per parameter: name, value, error bar, unit, and what is to be known of it."""
+    """One line per parameter: name, value, error bar, unit, and remarks."""
     found = sky.fitted
     lines = []
     for k, one in enumerate(found.parameters):
@@ -55,7 +55,7 @@ def result_lines(sky: SkyFit) -> list[str]:
 
 
 def warnings_of(sky: SkyFit) -> list[str]:
-    """What a reader has to know before using the error bars, one sentence each."""
+    """Caveats of the error bars, one sentence each."""
     found, errors = sky.fitted, sky.fitted.errors
     out = []
     if _known(sky) and errors.reduced > _POOR:
@@ -70,7 +70,7 @@ def warnings_of(sky: SkyFit) -> list[str]:
         if ratio > 1.0 + _WIDER / np.sqrt(2.0 * (errors.groups - 1)):
             out.append(
                 f"error bars from {_groups(sky)} are up to {ratio:.2g} times those by noise: use "
-                "them, what is left is no noise"
+                "them, since the residuals are systematic"
             )
     names = [one.name for one in found.parameters]
     for i in range(len(names)):
@@ -121,7 +121,7 @@ def parts_of(sky: SkyFit, *, pictures: bool = True) -> list[Part]:
 
 
 def summary(sky: SkyFit) -> str:
-    """Two or three sentences: what was fitted to what, and how near it came."""
+    """Summary in two or three sentences: parameters, data and residuals."""
     found, residuals = sky.fitted, residuals_of(sky)
     data = sky.data
     what = (
@@ -233,7 +233,7 @@ def html(sky: SkyFit) -> str:
 
 
 def markdown(sky: SkyFit, parts: Sequence[Part], pictures: str) -> str:
-    """Report as Markdown beside its pictures.
+    """Report as Markdown, with a folder of pictures.
 
     Parameters
     ----------

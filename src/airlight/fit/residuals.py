@@ -1,4 +1,4 @@
-"""What a fit leaves: residuals by wavelength, by view zenith angle and by angle from the sun."""
+"""Residuals of a fit by wavelength, view zenith angle and angle from the sun."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ CHANNELS: Final = (610.0, 550.0, 465.0)
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Residuals:
-    """Measured and predicted values with what they belong to, n values.
+    """Measured and predicted values with their coordinates, n values.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Residuals:
 
     @property
     def relative(self) -> FloatArray:
-        """Predicted over measured less 1, shape (n,); what is hardly above 0 counts as it. [%]"""
+        """Relative residuals, shape (n,), with a lower limit of the denominator. [%]"""
         least = 1e-3 * float(np.median(np.abs(self.measured)))
         return 100.0 * (self.predicted - self.measured) / np.maximum(np.abs(self.measured), least)
 

@@ -142,7 +142,7 @@ def read_scan_file(file: Path) -> Scans:
                 )
             }
     except KeyError as error:
-        raise FileError(file, f"lacks an array: {error}") from error
+        raise FileError(file, f"has no array {error}") from error
     except (OSError, ValueError, EOFError, MemoryError, zipfile.BadZipFile) as error:
         raise FileError(file, f"cannot be read: {error}") from error
     scans = Scans(time=time, date=moments[0][:10] if moments else "", **arrays)

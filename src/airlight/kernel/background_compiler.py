@@ -96,13 +96,13 @@ class BackgroundCompiler:
 
 
 def report(module: str, function: str) -> None:
-    """Call a function, and print the name of each function that is compiled on the way."""
+    """Call a function, and print the name of each function that it compiles."""
     from importlib import import_module
 
     from numba.core import event
 
-    def told(name: str) -> None:
+    def print_name(name: str) -> None:
         print(name, flush=True)
 
-    event.register("numba:compile", CompileListener(told))
+    event.register("numba:compile", CompileListener(print_name))
     getattr(import_module(module), function)()

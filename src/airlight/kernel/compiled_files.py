@@ -1,4 +1,4 @@
-"""Compiled code on disk with a checksum: what is damaged counts as absent and is compiled again.
+"""Compiled code on disk with a checksum: damaged files are recompiled.
 
 Numba trusts its cache: a flipped bit in a file of machine code would be run, a truncated index is
 an error of ``pickle``, a full disk one of the command. It also writes a file before it reads one,
@@ -42,7 +42,7 @@ _LENGTH: Final = 32
 
 
 class CompiledFolder(_CacheLocator):
-    """Folder of the code compiled from one source file, which may be closed to writing.
+    """Folder of the code compiled from one source file; may be read-only.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ class CompiledFolder(_CacheLocator):
         return str(self._folder)
 
     def get_source_stamp(self) -> str:
-        """The same for ever: the fingerprint stands in the path."""
+        """Constant: the fingerprint is part of the path."""
         return ""
 
     def get_disambiguator(self) -> str:
@@ -78,7 +78,7 @@ class CompiledFolder(_CacheLocator):
 
 
 def check_files(files: Any, read: Callable[[Path], bytes]) -> None:
-    """Make the cache of one function check what it reads, and do without what it cannot write.
+    """Make the cache of a function verify checksums, and ignore failed writes.
 
     Code files have names that no other process gives. Numba numbers them by its index at that
     moment: two processes that compile a function for different types at once would take the same
@@ -162,7 +162,7 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
 
 @contextlib.contextmanager
 def one_process(file: Path) -> Iterator[None]:
-    """Let one process at a time run the block, as long as that is short; it may do so again inside.
+    """Run the block in one process at a time, for a limited time; re-entrant.
 
     Parameters
     ----------

@@ -76,12 +76,12 @@ def on_disk(function: Any) -> bool:
 
 
 def is_kept(function: Any) -> bool:
-    """Whether compiled code of a function is kept on disk, for this and other processes."""
+    """Whether compiled code of a function is cached on disk."""
     return bool(getattr(function, "is_kept", False))
 
 
 def work_left(loops: Iterable[Any], finished: Collection[str]) -> int:
-    """Amount of work to compile what loops need and is neither on disk nor finished.
+    """Remaining compilation work of loops.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ class Compiling:
 
     @property
     def seconds_left(self) -> float | None:
-        """Estimate of the time until the last is compiled; None before there is one. [s]"""
+        """Estimated remaining time of compilation; None before there is an estimate. [s]"""
         finished = self.finished
         done = sum(self._work[name] for name in finished)
         if len(finished) < _FEWEST:
@@ -187,12 +187,12 @@ def _length(function: Any) -> int:
 class CompileListener(event.Listener):
     """Listener of Numba that names each function once it is compiled."""
 
-    def __init__(self, told: Callable[[str], None]) -> None:
-        self._told = told
+    def __init__(self, on_compiled: Callable[[str], None]) -> None:
+        self._on_compiled = on_compiled
 
     def on_start(self, _: Any) -> None:
         """Do nothing."""
 
     def on_end(self, ended: Any) -> None:
         """Name the function."""
-        self._told(name_of(ended.data["dispatcher"]))
+        self._on_compiled(name_of(ended.data["dispatcher"]))

@@ -1,4 +1,4 @@
-"""Time of long work, said before it begins: counts of it over the rate of this machine.
+"""Estimated time of long work, announced before it begins: amount over measured rate.
 
 The rates that stand here are of a core of 2.1 GHz. Each machine measures its own by all work that
 takes long enough, and keeps them beside the solutions: in processor time, which other programs do
@@ -54,7 +54,7 @@ _lock = threading.Lock()
 
 @contextlib.contextmanager
 def timed(kind: str, count: float, work: str) -> Iterator[None]:
-    """Announce work that takes long, and measure its rate.
+    """Announce long work, and measure its rate.
 
     Work inside other work is neither announced nor measured, nor is work that fails measured.
 
@@ -90,9 +90,9 @@ def timed(kind: str, count: float, work: str) -> Iterator[None]:
 
 
 def announce_all(work: str, amounts: Iterable[tuple[str, float]]) -> None:
-    """Announce work of several kinds that is shared out to processes, if it takes long.
+    """Announce long work of several kinds, distributed to processes.
 
-    The line is of this machine, with all its processors: on a cluster it is an upper limit.
+    The time is for all cores of this machine: an upper limit on a cluster.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def announce_all(work: str, amounts: Iterable[tuple[str, float]]) -> None:
 
 
 def expected_seconds(kind: str, count: float) -> float:
-    """Time that some work is expected to take with all threads that this process may use. [s]
+    """Expected time of some work with all threads of this process. [s]
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def _believed(kind: str, rate: float) -> bool:
 
 
 def _measured(kind: str, count: float, seconds: float) -> None:
-    """Keep the rate of work that took a time, or a little less than the one before."""
+    """Store a measured rate, or slightly less than the previous one."""
     if seconds < MEASURABLE or count < SUBSTANTIAL * RATES[kind]:
         return
     with _lock, contextlib.suppress(OSError):

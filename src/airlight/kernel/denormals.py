@@ -1,7 +1,7 @@
 """Denormals flushed to zero (FTZ, DAZ) while a thread runs blocks of work.
 
 Light that fades by exponentials passes through the last numbers of single precision, from 1e-38 to
-1e-45, which have fewer digits the smaller they are. x86 processors, those of Intel above all, take
+1e-45, which have fewer digits the smaller they are. x86 CPUs, those of Intel above all, take
 some hundred cycles for an operation on a denormal, unless they flush it to zero, as GPUs do. No
 visible light is as small. The mode belongs to a thread; the caller's is restored, since other
 libraries may rely on it.
@@ -22,7 +22,7 @@ from airlight.kernel import compiled_loop
 #: Bits of the control register MXCSR: FTZ (denormal results) and DAZ (denormal operands).
 _AS_ZERO: Final = 0x8000 | 0x0040
 _WORD: Final = ir.IntType(32)
-#: Whether the processor has that register.
+#: Whether the CPU has that register.
 _HAS_REGISTER: Final = platform.machine().lower() in ("x86_64", "amd64", "i386", "i686")
 
 
@@ -30,7 +30,7 @@ _HAS_REGISTER: Final = platform.machine().lower() in ("x86_64", "amd64", "i386",
 def _exchanged(typing_context: Any, bits: Any, kept: Any) -> Any:
     """Replace the bits of the control register outside the mask ``kept``; its value before.
 
-    0 on a processor without the register.
+    0 on a CPU without the register.
     """
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:

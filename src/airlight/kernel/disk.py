@@ -1,4 +1,4 @@
-"""Results kept on disk between runs: named arrays under a key.
+"""Cache on disk: named arrays under a key.
 
 A file is written beside its target and renamed, so that it is complete or absent. The key and a
 checksum of every array are verified before anything is used: a truncated, damaged or foreign file
@@ -36,7 +36,7 @@ _LENGTHS: Final = slice(26, 30)
 def load(
     key: str, folder: str = _SOLUTIONS, *, in_place: bool = False
 ) -> dict[str, NDArray[Any]] | None:
-    """Load the arrays kept under a key, or None if there are no valid ones of this user's.
+    """Cached arrays of a key; None unless valid and of this user.
 
     Parameters
     ----------

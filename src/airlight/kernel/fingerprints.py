@@ -1,4 +1,4 @@
-"""Fingerprints of source files and of everything that they import: keys of what is kept on disk.
+"""Fingerprints of source files and of their imports: keys of the caches on disk.
 
 Numba watches only the file of the outermost function, so a formula changed in another file would
 go unnoticed. A file's fingerprint covers every file of the package that its imports lead to, and no

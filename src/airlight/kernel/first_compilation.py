@@ -1,4 +1,4 @@
-"""A line about the first compilation, which takes long: after two seconds of it.
+"""Line about the first compilation, after two seconds.
 
 What compiles before a solve may be short, and the solve's loops long: these have a line of their
 own.
@@ -29,7 +29,7 @@ _SECONDS: Final = 8e-5
 
 
 class FirstCompilation(event.Listener):
-    """Listener of Numba that says that functions are compiled, and about how long it takes."""
+    """Listener of Numba that reports compilation and its estimated time."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -37,7 +37,7 @@ class FirstCompilation(event.Listener):
         self._loops: dict[str, Any] = {}
         self._elsewhere: tuple[Any, ...] = ()
         self._finished: set[str] = set()
-        self._spent = self._processor = 0.0
+        self._spent = self._cpu = 0.0
         self._began = (0.0, 0.0)
         self._silent = multiprocessing.parent_process() is not None  # whose parent says it
         self._said = self._silent
@@ -49,11 +49,11 @@ class FirstCompilation(event.Listener):
             fresh = {name_of(one): one for one in loops if name_of(one) not in self._loops}
             self._loops |= fresh
             if self._said and not self._silent and not all(map(on_disk, fresh.values())):
-                self._said, self._spent, self._processor = False, 0.0, 0.0
+                self._said, self._spent, self._cpu = False, 0.0, 0.0
 
     @contextlib.contextmanager
     def elsewhere(self, loops: Iterable[Any]) -> Iterator[None]:
-        """Count loops that another process compiles meanwhile, and for which this one waits."""
+        """Count loops that another process compiles, and for which this one waits."""
         waited_for = tuple(one for one in loops if not on_disk(one))
         if self._said or not waited_for:
             yield
@@ -90,19 +90,19 @@ class FirstCompilation(event.Listener):
                 self._timer.cancel()
                 self._timer = None
                 self._spent += time.perf_counter() - self._began[0]
-                self._processor += time.process_time() - self._began[1]
+                self._cpu += time.process_time() - self._began[1]
 
     def _say(self, listener: Callable[[str], None] | None) -> None:
-        """Say the line; the time is of a processor as busy as it was."""
+        """Emit the line; the time assumes the CPU load so far."""
         with self._lock:
             if self._said:
                 return
             loops, finished = list(self._loops.values()), frozenset(self._finished)
-            clock, processor = self._spent, self._processor
+            wall, cpu = self._spent, self._cpu
             if self._depth:
-                clock += time.perf_counter() - self._began[0]
-                processor += time.process_time() - self._began[1]
-        busy = max(clock / processor, 1.0) if processor > 0.0 else 1.0
+                wall += time.perf_counter() - self._began[0]
+                cpu += time.process_time() - self._began[1]
+        busy = max(wall / cpu, 1.0) if cpu > 0.0 else 1.0
         work = max(work_left(loops, finished), work_left(self._elsewhere, ()))
         if busy * _SECONDS * work < PATIENCE:  # nearly over
             return

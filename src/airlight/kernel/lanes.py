@@ -1,4 +1,4 @@
-"""Eight wavelengths at once: a value type for compiled loops that fills a processor's vector lanes.
+"""SIMD lanes: a value type of eight wavelengths for compiled loops.
 
 Loops over a handful of wavelengths are too short for a compiler to vectorise by itself (measured:
 16 ns per path node in scalar code, 3 ns in lanes). ``load`` and ``store`` move eight adjacent

@@ -1,4 +1,4 @@
-"""Arrays larger than what should stay in memory: kept in a file without a name.
+"""Arrays too large for memory, mapped to an anonymous file.
 
 The file lies in the folder of the cache and ends with the array, whatever ends the process. The
 array is one like any other; loops that pass over it band by band call ``release``, so that only
@@ -32,7 +32,7 @@ _BAND: Final = 1 << 22
 
 
 class FileMemory(mmap.mmap):
-    """Memory of a file, which the system may take back and read again.
+    """Memory-mapped file, which the system may page out.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ def zeros(shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
 
 
 def release(array: NDArray[Any]) -> None:
-    """Allow the system to take the memory of an array back that has been used for now.
+    """Allow the system to page out an array.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def release(array: NDArray[Any]) -> None:
 
 
 def bands(array: NDArray[Any], rows: int = 0) -> Iterator[NDArray[Any]]:
-    """Rows of an array, some at a time, each released when the next are wanted.
+    """Bands of rows of an array, each released at the next.
 
     Parameters
     ----------

@@ -64,7 +64,7 @@ class IntermediateCode(JITCodeLibrary):
         """Leave the code to the caller's optimisation."""
 
     def _finalize_final_module(self) -> None:
-        """Close the library; no machine code is made of it."""
+        """Close the library, without machine code."""
         self._finalize_dynamic_globals()
         self._finalized = True
 
@@ -182,7 +182,7 @@ class _Files(CompileResultCacheImpl):
 
 
 class _Cache(FunctionCache):
-    """Cache of compiled functions; what Python calls has to be there as machine code."""
+    """Cache of compiled functions; functions called from Python require machine code."""
 
     def __init__(self, py_func: Any, folder: Path, trusted: bool) -> None:
         self._impl_class = partial(_Files, folder=folder)
@@ -228,7 +228,7 @@ class CompiledKernel(CPUDispatcher):
         super().__init__(py_func=py_func, targetoptions=options, pipeline_class=_Compiler)
 
     def keep_in(self, folder: Path, trusted: bool) -> None:
-        """Keep what is compiled in a folder, and take from there what is.
+        """Cache compiled code in a folder.
 
         Parameters
         ----------
@@ -241,7 +241,7 @@ class CompiledKernel(CPUDispatcher):
 
     @property
     def is_kept(self) -> bool:
-        """Whether what is compiled is kept on disk."""
+        """Whether compiled code is cached on disk."""
         return isinstance(self._cache, _Cache) and self._cache.trusted
 
     @property
@@ -250,7 +250,7 @@ class CompiledKernel(CPUDispatcher):
         return isinstance(self._cache, _Cache) and self._cache.is_there
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
-        """Types of a call by another kernel, for which this one is compiled."""
+        """Types of a call by another kernel; compiles for them."""
         with _for_a_caller():
             return super().get_call_template(args, kws)
 
@@ -278,7 +278,7 @@ class CompiledKernel(CPUDispatcher):
         return one_process(Path(cache._cache_file._index_path).with_suffix(".lock"))
 
     def add_overload(self, cres: Any) -> None:
-        """Keep what is compiled; only machine code can be called from Python."""
+        """Cache compiled code; only machine code can be called from Python."""
         if _is_intermediate(cres):
             self.overloads[tuple(cres.signature.args)] = cres
         else:

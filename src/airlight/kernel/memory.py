@@ -1,4 +1,4 @@
-"""Memory of this machine: what is free, asked before work that may need more; and given back."""
+"""Free memory of this machine, checked before large work, and its release."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _GROUP: Final = Path("/sys/fs/cgroup")
 
 
 def free_memory() -> float:
-    """Memory that this process may still take; infinite where the system does not say. [byte]
+    """Memory available to this process; infinite if unknown. [byte]
 
     The least of: what the machine has free, what its container may take, what the process may.
     """
@@ -153,7 +153,7 @@ def _physical() -> float:
 
 
 def _of_container() -> float:
-    """Memory left to the container; its cache of files is given back when it is needed. [byte]"""
+    """Memory available to the container, its page cache included. [byte]"""
     try:
         most = float((_GROUP / "memory.max").read_text(encoding="ascii"))
         taken = float((_GROUP / "memory.current").read_text(encoding="ascii"))

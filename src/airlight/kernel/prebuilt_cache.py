@@ -1,7 +1,7 @@
-"""Cache of compiled code in the package, for all processors of one family.
+"""Cache of compiled code in the package, for all CPUs of a family.
 
 ``builders/compiled_code.py`` puts it beside the source before a wheel is built. It is for a set of
-features that nearly all processors of a family have, and is found by the source's fingerprint, the
+features that nearly all CPUs of a family have, and is found by the source's fingerprint, the
 version of Numba and that of Python: where any of these differs, code is compiled as in a checkout,
 which has none of it. It is trusted as the source beside it is: who can write the one can write the
 other.
@@ -28,13 +28,13 @@ class CpuTarget(NamedTuple):
 
     Attributes
     ----------
-    processor : str
+    cpu : str
         LLVM's name of the least of them.
     features : tuple of str
         LLVM's names of the features that they need.
     """
 
-    processor: str
+    cpu: str
     features: tuple[str, ...]
 
     @property
@@ -55,7 +55,7 @@ _TARGETS: Final = {
 
 @cache
 def target() -> CpuTarget | None:
-    """Target whose code runs on this processor; None if there is none."""
+    """Target whose code runs on this CPU; None if there is none."""
     found = _TARGETS.get(platform.machine().lower())
     if found is None:
         return None
@@ -88,11 +88,11 @@ class PrebuiltCache(FunctionCache):
 
     def _index_key(self, sig: Any, codegen: Any) -> tuple[Any, ...]:
         signature, (system, *_), *code = super()._index_key(sig, codegen)
-        return (signature, (system, self._target.processor, self._target.written), *code)
+        return (signature, (system, self._target.cpu, self._target.written), *code)
 
 
 def prebuilt_cache(py_func: Any, implementation: Any, cache_folder: Path) -> PrebuiltCache | None:
-    """Prebuilt code of a function; None if there is none for this processor.
+    """Prebuilt code of a function; None if there is none for this CPU.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def prebuilt_cache(py_func: Any, implementation: Any, cache_folder: Path) -> Pre
 
 
 def copy_machine_code(cache: Path, to: Path) -> int:
-    """Copy what Python can call from a cache of compiled code, without intermediate code.
+    """Copy machine code of a cache, without intermediate code.
 
     Parameters
     ----------

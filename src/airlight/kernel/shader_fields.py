@@ -1,4 +1,4 @@
-"""How fields of a NamedTuple reach a shader: the one declaration of a number or a table.
+"""Declaration of the fields of a NamedTuple for shaders: numbers and tables.
 
 A field of type ``int``, ``float`` or ``bool`` is a number of a uniform struct. ``Annotated`` adds
 what its type does not say: ``CHOICE`` for an index that is fixed for a whole picture, ``Always``
@@ -54,7 +54,7 @@ class Choice:
 
 @dataclass(frozen=True)
 class Always:
-    """Number with one value in all shaders, which the processor may have otherwise.
+    """Number that is constant in shaders, but not on the CPU.
 
     Attributes
     ----------

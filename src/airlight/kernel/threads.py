@@ -23,7 +23,7 @@ Cancel: TypeAlias = Callable[[], bool]
 
 
 def thread_count() -> int:
-    """Number of threads: the processors that this process may use, or AIRLIGHT_THREADS."""
+    """Number of threads: the CPU cores available to this process, or AIRLIGHT_THREADS."""
     named = os.environ.get("AIRLIGHT_THREADS", "")
     if named.isdigit() and int(named) > 0:
         return int(named)
@@ -88,7 +88,7 @@ class _Blocks:
 
 
 def _run_here(blocks: _Blocks) -> bool:
-    """Run the next block in the calling thread; what it calls between blocks has its own mode."""
+    """Run the next block in the calling thread, and restore its floating-point mode."""
     mode = flush_denormals()
     try:
         return blocks.run_next()

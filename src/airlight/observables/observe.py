@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.observables.disc import disc_reflectance, disc_stokes, spherical_albedo
 from airlight.observables.limb import limb_radiance
@@ -138,7 +138,7 @@ def observe(
     for name, value in vars(geometry).items():
         if value is not None and name not in kind.takes:
             takers = ", ".join(name_of for name_of, one in KINDS.items() if name in one.takes)
-            raise ParameterError(name, value, f"only for {takers}")
+            raise ConflictError(name, f"requires {takers}")
     solution = solution_of(solution, progress=progress, cancel=cancel)
     variables, notes = kind.of(solution, geometry, progress, cancel)
     return _dataset(solution, of, variables, notes)

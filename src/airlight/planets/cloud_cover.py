@@ -33,7 +33,7 @@ def cloud_pixels(clouds: str) -> NDArray[np.uint8]:
     try:
         return map_pixels(Path(clouds), grey=True)
     except FileNotFoundError as error:
-        raise FileError(clouds, "there is no such picture of clouds") from error
+        raise FileError(clouds, "does not exist") from error
 
 
 @cache

@@ -32,7 +32,7 @@ _LOBES: Final = (("phase function forward", 1.0), ("phase function backward", -1
 
 @dataclass(frozen=True, kw_only=True)
 class Difference:
-    """One quantity that two planets do not share.
+    """Quantity in which two planets differ.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Constituent of the air: how much of it there is where, what it scatters and absorbs."""
+"""Constituent of the atmosphere: density profile, scattering and absorption."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from airlight.errors import ConflictError, ParameterError
 from airlight.planets.matter.matter import Absorber, Matter, Scatterer
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.profiles import Profile
-from airlight.planets.parameters import MISSING, instance_of, parameters
+from airlight.planets.parameters import instance_of, parameters
 from airlight.planets.schema.field import Field, always
 from airlight.planets.schema.toml_model import TomlModel
 from airlight.planets.spectral import (
@@ -148,9 +148,7 @@ class Constituent(TomlModel):
         if self.matter is not None and self.scattering != 0.0:
             raise ConflictError("scattering", "cannot be combined with matter")
         if self.scatters and self._substance is None and self.phase_function is None:
-            raise ParameterError(
-                "phase_function", MISSING, "required, since the constituent scatters"
-            )
+            raise ConflictError("phase_function", "is required: the constituent scatters")
 
     @property
     def _substance(self) -> Matter | Scatterer | None:
@@ -243,9 +241,7 @@ class Constituent(TomlModel):
     def _column(self, thickness: float) -> float:
         column = self.profile.column(thickness)
         if not column > 0.0:
-            raise ParameterError(
-                "profile", self.profile, "one that is not 0 everywhere in the shell"
-            )
+            raise ParameterError("profile", self.profile, "a density above 0 in the shell")
         return column
 
     def phase_values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
@@ -293,7 +289,7 @@ class Constituent(TomlModel):
         return self.phase_function_at(nm).moments(nm, degree)
 
     def phase_function_at(self, wavelengths: npt.ArrayLike) -> PhaseFunction:
-        """Phase function given, or that of the gas or matter, known at these wavelengths.
+        """Explicit phase function, or that of the gas or matter at these wavelengths.
 
         Parameters
         ----------
@@ -308,5 +304,5 @@ class Constituent(TomlModel):
         if self.phase_function is not None:
             return self.phase_function
         if self._substance is None:
-            raise ParameterError("phase_function", MISSING, "one, if it scatters")
+            raise ConflictError("phase_function", "is required: the constituent scatters")
         return self._substance.phase_function(wavelengths)

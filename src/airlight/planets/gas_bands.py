@@ -1,4 +1,4 @@
-"""Bands of absorption that a planet's gases have and its file leaves out, with their size."""
+"""Absorption bands of a planet's gases that its file omits, with their size."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ _VISIBLE: Final = np.arange(380.0, 781.0)
 
 @dataclass(frozen=True, kw_only=True)
 class OmittedBands:
-    """Bands of one gas that are left out.
+    """Omitted absorption bands of a gas.
 
     Parameters
     ----------

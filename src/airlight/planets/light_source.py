@@ -116,7 +116,7 @@ class LightSource:
 def _weights(
     wavelengths: tuple[float, ...], spectrum: Callable[[Any], FloatArray] | None
 ) -> FloatArray:
-    """``picture_weights``, kept for live pictures."""
+    """``picture_weights``, cached for live pictures."""
     weights = picture_weights(wavelengths, spectrum)
     weights.flags.writeable = False
     return weights

@@ -1,4 +1,4 @@
-"""Ground of one region: by how much it is brighter or darker than the mean of its planet."""
+"""Surface albedo of a region, relative to the mean of its planet."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class GroundMeans(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class LocalGround:
-    """Ground that the air of an observer sees, beside that of the whole planet.
+    """Surface albedo around an observer, and that of the whole planet.
 
     Parameters
     ----------

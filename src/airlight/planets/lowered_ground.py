@@ -1,4 +1,4 @@
-"""Planet whose ground is the floor of a basin, below the level that altitudes count from."""
+"""Planet whose ground is the floor of a basin, below the zero of altitudes."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def lowered_ground(planet: PlanetLike, altitude: Measure) -> Planet:
 
 
 def stands_on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
-    """Planet for an observer below 0, who stands on its ground, and his altitude above that.
+    """Planet whose ground is below an observer at negative altitude, and the altitude above it. [m]
 
     Parameters
     ----------

@@ -96,7 +96,7 @@ def _as_bytes(file: Path, picture: Image, mode: str) -> NDArray[np.uint8]:
 
 
 def _check_values(file: Path, values: NDArray[np.float64], largest: float) -> None:
-    """Refuse marks of missing data, such as not a number or -9999: no colour stands for them."""
+    """Refuse marks of missing data, such as NaN or -9999."""
     # floats that are rounded to 0 or to 255 have only overshot in an enlargement
     half = 0.4999 / 255.0 if largest == 1.0 else 0.0
     wrong = ~((values >= -half) & (values <= largest + half))

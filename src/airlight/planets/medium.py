@@ -162,7 +162,7 @@ class Medium:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Medium:
-        """Sample a planet; the last samples are kept with the planet.
+        """Sample a planet; the last samples are cached with the planet.
 
         Parameters
         ----------
@@ -456,7 +456,7 @@ def _prefix_errors(where: str) -> Iterator[None]:
 def _checked_wavelengths(planet: Planet, wavelengths: npt.ArrayLike) -> FloatArray:
     nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths")).copy()
     if nm.ndim != 1 or nm.size > MOST_WAVELENGTHS:
-        raise ParameterError("wavelengths", nm.shape, f"one list of 1 to {MOST_WAVELENGTHS}")
+        raise ParameterError("wavelengths", nm.shape, f"a flat list of 1 to {MOST_WAVELENGTHS}")
     listed = tuple(nm.tolist())
     check_wavelength_list(listed)
     planet.check_wavelengths(listed)

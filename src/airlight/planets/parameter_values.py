@@ -45,7 +45,7 @@ _DERIVED_SPECTRA: Final = {
 def parameter_values(
     constituent: Constituent, thickness: float, wavelengths: tuple[float, ...]
 ) -> dict[ValueKey, float | str]:
-    """Collect all given values of a constituent, and its column.
+    """All explicit values of a constituent, and its column.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def _kind(value: Any) -> str:
 def made_of(
     constituent: Constituent, wavelengths: tuple[float, ...] = ()
 ) -> dict[tuple[str, str], tuple[float | str, ...]]:
-    """Collect the given values of a gas, particles or an absorber, and the derived ones.
+    """Explicit and derived values of a gas, particles or an absorber.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Parameter objects: frozen, keyword only, checked when they are made, with one-line errors."""
+"""Parameter objects: frozen, keyword only, validated when created, with one-line errors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Instance = TypeVar("Instance")
 
 
 class _Missing:
-    """Marker of a value that was not given: an error about it reads ``… is missing``."""
+    """Marker of a missing value: its error reads ``… is missing``."""
 
     def __repr__(self) -> str:
         return "missing"

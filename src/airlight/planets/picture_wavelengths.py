@@ -1,4 +1,4 @@
-"""Wavelengths at which a planet is computed for a picture: one policy for all renderers.
+"""Wavelengths of a picture of a planet: a common policy of all renderers.
 
 Still pictures have sixteen, evenly spaced; interactive pictures, and everything that a texel of a
 graphics device holds, have the few that reproduce colours best.

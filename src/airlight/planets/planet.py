@@ -219,7 +219,7 @@ class Planet(TomlModel):
         for index, constituent in enumerate(self.constituents):
             if constituent.name in names:
                 raise ParameterError(
-                    f"constituents[{index}].name", constituent.name, "a name of its own"
+                    f"constituents[{index}].name", constituent.name, "a unique name"
                 )
             names.add(constituent.name)
         if self.wavelength_limits[0] > self.wavelength_limits[1]:
@@ -296,7 +296,7 @@ class Planet(TomlModel):
 
     @property
     def world(self) -> World:
-        """World whose sky it has.
+        """World that it represents.
 
         Raises
         ------

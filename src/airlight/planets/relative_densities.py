@@ -8,7 +8,7 @@ from airlight.planets.planet import Planet
 
 
 def relative_densities(planet: Planet) -> DensitySegments:
-    """Profiles of a planet's constituents over its whole shell; they are kept with the planet.
+    """Density profiles of a planet's constituents over its shell, cached with the planet.
 
     Parameters
     ----------

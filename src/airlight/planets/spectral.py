@@ -1,4 +1,4 @@
-"""Values that depend on wavelength: one number, or numbers at given wavelengths.
+"""Spectral values: a constant, or numbers at listed wavelengths.
 
 Between given wavelengths, positive spectra (coefficients, optical depths, cross-sections,
 irradiances, refractivities, imaginary parts of an index) follow power laws, and all else (albedos,
@@ -36,7 +36,7 @@ MOST_WAVELENGTHS: Final = 10_000
 
 @parameters
 class PerWavelength:
-    """Values at given wavelengths, constant up to 10 nm beyond them.
+    """Values at listed wavelengths, constant up to 10 nm beyond them.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def check_spectral(value: Any, field: str, low: float, high: float, unit: str = 
 
 
 def spectral_at(value: Spectral, wavelengths: npt.ArrayLike) -> FloatArray:
-    """Value at each wavelength [nm], shape (n,); linear between given ones."""
+    """Linear interpolation to wavelengths [nm], shape (n,)."""
     if isinstance(value, PerWavelength):
         return value.at(wavelengths)
     return np.full(np.shape(wavelengths), finite(value, "value"))

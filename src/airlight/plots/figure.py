@@ -93,7 +93,7 @@ def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 
 
 
 def words(text: str) -> str:
-    r"""Text with names from outside, as matplotlib takes it: no formula, no entry that is left out.
+    r"""Text escaped for matplotlib: no mathtext, no hidden legend entry.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The limb: light of the air beside the planet's edge, seen from space."""
+"""Limb radiance over tangent height, seen from space."""
 
 from __future__ import annotations
 

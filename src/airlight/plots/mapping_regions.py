@@ -1,4 +1,4 @@
-"""Regions of the weighted power mapping: the share of a table that each range of views gets."""
+"""Regions of the weighted power mapping: fraction of a table for each range of views."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Regions:
 
 
 def regions(planet: Planet, altitude: float) -> Regions:
-    """The weighted power mapping with the notes' powers and weights at one altitude.
+    """Weighted power mapping with the powers and weights of the notes, at an altitude.
 
     Parameters
     ----------

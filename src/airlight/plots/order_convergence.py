@@ -109,7 +109,9 @@ def order_convergence(
     """
     if solution.highest_order < 2:
         raise ParameterError(
-            "solution", solution.report.solver, "one that keeps its orders, by direct or montecarlo"
+            "solution",
+            solution.report.solver,
+            "a solution with scattering orders, by direct or montecarlo",
         )
     orders = np.arange(1, min(solution.highest_order, _MOST_ORDERS) + 1)
     share, view, azimuth = (np.array([one[k] for one in SIGHTS]) for k in (1, 2, 3))

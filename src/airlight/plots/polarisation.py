@@ -110,7 +110,7 @@ def _name(axes: Axes, point: str, places: FloatArray, sun_zenith: float) -> None
 def polarisation_dome(
     solution: Solution, *, sun_zenith: float = 60.0, altitude: float = 0.0
 ) -> Figure:
-    """Degree and angle of polarisation over the sky, with bars along which light swings.
+    """Degree and angle of polarisation over the sky, with bars along the plane of polarisation.
 
     Parameters
     ----------

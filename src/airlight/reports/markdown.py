@@ -70,7 +70,7 @@ def _row(cells: Sequence[str]) -> str:
 
 
 def strong(text: str, wanted: bool) -> str:
-    """Text in bold if that is wanted."""
+    """Text, optionally bold."""
     return f"**{text}**" if wanted and text else text
 
 

@@ -115,7 +115,7 @@ def look_at(
     towards = None if target == "moon" else compass_bearing(target)
     if towards is None:
         words = ", ".join(TARGETS[:-1])
-        allowed = f"{words}, moon beside a time, or a bearing such as NE, 315 or 315/20"
+        allowed = f"{words}, moon with a time, or a bearing such as NE, 315 or 315/20"
         raise ParameterError("look_at", target, allowed)
     turn, elevation = towards
     zenith = horizon_zenith(altitude, bottom_radius) if elevation is None else 90.0 - elevation

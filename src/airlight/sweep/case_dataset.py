@@ -78,7 +78,7 @@ def case_dataset(
 
 
 def _cells(texts: list[str]) -> NDArray[Any]:
-    """Numbers of a column of the input, or its texts if one is not a number."""
+    """Numbers of a column of the input, or its texts if any is not a number."""
     try:
         return np.array([float(text) for text in texts])
     except ValueError:

@@ -1,4 +1,4 @@
-"""Many observers in one CSV file: read with every cell checked, written with the results added."""
+"""CSV files of observers: read with every cell checked, written with the results appended."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def read_cases(path: str) -> Cases:
 
 @contextlib.contextmanager
 def case_blocks(path: str, size: int | None) -> Iterator[tuple[Cases, Iterator[Cases]]]:
-    """Read observers from a CSV file block by block, so that a long one needs no memory.
+    """Read observers from a CSV file block by block, in bounded memory.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def case_blocks(path: str, size: int | None) -> Iterator[tuple[Cases, Iterator[C
 
 
 def _guarded(blocks: Iterator[Cases], name: str) -> Iterator[Cases]:
-    """Blocks, with errors of reading explained, and none of what is done with them."""
+    """Blocks, with explained reading errors."""
     while True:
         with _explained(name):
             block = next(blocks, None)

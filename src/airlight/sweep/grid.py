@@ -42,7 +42,7 @@ _BLOCK: Final = 1 << 19
 
 @dataclass(frozen=True, kw_only=True)
 class Grid:
-    """Grid of a sweep: every planet, at every value of what varies, in every direction.
+    """Grid of a sweep: planets × varied keys × geometry × wavelengths.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class Grid:
             object.__setattr__(self, name, values)
         count = len(self.planets) * math.prod(len(values) for values in self.vary.values())
         if not 1 <= count <= MOST_PLANETS:
-            raise ParameterError("planets", count, f"1 to {MOST_PLANETS} with all that varies")
+            raise ParameterError("planets", count, f"1 to {MOST_PLANETS} including varied keys")
         for names in (self.names, *self.vary.values()):
             texts = [str(one) for one in names]
             for text in texts:

@@ -222,7 +222,7 @@ class _Table:
     @classmethod
     @contextlib.contextmanager
     def opened(cls, target: str, mark: str) -> Iterator[_Table]:
-        """Open the table of a target, with what an earlier start of the same mark has left."""
+        """Open the output table, with the rows of an earlier run of the same fingerprint."""
         if target == "-":
             yield cls(sys.stdout, None, 0)
             return

@@ -1,4 +1,4 @@
-"""The solution that the tasks of a process share: solved, or read from disk, once."""
+"""Solution shared by the tasks of a process: solved, or read from disk, once."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def shared_solution(
     cache: bool = True,
     progress: Progress | None = None,
 ) -> MomentsSolution:
-    """Solution of a planet; the last one is kept in memory.
+    """Solution of a planet; the last is cached in memory.
 
     Parameters
     ----------

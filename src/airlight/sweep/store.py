@@ -20,7 +20,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.errors import FileError, ParameterError
+from airlight.errors import ConflictError, FileError
 from airlight.exports.atomic_folder import check_folder_name
 from airlight.exports.output_lock import hidden_file
 from airlight.exports.partial_outputs import partial_output, remove
@@ -45,7 +45,9 @@ _GROUP: Final = {"zarr_format": 2}
 _ADDED: Final = 1 << 20
 #: Smallest size that a file takes on disk. [byte]
 _SECTOR: Final = 4096
-_REMEDY: Final = "the store is damaged, or not of this airlight: remove it, or name another folder"
+_REMEDY: Final = (
+    "the store is damaged, or not of this airlight: remove it, or choose another folder"
+)
 
 
 def check_store(path: Path, field: str) -> None:
@@ -59,8 +61,7 @@ def check_store(path: Path, field: str) -> None:
         If there is something else.
     """
     if util.find_spec("zarr") is None:
-        allowed = "a sweep beside zarr: pip install airlight[sweep]"
-        raise ParameterError(field, str(path), allowed)
+        raise ConflictError(field, "requires zarr: pip install airlight[sweep]")
     check_folder_name(path, ".zarr")
     try:
         parent = path.resolve().parent
@@ -88,7 +89,7 @@ def size_on_disk(grid: Grid, *, stokes: bool) -> int:
 
 
 def check_room(path: Path, needed: int) -> None:
-    """Refuse a store that is larger than what it takes already and the disk has free.
+    """Refuse a store that exceeds its present size plus the free disk space.
 
     Parameters
     ----------
@@ -113,7 +114,7 @@ def check_room(path: Path, needed: int) -> None:
     )
     if needed > free + taken:
         raise FileError(path, f"needs up to {in_words(needed - taken)}, and the disk has "
-                        f"{in_words(free)} free: name fewer values, or another disk")  # fmt: skip
+                        f"{in_words(free)} free: choose fewer values, or another disk")  # fmt: skip
 
 
 def in_words(size: float) -> str:
@@ -298,11 +299,11 @@ class SweepStore:
     # --- a group that is there ----------------------------------------------------------------
 
     def _check_metadata(self) -> None:
-        """Compare the metadata with what is written for this grid, before any array is read."""
+        """Compare the metadata with those of this grid, before any array is read."""
         self._check_files("")
         attributes = self._read(".zattrs")
         if attributes.get(AXES_ATTRIBUTE) != self._attributes[AXES_ATTRIBUTE]:
-            raise FileError(self.path, "holds the sweep of another grid; name another folder")
+            raise FileError(self.path, "contains a sweep of another grid; choose another folder")
         for name in self._metadata:
             if name.endswith("/.zarray"):
                 self._check_files(name.partition("/")[0])

@@ -37,7 +37,7 @@ def array_names(stokes: bool) -> tuple[str, ...]:
 
 
 def axes_text(grid: Grid, *, stokes: bool) -> str:
-    """Axes of a grid, and arrays beside the radiance, as the text of ``AXES_ATTRIBUTE``."""
+    """Axes of a grid and additional arrays, as the text of ``AXES_ATTRIBUTE``."""
     vary = {path: [str(value) for value in values] for path, values in grid.vary.items()}
     angles = {name: list(getattr(grid, name)) for name in AXES}
     axes = {"planet": list(grid.names), "vary": vary, **angles, "wavelength": list(grid.nm)}

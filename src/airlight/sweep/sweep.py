@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.distribution import opened_runner
 from airlight.distribution.fingerprint import check_code, code_digest, digest
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError
 from airlight.exports.output_lock import output_lock
 from airlight.kernel.cost import LINES, announce_all
 from airlight.kernel.memory import check_memory
@@ -163,7 +163,7 @@ def sweep(
         If workers or their scheduler are lost.
     """
     if stokes and not polarisation:
-        raise ParameterError("stokes", True, "a sweep with polarisation left on")
+        raise ConflictError("stokes", "requires polarisation")
     check_store(Path(path), "path")
     say = told or (lambda line: None)
     light = "radiance" if polarisation else "radiance of scalar transfer"
@@ -187,7 +187,7 @@ def sweep(
         for name in store.renew():
             say(f"the axis {name} was damaged and is written again")
         if damaged:
-            say(f"{damaged} of {len(marks)} blocks were damaged and are computed again")
+            say(f"{damaged} of {len(marks)} blocks are damaged and will be recomputed")
         if missing:
             first = _first_of_variants(grid, missing)
             _announce(grid, first, missing, how)
@@ -208,7 +208,7 @@ def sweep(
 
 
 def _check_cost(grid: Grid, path: Path, stokes: bool, say: Callable[[str], None]) -> None:
-    """Refuse a grid for which disk or memory are too small, and state the size of a large one."""
+    """Refuse a grid that exceeds disk or memory; announce the size of a large one."""
     count = math.prod(grid.blocks)
     size = size_on_disk(grid, stokes=stokes)
     work = f"a sweep of {math.prod(grid.shape):.3g} radiances in {count} blocks"
@@ -246,7 +246,7 @@ def _announce(
     grid: Grid, variants: Collection[tuple[int, ...]], missing: list[tuple[int, ...]],
     how: tuple[str, bool, bool],
 ) -> None:  # fmt: skip
-    """Announce the work, and warn of what planets are not known for: nobody sees a worker's."""
+    """Announce the work, and emit the warnings that would be lost in a worker."""
     quality, _, stokes = how
     for one in sorted({variant[0] for variant in variants}):
         warn_of_omitted_bands(grid.planet((one, *(0 for _ in grid.vary))), grid.nm)

@@ -117,8 +117,8 @@ class Light(TomlModel):
         elif self.star is not None and (
             self.star.irradiance is not None or self.star.angular_radius is not None
         ):
-            raise ParameterError(
-                "position", self.position, "a direction for a star of given irradiance or angle"
+            raise ConflictError(
+                "position", "cannot be combined with an irradiance or angular radius"
             )
 
     def towards(self, points: FloatArray) -> FloatArray:

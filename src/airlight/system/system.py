@@ -76,9 +76,9 @@ class System:
                 if used.count(name) > 1:
                     raise ParameterError("name", name, "each name once among bodies and stars")
         if not self.bodies:
-            raise ParameterError("bodies", 0, "one body or more")
+            raise ParameterError("bodies", 0, "at least 1")
         if not stars:
-            raise ParameterError("lights", 0, "one star or more")
+            raise ParameterError("lights", 0, "at least 1 star")
         for i, light in enumerate(self.lights):
             if light.body is not None:
                 self._known(f"lights[{i}].body", light.body)
@@ -152,7 +152,7 @@ class System:
             height = float(np.linalg.norm(at - body.centre)) - self.radius(body)
             if height < -1e-6 * self.radius(body):
                 raise ParameterError("observer", f"{height:.6g} m above {body.name}",
-                                     "a place outside of every body")  # fmt: skip
+                                     "a position outside all bodies")  # fmt: skip
         return at
 
     def _up_at(self, body: Body, observer: SceneObserver) -> FloatArray:

@@ -117,7 +117,7 @@ def _view_cell(row, region, x, v, to_ground, grid):
 
 @kernel
 def atmosphere_plus_corners(r, mu, mu_s, to_ground, grid):
-    """Texels next to a point: (lower, upper, share of the upper) of four axes.
+    """Texels next to a point: (lower, upper, weight of the upper) of four axes.
 
     Parameters
     ----------
@@ -266,11 +266,11 @@ class AtmospherePlusLayout(TableLayout):
             raise ParameterError(
                 "lower_weight, surface_slope, surface_offset",
                 weights,
-                "0 or more, together below 1: what is left is the sky's above the horizontal",
+                "0 or more, with a sum below 1; the rest is the weight above the horizontal",
             )
         if weights[1] + weights[2] <= 0.0:
             raise ParameterError(
-                "surface_slope, surface_offset", weights[1:], "one of them above 0"
+                "surface_slope, surface_offset", weights[1:], "at least one above 0"
             )
         if not -360.0 <= self.azimuth <= 360.0:
             raise ParameterError("azimuth", self.azimuth, "-360 to 360 deg")

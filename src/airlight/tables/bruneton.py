@@ -57,7 +57,7 @@ class BrunetonGrid(NamedTuple):
 
 @kernel
 def bruneton_corners(r, mu, mu_s, nu, to_ground, grid):
-    """Texels next to a point: (lower, upper, share of the upper) of r, mu, mu_s and nu.
+    """Texels next to a point: (lower, upper, weight of the upper) of r, mu, mu_s and nu.
 
     Parameters
     ----------

@@ -88,8 +88,8 @@ def refraction_table(
         raise ParameterError(
             "refraction",
             "bouguer",
-            "'none' for this air: it bends light so unevenly that from "
-            f"{x[sunken.argmax()] - bottom:.3g} m a star would be seen at several elevations",
+            "'none' for this air: refraction is so uneven that a star would be visible at several "
+            f"elevations from {x[sunken.argmax()] - bottom:.3g} m",
         )
     return np.stack([_inverted(*row) for row in zip(true, seen, strict=True)])
 

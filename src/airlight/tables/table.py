@@ -174,7 +174,7 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
 
 
 def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
-    """Make a layout from its name and parameters, as given in a manifest.
+    """Layout of the name and parameters in a manifest.
 
     Raises
     ------
@@ -186,4 +186,5 @@ def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
     try:
         return LAYOUTS[kind](**parameters)
     except TypeError as error:
-        raise ParameterError(f"parameters of layout {kind}", str(error), "its own") from None
+        allowed = "parameters of this layout"
+        raise ParameterError(f"parameters of layout {kind}", str(error), allowed) from None

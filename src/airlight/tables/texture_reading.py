@@ -153,7 +153,7 @@ def phase_at(table, nu, row, shape):
 
 @inlined
 def light_at(table, phases, r, mu, mu_s, nu, to_ground, row, scale, shape):
-    """Radiance of the part of the air's light that one table holds. [sr⁻¹]
+    """Radiance in one table of the atmosphere's light. [sr⁻¹]
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Programs that load our files as they are: one module for each, imported when it is asked for."""
+"""Programs that load our files as they are: a lazily imported module for each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bruneton's tables as his shaders read them: one lobe for all particles, look-ups of that form.
+"""Bruneton's tables for his shaders: a single lobe for all particles, and their look-ups.
 
 The light is ``S p_R(nu) + M p_CS(nu; g)``: S, "scattering", times Rayleigh's phase function; M,
 "single Mie", times one Cornette-Shanks lobe, from a table of its own, or its red alone in the
@@ -209,7 +209,7 @@ def check_lowest_sun(lowest_sun: float | None) -> None:
 
 
 def check_halves(textures: dict[str, Stored]) -> None:
-    """Refuse light that half floats cannot hold, or ``ParameterError``."""
+    """Refuse radiances beyond the range of half floats."""
     for name, values in textures.items():
         largest = float(np.abs(values).max())
         if not largest <= _LARGEST:

@@ -300,7 +300,7 @@ def fill(solution: Solution, folder: Path, *, progress: Progress | None = None) 
 
 
 def _of_older(atmosphere: dict[str, Value]) -> tuple[str, ...]:
-    """Note about versions that know one scale height, where the planet has two."""
+    """Note about versions with a single scale height, for a planet with two."""
     gas, mie = (_number(atmosphere, key) for key in ("RayleighScaleHeight", "MieScaleHeight"))
     if gas == mie or not any(_triple(atmosphere, "Rayleigh").values):
         return ()

@@ -134,7 +134,7 @@ def fill(
 
 
 def _straight(solution: Solution, planet: Planet, progress: Progress | None) -> Solution:
-    """Solution without refraction, whose light tables can hold."""
+    """Solution without refraction, which tables can represent."""
     if not solution.medium.refractivity.any():
         return solution
     settings = solution.settings if isinstance(solution, MomentsSolution) else "default"

@@ -153,7 +153,7 @@ def planet_from_inputs(folder: str | Path, star: Star, name: str) -> Planet:
             constituents=tuple(constituents),
         )
     except (OSError, KeyError, ValueError, IndexError) as error:
-        raise FileError(root, f"holds no inputs of the preprocessor: {error}") from error
+        raise FileError(root, f"contains no inputs of the preprocessor: {error}") from error
 
 
 def _write_rows(path: Path, header: Sequence[str], rows: ArrayLike) -> None:

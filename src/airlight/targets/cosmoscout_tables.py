@@ -86,7 +86,7 @@ def read_texture(path: Path) -> FloatArray:
         raise FileError(path, f"cannot be read: {error}") from error
     shapes = {page.shape for page in pages}
     if len(shapes) != 1 or len(pages[0].shape) != 3 or pages[0].shape[-1] != 3:
-        raise FileError(path, "is not texture: pages of three channels and one size are needed")
+        raise FileError(path, "is not a texture: its pages need three channels and a common size")
     return np.asarray(np.stack(pages), np.float64)
 
 

@@ -1,4 +1,4 @@
-"""Errors of what a program shows of the sky against the solution, at random points and views."""
+"""Errors of a program's sky against the solution, at random points and views."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def level_errors(
 
 
 def half_losses(arrays: dict[str, NDArray[Any]]) -> tuple[str, ...]:
-    """Notes on values that half floats cannot hold: those below 3e-8 that become 0."""
+    """Notes on values below the range of half floats, 3e-8, that become 0."""
     notes = []
     for name, values in arrays.items():
         lost = int(((values != 0.0) & (values.astype(np.float16) == 0.0)).sum())

@@ -24,7 +24,7 @@ _REPORT: Final = ("fitted", "errors", "notes")
 
 @dataclass(frozen=True, kw_only=True)
 class FittedFormula:
-    """Quantity of the planet that the program takes as a formula only.
+    """Quantity of the planet that the program represents by a formula only.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class FittedFormula:
 
 @dataclass(frozen=True, kw_only=True)
 class ErrorRow:
-    """Error of what the program shows against the solution.
+    """Error of the program's sky against the solution.
 
     Attributes
     ----------

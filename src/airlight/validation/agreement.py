@@ -154,6 +154,6 @@ def results(
 
 
 def agreements(given: Sequence[Result]) -> list[Agreement]:
-    """Compare every pair of results, judged where the last one, the referee, is bright enough."""
+    """Comparison of every pair of results where the last, the reference, is bright enough."""
     bright = given[-1].radiance > LEAST_RADIANCE
     return [Agreement(a, b, bright) for a, b in combinations(given, 2)]

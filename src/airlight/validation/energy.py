@@ -156,7 +156,7 @@ def _entered_and_kept(solution: Solution) -> tuple[FloatArray, FloatArray]:
 
 
 def grey_furnaces(quality: str, cancel: Cancel | None) -> tuple[list[Threshold], list[Part]]:
-    """Grey furnaces: the air absorbs nothing, the ground what it does not reflect."""
+    """Grey furnaces: conservative air over an absorbing ground."""
     albedos = (0.0, 0.3, 0.8)
     rows, errors = [], []
     for albedo in albedos:

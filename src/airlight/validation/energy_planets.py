@@ -19,7 +19,7 @@ VAST: Final = 1000.0
 
 
 def furnace(albedo: float) -> Planet:
-    """Gas and haze that absorb nothing, over a ground of the given albedo.
+    """Conservative gas and haze over a ground of an albedo.
 
     The gas has three optical depths, one per wavelength; the star is a point of irradiance 1.
 

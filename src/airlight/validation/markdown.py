@@ -1,4 +1,4 @@
-"""The report as Markdown with its pictures as files, for a repository's documentation.
+"""Validation report as Markdown, with its pictures as files.
 
 Of long tables it has the rows that fail; the HTML report has all of them.
 """

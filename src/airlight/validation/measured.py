@@ -1,4 +1,4 @@
-"""The suite ``measured``: fifteen measured skies, in one table with published models."""
+"""Suite ``measured``: fifteen measured skies, compared with published models."""
 
 from __future__ import annotations
 
@@ -290,8 +290,8 @@ def _summary(rows: Rows, scores: dict[str, float]) -> str:
         f"fitted ({_load_text(rows.load)}). Of what remains, {share:.0f} % comes from the "
         f"{int(near.sum())} directions within {NEAR:g}° of the sun; if each scan's pointing were "
         f"free, {rows.score(rows.turned):.1f} would remain of {scores[KNOWN]:.1f}. The aerosol's "
-        "single-scattering albedo, which nobody measured, and the instrument's scale cannot be "
-        f"told apart: with {CLEAN_ALBEDO} instead of 0.8 the score is "
+        "single-scattering albedo, which was not measured, and the instrument's scale are "
+        f"degenerate: with {CLEAN_ALBEDO} instead of 0.8 the score is "
         f"{rows.score(rows.clean):.1f}, and {rows.score(clean * rows.clean):.1f} if all radiances "
         f"are scaled by {clean:.2f}."
     )

@@ -1,4 +1,4 @@
-"""The suite ``kider``: every measured day that is found, the load fitted, one scan left out."""
+"""Suite ``kider``: measured days, with fitted aerosol load and leave-one-out scores."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def _score(day: Day, row: DayRow) -> float:
 
 
 def _parts(day: Day) -> list[Part]:
-    rests = _rests(day)
+    rests = _residuals(day)
     dome = dome_pictures(rests, f"{day.scans.date}: where the rest sits in the sky")
     curves = residual_curves(rests, f"{day.scans.date}: residuals of the row that counts")
     return [_inputs(day), _scores(day), curves, *([] if dome is None else [dome]), _places(day)]
@@ -141,13 +141,13 @@ def _scores(day: Day) -> ReportTable:
         columns=["row", f"RMSE [{_UNIT}]", f"farther than {NEAR:g}° from the sun"],
         rows=[*rows, ("the measured sky made symmetric", f"{floor:.2f}", "")],
         marks=["ours" if k == day.counted else "" for k in range(len(rows))] + [""],
-        note="The row that counts has the load of the day, fitted to all scans but the one that it "
-        "is scored on. The aerosol's albedo, which nobody measured, and the instrument's scale "
-        "cannot be told apart.",
+        note="The highlighted row has the load of the day, fitted to all scans except the "
+        "scored scan. The aerosol's albedo, which was not measured, and the instrument's scale "
+        "are degenerate.",
     )
 
 
-def _rests(day: Day) -> Residuals:
+def _residuals(day: Day) -> Residuals:
     """Residuals of the row that counts."""
     values = day.scans.measurements(day.file.name)
     predicted, known = day.row.predicted.ravel(), day.rows[1].predicted.ravel()

@@ -1,4 +1,4 @@
-"""The suite ``disort``: flat air of great depth against discrete ordinates.
+"""Suite ``disort``: optically thick plane-parallel air against discrete ordinates.
 
 Reference: irradiances by PythonicDISORT (Ho & Pincus 2024, Journal of Open Source Software 9,
 6442), discrete ordinates after Stamnes, Tsay, Wiscombe & Jayaweera (1988), Applied Optics 27, 2502,
@@ -65,7 +65,7 @@ class FlatCase:
 
 @dataclass(frozen=True, kw_only=True)
 class Reference:
-    """What PythonicDISORT found.
+    """Result of PythonicDISORT.
 
     Attributes
     ----------

@@ -26,7 +26,7 @@ def provenance() -> Mapping[str, str]:
     return {
         "airlight": _version("airlight"),
         "date": datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d %H:%M UTC"),
-        "machine": f"{_processor()}, {thread_count()} of {os.cpu_count()} processors used",
+        "machine": f"{_cpu_name()}, {thread_count()} of {os.cpu_count()} cores used",
         "system": f"{platform.system()} {platform.machine()}, Python {platform.python_version()}",
         "packages": ", ".join(
             f"{name} {found}" for name in _PACKAGES if (found := _version(name)) != "unknown"
@@ -41,8 +41,8 @@ def _version(package: str) -> str:
         return "unknown"
 
 
-def _processor() -> str:
-    """Name of the processor, where the system gives it."""
+def _cpu_name() -> str:
+    """Name of the CPU, if known."""
     try:
         for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
             if line.startswith("model name"):

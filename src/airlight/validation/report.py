@@ -1,4 +1,4 @@
-"""The report as one HTML page that is complete in itself: no network, no other files."""
+"""Validation report as a self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class ValidationReport:
 
 
 def result_word(suite: Suite) -> str:
-    """Result of a suite in a word or two."""
+    """Short result of a suite."""
     if suite.not_run:
         return f"not run: {suite.not_run}"
     if not suite.thresholds:

@@ -161,13 +161,12 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
         if entry.files and data is None:
             reason = "requires reference data"
             if name in names:
-                raise ConflictError(
-                    f"suite {name}", f"requires a folder with {' or '.join(entry.files)}"
-                )
+                needed = " or ".join(entry.files)
+                raise ConflictError("data", f"is required for {name}: a folder with {needed}")
         elif data is not None and not _has_one(data, entry.files):
             reason = f"no {' or '.join(entry.files)} in the reference data"
             if name in names:
-                raise FileError(data, f"holds no {' or '.join(entry.files)}")
+                raise FileError(data, f"contains no {' or '.join(entry.files)}")
         out[name] = reason
     return out
 

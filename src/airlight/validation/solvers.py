@@ -1,4 +1,4 @@
-"""The suite ``solvers``: three methods that share no approximation, on the same questions."""
+"""Suite ``solvers``: three methods without common approximations, on the same cases."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ def _column_key(label: str, text: str, most: float, **more: Any) -> Field:
 
 @parameters
 class OzoneAbsorption(Absorber):
-    """Absorption by ozone of a given column, whatever its profile.
+    """Absorption by ozone of a given column, with any profile.
 
     Parameters
     ----------

@@ -23,7 +23,7 @@ from airlight.planets.matter.state_keys import (
     refractivity_key,
     temperature_key,
 )
-from airlight.planets.parameters import MISSING, finite, parameters
+from airlight.planets.parameters import finite, parameters
 from airlight.planets.schema.field import Field, Wavelengths
 from airlight.planets.schema.toml_table import TomlTable, suggestion
 from airlight.planets.spectral import (
@@ -73,7 +73,7 @@ def _depolarisation(value: Any) -> Any:
     try:
         return check_spectral(value, "depolarisation", 0.0, LARGEST_DEPOLARISATION)
     except ParameterError as error:
-        allowed = "0 to 0.5, that of a rod, the least round molecule"
+        allowed = "0 to 0.5, that of a linear molecule"
         raise ParameterError(error.field, error.value, allowed) from None
 
 
@@ -237,8 +237,8 @@ class GasMixture(Matter):
         if self.number_density > 0.0 and self.refractivity is not None:
             self._check_refractivity(self.refractivity)
         elif (self.refractivity_temperature, self.refractivity_pressure) != (None, None):
-            raise ParameterError(
-                "refractivity", MISSING, "one beside a refractivity_temperature or _pressure"
+            raise ConflictError(
+                "refractivity", "is required with refractivity_temperature or refractivity_pressure"
             )
         low, high = self.limits
         if low > high:
@@ -247,7 +247,7 @@ class GasMixture(Matter):
             )
 
     def _check_refractivity(self, refractivity: Spectral) -> None:
-        """Refuse a refractivity that belongs to another state than the given one."""
+        """Refuse a refractivity of another state than temperature and pressure."""
         low, high = self._gas_limits
         nm = np.array([min(max(550.0, low), high)])
         if isinstance(refractivity, PerWavelength):
@@ -259,19 +259,20 @@ class GasMixture(Matter):
                 raise ParameterError(
                     "refractivity",
                     float(value),
-                    f"that of the same temperature and pressure: {own:.4g} within 10 %, or say"
-                    " refractivity_temperature and refractivity_pressure",
+                    f"{own:.4g} within 10 % at this temperature and pressure; set"
+                    " refractivity_temperature and refractivity_pressure for another state",
                 )
 
     @property
     def _density_of_refractivity(self) -> float:
-        """Number density of the state that the given refractivity belongs to. [m⁻³]"""
+        """Number density of the state of the refractivity. [m⁻³]"""
         temperature, pressure = self.refractivity_temperature, self.refractivity_pressure
         if temperature is None and pressure is None:
             return self.number_density
         if temperature is None or pressure is None:
-            missing = "temperature" if temperature is None else "pressure"
-            raise ParameterError(f"refractivity_{missing}", MISSING, "both of them or neither")
+            names = ["refractivity_temperature", "refractivity_pressure"]
+            given, missing = reversed(names) if temperature is None else names
+            raise ConflictError(given, f"requires {missing}")
         return rayleigh.number_density(temperature, pressure)
 
     @property
@@ -296,9 +297,9 @@ class GasMixture(Matter):
             If temperature or gravity is not given.
         """
         if self.temperature is None:
-            raise ParameterError("temperature", MISSING, "one, for the scale height")
+            raise ConflictError("temperature", "is required for the scale height")
         if self.gravity is None:
-            raise ParameterError("gravity", MISSING, "one, for the scale height")
+            raise ConflictError("gravity", "is required for the scale height")
         return rayleigh.scale_height(self.temperature, self.molar_mass, self.gravity)
 
     def own_scale_height(self) -> float:
@@ -403,7 +404,7 @@ class GasMixture(Matter):
     def absorption_coefficients(
         self, wavelengths: npt.ArrayLike, vertical_column: float
     ) -> FloatArray:
-        """Zeros, shape (nl,): absorption is given beside the gas. [m⁻¹]
+        """Zeros, shape (nl,): absorption is a separate key. [m⁻¹]
 
         Parameters
         ----------

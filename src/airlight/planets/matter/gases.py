@@ -68,7 +68,7 @@ GASES: Final = {
 def density_of_state(
     density: float | None, temperature: float | None, pressure: float | None
 ) -> float:
-    """Number density, given or implied; refused if it is missing or inconsistent.
+    """Number density, explicit or by the equation of state; refused if missing or inconsistent.
 
     Parameters
     ----------
@@ -83,8 +83,9 @@ def density_of_state(
         Number density. [m⁻³]
     """
     if (temperature is None) != (pressure is None):
-        missing = "temperature" if temperature is None else "pressure"
-        raise ParameterError(missing, MISSING, "temperature and pressure, both or neither")
+        names = ["temperature", "pressure"]
+        given, missing = reversed(names) if temperature is None else names
+        raise ConflictError(given, f"requires {missing}")
     if temperature is None or pressure is None:
         if density is None:
             raise ParameterError(
@@ -155,10 +156,8 @@ class _Molecules(Scatterer):
         )
         _MASS_KEYS[1].checked(molar_mass, section.name_of("molar_mass"))
         if "number_density" in values:
-            given = section.raw("number_density")
-            raise ParameterError(
-                section.name_of("number_density"), given, "none beside a mass_density"
-            )
+            name = section.name_of("number_density")
+            raise ConflictError(name, "cannot be combined with mass_density")
         _MASS_KEYS[0].checked(density, section.name_of("mass_density"))
         values["number_density"] = rayleigh.number_density_from_mass(density, molar_mass)
         return values
@@ -239,7 +238,7 @@ class GasScattering(_Molecules):
 
 @parameters
 class RefractiveScattering(_Molecules):
-    """Rayleigh scattering by any gas whose refractivity is known at some state.
+    """Rayleigh scattering by a gas of known refractivity.
 
     Parameters
     ----------

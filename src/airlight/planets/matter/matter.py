@@ -85,11 +85,11 @@ class Matter(TomlModel, ABC):
 
     @property
     def needs_phase(self) -> str:
-        """Name of matter without its own phase function, so that the file gives one; or empty."""
+        """Name of matter that requires a phase function in the file; otherwise empty."""
         return ""
 
     def own_scale_height(self) -> float | None:
-        """Scale height of the default profile; None if a profile has to be given. [m]"""
+        """Scale height of the default profile; None if a profile is required. [m]"""
         return None
 
     def refractivities(self, wavelengths: npt.ArrayLike) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Exact Mie scattering at a few wavelengths: computed on all cores, kept in memory and on disk.
+"""Exact Mie scattering at a few wavelengths: computed on all cores, cached in memory and on disk.
 
 Mie's theory over a size distribution takes a good part of a second for each wavelength, and a
 spectrum has hundreds; the optics of particles change slowly with wavelength, so they are computed
@@ -130,7 +130,7 @@ def phase_angles(sizes: ParticleSizes) -> FloatArray:
 
 
 def _finest(sizes: ParticleSizes, wavelength: float) -> float:
-    """Size parameter of the radius whose ripples are the finest that show. [1]"""
+    """Size parameter of the radius with the finest resolved ripples. [1]"""
     radius = sizes.moment(8.0) / sizes.moment(7.0)
     return min(2.0 * np.pi * radius / (1e-9 * wavelength), mie.LARGEST_SIZE_PARAMETER)
 

@@ -172,7 +172,7 @@ class TableIndex(ParticleIndex):
 
 @parameters
 class MixedIndex(ParticleIndex):
-    """Matrix that holds small grains of another substance; Maxwell Garnett's rule.
+    """Matrix with small inclusions of another substance: Maxwell Garnett's mixing rule.
 
     Parameters
     ----------

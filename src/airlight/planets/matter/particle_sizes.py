@@ -124,7 +124,7 @@ class LogNormalSizes(ParticleSizes):
 
 @parameters
 class SingleSize(ParticleSizes):
-    """All particles of one radius: their light shows every ripple.
+    """Particles of a single radius, with unsmoothed Mie ripples.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.optics import anomalous_diffraction
 from airlight.planets.matter.matter import Matter
@@ -196,7 +196,7 @@ class Particles(Matter):
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> None:
-        """Compute the nodes for these wavelengths [nm]; kept in memory and on disk."""
+        """Compute the nodes for these wavelengths [nm]; cached in memory and on disk."""
         if self.method == "mie":
             wanted = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
             if self.optical_depth is not None:
@@ -286,9 +286,7 @@ class Particles(Matter):
             If the method has none.
         """
         if self.method != "mie":
-            raise ParameterError(
-                "phase_function", MISSING, "one, since anomalous diffraction has none of its own"
-            )
+            raise ConflictError("phase_function", "is required for anomalous diffraction")
         return _phase(self.index, self.sizes, bracketing(self._nodes, wavelengths))
 
     def asymmetries(self, wavelengths: npt.ArrayLike) -> FloatArray:

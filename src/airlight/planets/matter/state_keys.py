@@ -1,4 +1,4 @@
-"""Keys that several kinds of matter share: state of a gas, number density, radius."""
+"""Keys common to several kinds of matter: state of a gas, number density, radius."""
 
 from __future__ import annotations
 

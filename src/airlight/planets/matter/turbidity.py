@@ -1,4 +1,4 @@
-"""Haze by one number, turbidity or optical depth, and by its dependence on wavelength."""
+"""Haze by turbidity or optical depth, and its Ångström or Junge exponent."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PhaseFunction
 from airlight.planets.matter.state_keys import albedo_key, depth_key
@@ -28,7 +28,7 @@ _K_LIMITS: Final[Limits] = (360.0, 830.0)
 
 
 def _no_phase_function() -> ParameterError:
-    return ParameterError("phase_function", MISSING, "one, since turbidity has none of its own")
+    return ConflictError("phase_function", "is required with turbidity")
 
 
 def _turbidity_key(**more: Any) -> Field:
@@ -38,7 +38,7 @@ def _turbidity_key(**more: Any) -> Field:
 
 
 class _Haze(Matter):
-    """Matter that needs a phase function beside it."""
+    """Matter that requires a phase function."""
 
     @property
     def needs_phase(self) -> str:
@@ -147,11 +147,8 @@ class Turbidity(_Haze):
             raise ParameterError("turbidity", given, "either it or an optical_depth")
         if (self.turbidity is None) != (self.rayleigh_optical_depth is None):
             depth = self.rayleigh_optical_depth
-            raise ParameterError(
-                "rayleigh_optical_depth",
-                MISSING if depth is None else depth,
-                "that of the gas beside a turbidity, none beside an optical_depth",
-            )
+            phrase = "is required with turbidity" if depth is None else "requires turbidity"
+            raise ConflictError("rayleigh_optical_depth", phrase)
         if (self.junge is None) == (self.angstrom is None):
             given = MISSING if self.junge is None else self.junge
             raise ParameterError("junge", given, "either it or angstrom, which is junge - 2")

@@ -1,10 +1,10 @@
-"""Coefficients of one constituent: the keys of a planet file that give them, in every form."""
+"""Reader of the coefficients of a constituent, in all their forms."""
 
 from __future__ import annotations
 
 from typing import Any, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.planets.constituent import LARGEST_COEFFICIENT, Constituent
 from airlight.planets.derived_spectrum import FORMULAS, DerivedSpectrum
 from airlight.planets.matter.absorbers import ABSORBERS
@@ -66,9 +66,8 @@ def read_coefficients(
         raise ParameterError(section.name_of("scattering"), shown, f"one of these sets: {forms}")
     gas = isinstance(section.raw("scattering"), dict)
     if gas and "absorption" not in given and len(given) > 1:
-        raise ParameterError(
-            section.name_of(given[0]), section.raw(given[0]), "none beside a gas that scatters"
-        )
+        name = section.name_of(given[0])
+        raise ConflictError(name, "cannot be combined with a scattering gas")
     if "optical_depth" in given or "extinction" in given:
         return _from_extinction(section, given, wavelengths, profile, thickness)
     scattering = read_scattering(section, wavelengths) if "scattering" in given else 0.0
@@ -148,9 +147,7 @@ def _column(section: TomlTable, profile: Profile, thickness: float) -> float:
     with section.prefix_errors():
         column = profile.column(thickness)
     if not column > 0.0:
-        raise ParameterError(
-            section.name_of("profile"), profile, "one that is not 0 everywhere in the shell"
-        )
+        raise ParameterError(section.name_of("profile"), profile, "a density above 0 in the shell")
     return column
 
 

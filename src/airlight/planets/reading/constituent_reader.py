@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from airlight.errors import ConflictError, ParameterError
+from airlight.errors import ConflictError
 from airlight.planets.constituent import Constituent
 from airlight.planets.matter.matter import Matter
 from airlight.planets.matter.phases import PHASES
 from airlight.planets.matter.profiles import PROFILES, Exponential, Profile
-from airlight.planets.parameters import MISSING
 from airlight.planets.reading.coefficient_reader import (
     COEFFICIENTS,
     read_absorption,
@@ -66,16 +65,13 @@ def _matter(section: TomlTable, wavelengths: Wavelengths) -> Matter | None:
     table = section.section(kind.keyword, f"a table such as {kind.example}")
     matter = kind.read(table, wavelengths)
     if matter.needs_phase and "phase_function" not in section:
-        raise ParameterError(
-            section.name_of("phase_function"),
-            MISSING,
-            f"one, since {matter.needs_phase} has none of its own",
-        )
+        name = section.name_of("phase_function")
+        raise ConflictError(name, f"is required for {matter.needs_phase}")
     return matter
 
 
 def _profile_of(section: TomlTable, matter: Matter | None) -> Profile:
-    """Profile given, or the exponential that temperature and gravity give to a gas."""
+    """Explicit profile, or the exponential by temperature and gravity of a gas."""
     if matter is not None and "profile" not in section:
         with (
             section.prefix_errors(),

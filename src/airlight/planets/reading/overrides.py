@@ -129,7 +129,7 @@ def indexed_path(values: Mapping[str, Any], path: str) -> str:
 def with_hint(
     error: ParameterError, values: Mapping[str, Any], overrides: Mapping[str, Any]
 ) -> ParameterError:
-    """Add to the reader's error the path in the file that an added key may have meant.
+    """Reader's error with a suggestion for a misspelt path.
 
     A key that planet files may have, and this one has not, meant itself.
 

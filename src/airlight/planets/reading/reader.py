@@ -1,4 +1,4 @@
-"""Planet files: from TOML with units to a ``Planet``, every error in one line."""
+"""Reader of planet files: TOML with units to a ``Planet``, with one-line errors."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LARGEST_FILE: Final = 4_000_000
 
 
 class HasPlanet(Protocol):
-    """Solution, of which only the planet is asked."""
+    """Solution, as far as its planet is concerned."""
 
     @property
     def planet(self) -> Planet | None:

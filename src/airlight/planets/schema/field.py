@@ -37,7 +37,7 @@ def never(table: FileTable) -> bool:
 
 
 class Prebuilt:
-    """Base of parameter objects, which have checked themselves and may be given for a table."""
+    """Base of parameter objects, which are valid values of a table."""
 
 
 def _no_choices() -> tuple[str, ...]:
@@ -46,7 +46,7 @@ def _no_choices() -> tuple[str, ...]:
 
 @dataclass(frozen=True, kw_only=True)
 class Field:
-    """Declaration of one key of one kind of table.
+    """Declaration of a key of a kind of table.
 
     Attributes
     ----------

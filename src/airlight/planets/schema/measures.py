@@ -111,7 +111,7 @@ def number_in(value: Any, unit: str, bare: str, field: str) -> float:
 
 
 def text_of(number: float, unit: str) -> float | str:
-    """Number in a unit as a file holds it: with the unit, if it has one.
+    """Text of a number in a planet file, with its unit if it has one.
 
     Examples
     --------
@@ -125,7 +125,7 @@ def text_of(number: float, unit: str) -> float | str:
 
 
 def listed(text: str, bare: str) -> list[Any]:
-    """Items of a list that is written as one text with commas.
+    """Items of a comma-separated list.
 
     Examples
     --------

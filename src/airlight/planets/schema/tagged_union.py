@@ -15,7 +15,7 @@ Kind = TypeVar("Kind", bound=TomlModel)
 
 @dataclass(frozen=True)
 class TaggedUnion(Generic[Kind]):
-    """Kinds of a table, distinguished by its key ``kind``.
+    """Union of kinds of a table, tagged by the key ``kind``.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class TaggedUnion(Generic[Kind]):
             return kind.read(section, wavelengths)
 
     def default_table(self, keyword: str, old: FileTable, thickness: float) -> dict[str, Any]:
-        """Make a table of a kind with its usual values; see ``TomlModel.default_table``."""
+        """Default table of a kind; see ``TomlModel.default_table``."""
         kind = self.of(keyword)
         assert kind is not None
         return {"kind": keyword, **kind.default_table(old, thickness)}
@@ -64,7 +64,7 @@ class TaggedUnion(Generic[Kind]):
 
 @dataclass(frozen=True)
 class Alternatives(Generic[Kind]):
-    """Kinds of a table, distinguished by a key that only one of them has: its keyword.
+    """Union of kinds of a table, each with a key that no other has: its keyword.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Parameter objects that are tables of a planet file: read, and newly made, by their keys."""
+"""Parameter objects that are tables of a planet file, read by their declared fields."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class TomlModel(Prebuilt):
 
     @classmethod
     def made(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
-        """Make the object of these fields; errors name the key of the file."""
+        """Create the object of these fields; errors name the key of the file."""
         names = {field: key.name for field, key in fields_of(cls).items()}
         with section.prefix_errors():
             try:
@@ -90,7 +90,7 @@ class TomlModel(Prebuilt):
 
     @classmethod
     def default_table(cls, old: FileTable, thickness: float) -> dict[str, Any]:
-        """Make the contents of a table that an editor changes to this kind.
+        """Default contents of a table that an editor changes to this kind.
 
         Parameters
         ----------

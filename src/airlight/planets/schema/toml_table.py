@@ -1,4 +1,4 @@
-"""One table of a planet file: typed reads, each with a one-line error, and no key left unread."""
+"""Table of a planet file: typed reads with one-line errors, and a check for unknown keys."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class TomlTable:
         return value
 
     def choice(self, key: str, options: tuple[str, ...]) -> str:
-        """One of several words; the error for a misspelt word suggests the nearest."""
+        """Choice of several words; the error for a misspelt word suggests the nearest."""
         value = self.text(key, f"one of {', '.join(options)}")
         if value not in options:
             raise ParameterError(self.name_of(key), value, suggestion(value, options))
@@ -105,7 +105,7 @@ class TomlTable:
         return quantity(self.raw(key), unit, self.name_of(key)) if key in self else None
 
     def numbers(self, key: str, unit: str, example: str) -> tuple[float, ...]:
-        """List of quantities, or of one text with commas."""
+        """List of quantities, or comma-separated text."""
         value = self.required(key, f"a list such as {example!r}")
         return quantity_list(value, unit, self.name_of(key))
 
@@ -157,7 +157,7 @@ class TomlTable:
 
     @contextlib.contextmanager
     def prefix_errors(self) -> Iterator[None]:
-        """Put this section's path before the field of any error raised inside."""
+        """Prefix the field of errors raised inside with the path of this table."""
         try:
             yield
         except ParameterError as error:
@@ -170,7 +170,7 @@ class TomlTable:
 
 
 def quantity_list(value: Any, unit: str, field: str, *, bare: bool = False) -> tuple[float, ...]:
-    """List of quantities, or of one text with commas, of limited length; ``bare`` as in units."""
+    """List of quantities, or comma-separated text, of limited length; ``bare`` as in units."""
     too_long = (isinstance(value, list) and len(value) > LONGEST_LIST) or (
         isinstance(value, str) and len(value) > 20 * LONGEST_LIST
     )
@@ -197,7 +197,7 @@ def spectral_of(
 
 
 def suggestion(given: str, options: tuple[str, ...]) -> str:
-    """Allowed words, with the one nearest to what was given, if any is near."""
+    """Allowed words, with a suggestion for a misspelt word."""
     near = difflib.get_close_matches(given[:60], options, n=1, cutoff=0.6)
     listed = ", ".join(options)
     return f"{listed} (did you mean {near[0]!r}?)" if near else listed

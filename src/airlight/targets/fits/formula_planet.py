@@ -63,7 +63,7 @@ class Formulas:
 
 @dataclass(frozen=True, kw_only=True)
 class FormulaPlanet:
-    """Planet by formulas, and the account of the fits.
+    """Planet by formulas, and the fitted formulas.
 
     Attributes
     ----------
@@ -278,7 +278,7 @@ def _rayleigh(medium: Medium, gas: Sequence[int]) -> FittedFormula:
 def _limited(
     scattered: FloatArray, absorbed: FloatArray, formulas: Formulas, fitted: list[FittedFormula]
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Optical depths of particles as a program holds them, and scattering left to the molecules.
+    """Optical depths of particles as a program represents them, and the remaining scattering.
 
     One albedo: the scattering is kept, which gives the better colours of Mars and Titan. Grey: the
     least of the wavelengths, so that the rest can be molecules, and no optical depth changes.

@@ -124,7 +124,7 @@ class Lobe:
 
     @property
     def errors(self) -> dict[str, float]:
-        """Errors by what was compared, for ``FittedFormula``."""
+        """Errors by quantity, for ``FittedFormula``."""
         return {
             f"root mean square of the logarithm beyond {AUREOLE:g} deg": self.scatter,
             f"largest factor beyond {AUREOLE:g} deg": self.largest,

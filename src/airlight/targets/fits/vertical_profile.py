@@ -113,7 +113,7 @@ class VerticalProfile:
         )
 
     def errors(self, profile: Profile) -> dict[str, float]:
-        """Errors of a fit by what was compared, for ``FittedFormula``."""
+        """Errors of a fit by quantity, for ``FittedFormula``."""
         fit = self.of(profile)
         found = {
             "column above an altitude, largest, of the whole": float(

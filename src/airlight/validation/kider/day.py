@@ -1,4 +1,4 @@
-"""One measured day: rows whose parameters stand before their score, the load left one scan out."""
+"""Measured day: models without or with fitted aerosol load, cross-validated scan by scan."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def day_files(folder: Path) -> list[Path]:
     """
     found = sorted(folder.glob(FILES))
     if not found:
-        raise FileError(folder, f"holds no {FILES}")
+        raise FileError(folder, f"contains no {FILES}")
     return found
 
 

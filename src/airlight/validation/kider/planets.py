@@ -1,4 +1,4 @@
-"""The air above Ithaca on a measured day: the inputs of all published models, and better ones."""
+"""Atmosphere above Ithaca on a measured day: inputs of all published models, and better inputs."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ CLEAN_ALBEDO: Final = 0.972
 
 @dataclass(frozen=True, kw_only=True)
 class Inputs:
-    """Ingredients of a planet; by default those given to all published models.
+    """Inputs of a planet; by default those of all published models.
 
     Attributes
     ----------
@@ -135,7 +135,7 @@ BEST: Final = Inputs(
 
 
 def steps() -> list[tuple[str, Inputs]]:
-    """Inputs from everybody's to the best, changed one ingredient at a time, each with its name."""
+    """Inputs from the published to the best known, changed one at a time, with their names."""
     named_steps: tuple[tuple[str, dict[str, Any]], ...] = (
         ("same inputs as everybody", {}),
         ("sun: 3 nm bands at 1.0133 au for 11.75 nm means at 1 au", {"measured_sun": True}),
@@ -322,9 +322,9 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
     except ValueError as error:
         raise FileError(file, f"is not a table of numbers by wavelength: {error}") from error
     if table.ndim != 2 or table.shape[1] != len(known) + 1 or len(known) < 2:
-        raise FileError(file, f"has rows of other lengths than its {len(known)} wavelengths")
+        raise FileError(file, f"has rows that do not match its {len(known)} wavelengths")
     if not (table[:, 1:] > 0.0).all() or not min(known) > 0.0:
-        raise FileError(file, "holds a phase function that is not above 0")
+        raise FileError(file, "contains a phase function that is not above 0")
     angles, logs, x = table[:, 0], np.log(table[:, 1:]), np.log(known)
     nm = np.asarray(wavelengths, dtype=np.float64)
     k = np.clip(np.searchsorted(x, np.log(nm)) - 1, 0, len(x) - 2)

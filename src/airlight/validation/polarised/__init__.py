@@ -1,1 +1,1 @@
-"""Polarised light beside published tables, another program and vector Monte Carlo."""
+"""Polarised light against published tables, SASKTRAN 2 and vector Monte Carlo."""

@@ -35,7 +35,7 @@ HISTORIES: Final = Settings(relative_error=0.003, most_histories=65_536)
 
 @dataclass(frozen=True, kw_only=True)
 class PolarisedPlanet:
-    """Planet whose light is judged, and the effort that its histories take.
+    """Planet of the polarisation suite, and its Monte Carlo settings.
 
     Attributes
     ----------

@@ -12,7 +12,7 @@ from airlight.validation.suite import Cancel, Part, Progress, Suite, Threshold
 
 
 def polarisation(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
-    """Compare polarised light with what others computed, and with vector Monte Carlo.
+    """Compare polarised light with published values and with vector Monte Carlo.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""Published light of skies and planets beside ours: numbers and their sources."""
+"""Published radiances, fluxes and albedos against ours, with their sources."""

@@ -1,4 +1,4 @@
-"""The suite ``published``: light that others measured or computed, and published, beside ours."""
+"""Suite ``published``: published measurements and computations against ours."""
 
 from __future__ import annotations
 

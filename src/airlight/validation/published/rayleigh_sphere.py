@@ -140,7 +140,7 @@ def rayleigh_planet() -> Planet:
 
 
 def rayleigh_sphere(solve: Solve, quality: object = "default") -> PublishedSection:
-    """Albedo of the sphere beside the published and the exact one.
+    """Albedo of the sphere against published and exact values.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Published numbers beside ours, and the table and thresholds that they make."""
+"""Published numbers against ours: tables and thresholds."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ def titan_with_methane() -> Planet:
 
 
 def full_disc(solve: Solve, quality: object = "preview") -> PublishedSection:
-    """Albedo of the full disc beside that of the telescope.
+    """Full-disc albedo against telescopic measurements.
 
     Parameters
     ----------

@@ -107,7 +107,7 @@ def zenith_v_patat2006(altitude: float) -> float:
 
 
 def one_exponential(earth: Planet) -> Planet:
-    """Earth without its layers, its stratospheric aerosol and refraction, the column kept.
+    """Earth without layers, stratospheric aerosol and refraction, with the same column.
 
     Parameters
     ----------

@@ -89,7 +89,7 @@ def global_mean(solutions: Sequence[Solution]) -> float:
 
 
 def venus(solve: Solve, quality: object = "preview") -> PublishedSection:
-    """Fluxes at the ground beside those of the probes.
+    """Fluxes at the ground against those of the probes.
 
     Parameters
     ----------

@@ -93,7 +93,7 @@ def read_scenes(folder: Path) -> list[ReferenceScene]:
     except (TypeError, ValueError) as error:
         raise FileError(file, f"contains a value that is not a number: {error}") from error
     if not scenes:
-        raise FileError(file, "holds no rows")
+        raise FileError(file, "contains no rows")
     return scenes
 
 

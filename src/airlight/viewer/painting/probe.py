@@ -38,10 +38,10 @@ from airlight.viewer.painting.probed_clouds import probed_clouds
 FloatArray = NDArray[np.float64]
 
 #: Names of the parts that belong to no constituent.
-MORE: Final = "scattered more often"
-GROUND_STAR: Final = "ground, lit by the star"
-GROUND_SKY: Final = "ground, lit by the sky"
-STAR: Final = "the star itself"
+MORE: Final = "multiple scattering"
+GROUND_STAR: Final = "ground, direct irradiance"
+GROUND_SKY: Final = "ground, diffuse irradiance"
+STAR: Final = "solar disc"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,7 +51,7 @@ class Part:
     Attributes
     ----------
     name : str
-        ``scattered once by …`` for each constituent, or a name above.
+        ``single scattering by …`` for each constituent, or a name above.
     radiance : tuple of float, length nl
         Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
     luminance : float
@@ -275,7 +275,7 @@ def _spectra(
     parts = radiance_parts(solution, sight)
     sun = solution.lights[0].irradiance
     once = [
-        (f"scattered once by {name}", parts.scattered_once[0, c] * sun)
+        (f"single scattering by {name}", parts.scattered_once[0, c] * sun)
         for c, name in enumerate(solution.medium.names)
         if parts.scattered_once[0, c].any()
     ]

@@ -1,4 +1,4 @@
-"""Phase functions by a formula: molecules, and particles with one lobe or two."""
+"""Analytic phase functions: molecules, and particles with one or two lobes."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ _CACHE_SIZE: Final = 512
 
 
 class PhaseRow(NamedTuple):
-    """Values over the scattering angle, and the row's share in the phase function.
+    """Values over the scattering angle, and the row's weight in the phase function.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class PhaseFunction(TomlModel, ABC):
 
     @abstractmethod
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
-        """Tables to draw random angles from at a wavelength [nm]: one, or two that are mixed."""
+        """Sampling tables of scattering angles at a wavelength [nm]: one, or a mixture of two."""
 
     def moments(self, wavelengths: npt.ArrayLike, degree: int) -> FloatArray:
         """Legendre moments as ``optics.legendre`` defines them, shape (nl, degree + 1). [1]"""
@@ -192,7 +192,7 @@ class FormulaPhase(PhaseFunction):
         return np.array([_formula_moments(formula, *row) for row in given.tolist()])
 
     def sampled(self, wavelength: float) -> tuple[PhaseRow, ...]:
-        """Table whose straight logarithms equal the formula to a part in 100 000."""
+        """Table, linear in the logarithm, that equals the formula to a part in 100 000."""
         return _formula_rows(type(self).formula, *self.parameters_at([wavelength]).ravel())
 
     def frozen(self, wavelengths: FloatArray) -> dict[str, Any]:

@@ -285,7 +285,7 @@ class TabulatedPhase(PhaseFunction):
         return np.asarray(self._weights(wavelengths).T @ self._row_moments(degree))
 
     def _row_moments(self, degree: int) -> FloatArray:
-        """Legendre moments of each row, shape (nr, degree + 1), kept: they take long. [1]"""
+        """Legendre moments of each row, shape (nr, degree + 1), cached. [1]"""
         if degree not in self._kept_moments:
             self._kept_moments[degree] = moments(*self._table, degree)
         return self._kept_moments[degree]

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Final
 
-from airlight.errors import ParameterError
+from airlight.errors import ConflictError, ParameterError
 from airlight.optics.density_profile import Row
 from airlight.optics.hydrostatic import HydrostaticLayers, mass_per_length, thickness_between
 from airlight.planets.matter.profiles.profile import Profile
@@ -130,7 +130,9 @@ class Sounding(Profile):
         if self.altitudes is None or self.pressures is None:
             for name in ("molar_mass", "gravity"):
                 if getattr(self, name) is None:
-                    raise ParameterError(name, MISSING, "one, without altitudes or pressures")
+                    raise ConflictError(
+                        name, "is required unless both altitudes and pressures are given"
+                    )
 
     @property
     def _weight(self) -> float:

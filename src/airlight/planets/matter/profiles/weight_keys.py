@@ -1,4 +1,4 @@
-"""Keys of the weight of a gas, from which its pressure over altitude follows."""
+"""Keys of a hydrostatic gas: molar mass and gravity."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from airlight.planets.schema.field import Field
 
 
 def molar_mass_key(**more: Any) -> Field:
-    """Key of the molar mass of a gas under its own weight."""
+    """Key of the molar mass of a hydrostatic gas."""
     return Field(label="molar mass", help="Molar mass of the gas.", unit="kg/mol",
                range=(1e-4, 1.0), example="28.9644 g/mol", shown="g/mol", slider=(1.0, 100.0),
                scale="log", mode="advanced", **more)  # fmt: skip
@@ -22,7 +22,7 @@ def gravity_key(**more: Any) -> Field:
 
 
 def gravity_radius_key(**more: Any) -> Field:
-    """Key of the distance from the centre with whose square gravity falls."""
+    """Key of the radius of the inverse-square law of gravity."""
     return Field(label="radius of gravity", help="Distance of the ground from the planet's centre.",
                note="Gravity falls with its square; without it gravity is constant.", unit="m",
                range=(1e3, 1e12), example="6356.766 km", shown="km", slider=(10.0, 1e5),
