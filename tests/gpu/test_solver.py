@@ -83,12 +83,12 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
     # cosines and look-ups: 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
     paths = RefractedGeometry.of(medium_of(name, **changes))
     plan = plan_for(paths, PREVIEW)
-    block = Setup(paths=paths, settings=PREVIEW).block(slice(None))
+    batch = Setup(paths=paths, settings=PREVIEW).batch(slice(None))
     first, first_sky = gather(
-        block, first_order_radius, block.setup.column_rows, block.setup.star_ratios, paths.lift
+        batch, first_order_radius, batch.setup.column_rows, batch.setup.star_ratios, paths.lift
     )
-    packed = pack_light(first, first_sky[:1], block.level, block.setup.parts)
-    second, second_sky = gather(block, sweep_radius, *packed, block.all_degrees)
+    packed = pack_light(first, first_sky[:1], batch.level, batch.setup.parts)
+    second, second_sky = gather(batch, sweep_radius, *packed, batch.all_degrees)
     with borrowed_sweeper(device) as gpu:
         gpu.load(plan)
         gpu.begin()

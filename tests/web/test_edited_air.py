@@ -139,7 +139,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     tables = {
         name: {"values": table.ravel().tolist(), "shape": list(table.shape)}
         for name, table in {
-            "start": plan.block.rays.start, "radius": plan.block.rays.radius,
+            "start": plan.batch.rays.start, "radius": plan.batch.rays.radius,
             "first_nodes": plan.setup.grid.first_nodes, "row": plan.setup.grid.row,
             "sun_cosines": plan.setup.grid.sun_cosines,
         }.items()
@@ -166,8 +166,8 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
             {**data["synthetic"], "cubics": cubics},
             rays,
             {
-                "diffusion_length": plan.block.diffusion_length,
-                "grid_diffusion": plan.block.grid_diffusion,
+                "diffusion_length": plan.batch.diffusion_length,
+                "grid_diffusion": plan.batch.grid_diffusion,
             },
             change.tolist(),
         ],
@@ -180,7 +180,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
         (deep, light) for deep in (False, True) for light in (None, (both[0][:, :, 0], both[1]))
     ]
     for found, (deep, light) in zip(got, cases, strict=True):
-        synthetic = SyntheticAcceleration(dataclasses.replace(plan.block, deep=deep))
+        synthetic = SyntheticAcceleration(dataclasses.replace(plan.batch, deep=deep))
         moments, irradiances = synthetic.apply(*both, light)
         assert abs(moments[..., :4] - field).max() > 1.0  # acceleration adds much light
         parts = np.split(np.array(found, np.float32), [field.size])

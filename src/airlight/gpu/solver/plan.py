@@ -23,7 +23,7 @@ from airlight.gpu.solver.passes import (
 from airlight.gpu.solver.tables import SOLVE
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.moments.harmonics import POLARISED
-from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.moments.setup import Setup, WavelengthBatch
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -58,7 +58,7 @@ class SolverPlan:
 
     Attributes
     ----------
-    block : Block
+    batch : WavelengthBatch
         Set-up of its wavelengths: paths, degree, grid, rays, tables.
     sizes : dict
         Values of ``Sizes``, and of the law of reflection, by name.
@@ -72,7 +72,7 @@ class SolverPlan:
         Groups of radii.
     """
 
-    block: Block
+    batch: WavelengthBatch
     sizes: dict[str, Any]
     places: dict[str, Place]
     solve: Float32Array
@@ -82,12 +82,12 @@ class SolverPlan:
     @property
     def setup(self) -> Setup:
         """Set-up shared by all wavelengths."""
-        return self.block.setup
+        return self.batch.setup
 
     @property
     def thick(self) -> FloatArray:
-        """Thickness by which changes at night count less, shape (4,); see ``Block``. [1]"""
-        return self.block.thick[:WAVELENGTHS]
+        """Thickness by which changes at night count less, shape (4,); see ``WavelengthBatch``. [1]"""
+        return self.batch.thick[:WAVELENGTHS]
 
     @property
     def nodes(self) -> int:

@@ -50,8 +50,8 @@ def plan_for(
     constituents = len(medium.names)
     check_capacity(medium.wavelengths.size, constituents)
     setup = Setup(paths=paths, settings=settings, extinction_headroom=extinction_headroom)
-    block = setup.block(slice(None))
-    grid, rays, air = setup.grid, block.rays, block.air
+    batch = setup.batch(slice(None))
+    grid, rays, air = setup.grid, batch.rays, batch.air
     azimuths, expansion, table = setup.azimuths, setup.expansion, setup.table
     arrays: dict[str, NDArray[Any]] = {
         "mu": rays.mu, "weight": rays.weight, "flux": rays.flux, "start": rays.start,
@@ -65,7 +65,7 @@ def plan_for(
         "sines": azimuths.sines,
         "harmonic": expansion.start, "ahead": expansion.ahead, "back": expansion.back,
         "column_rows": setup.column_rows, "ratios": setup.ratios, "lift": paths.lift,
-        "level": block.level[:, :WAVELENGTHS].reshape(-1),
+        "level": batch.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
         "polarised_phase": _lanes(air.polarised_phase),
         "albedo": _lanes(air.ground.albedo),
@@ -89,7 +89,7 @@ def plan_for(
     }
     textures, places = SOLVE.laid_out(arrays)
     return SolverPlan(
-        block=block,
+        batch=batch,
         sizes=sizes,
         places=places,
         solve=SOLVE.packed(sizes, places).reshape(-1, 4),

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from airlight.kernel.lanes import LANES
 from airlight.solvers.moments.convergence import DARK
-from airlight.solvers.moments.setup import Block
+from airlight.solvers.moments.setup import WavelengthBatch
 
 Float32Array = NDArray[np.float32]
 
@@ -21,7 +21,7 @@ Float32Array = NDArray[np.float32]
 _PART: Final = 0.005
 
 
-def active_degrees(block: Block, field: Float32Array) -> NDArray[np.int64]:
+def active_degrees(batch: WavelengthBatch, field: Float32Array) -> NDArray[np.int64]:
     """Highest active degree at each radius of the grid, shape (r,).
 
     A degree is active where its part of the source function, over that of degree 0, is not
@@ -29,14 +29,14 @@ def active_degrees(block: Block, field: Float32Array) -> NDArray[np.int64]:
 
     Parameters
     ----------
-    block : Block
+    batch : WavelengthBatch
         Set-up of the sweeps.
     field : array, shape (r, s, k, 8)
         Moments of a guess of the light, at the radii where light is gathered.
     """
-    setup, used = block.setup, block.used
+    setup, used = batch.setup, batch.used
     degree = setup.degree
-    kept = block.air.moments.reshape(-1, degree + 1, LANES)[..., :used]
+    kept = batch.air.moments.reshape(-1, degree + 1, LANES)[..., :used]
     kept = (np.abs(kept) / np.maximum(kept[:, :1], 1e-30)).max(axis=0)
     mean = field[:, :, 0, :used]
     lit = mean > DARK * mean.max(axis=(0, 1))

@@ -11,7 +11,7 @@ from airlight.geometry.bending import direct_horizontal_weights
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import (
-    FEW,
+    HALF_LANES,
     INVERSE_PI,
     LANES,
     exponential,
@@ -73,7 +73,7 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift
 
 
 @inlined
-def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, paired):
+def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, narrow):
     """Optical depths from a radius to the top of the shell, in the tabled directions. [1]
 
     Parameters
@@ -90,8 +90,8 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, pa
     first : int
         Index of the point's first value in ``out``.
     out : array
-        Receives for each direction eight wavelengths, or four if ``paired``.
-    paired : bool
+        Receives for each direction eight wavelengths, or four if ``narrow``.
+    narrow : bool
         Whether both halves of ``extinction`` are alike; a constant.
     """
     constituents, directions = ratios.shape[1], ratios.shape[3]
@@ -115,13 +115,13 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, pa
             low, high = low + directions, high + directions
             scaled = g * load(flat, low) + f * load(flat, high)
             store(workspace, LANES * c, distance * scaled / scale)
-        if paired:
+        if narrow:
             for lane in range(0, LANES, 2):
                 tau = splat(0.0)
                 for c in range(constituents):
                     column = pair(workspace[LANES * c + lane], workspace[LANES * c + lane + 1])
                     tau = tau + load(extinction, LANES * c) * column
-                store(out, first + FEW * (d + lane), tau)
+                store(out, first + HALF_LANES * (d + lane), tau)
         else:
             for lane in range(LANES):
                 tau = splat(0.0)
@@ -131,8 +131,8 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, pa
 
 
 @inlined
-def transmittance_tabled(depths, row, places, at, directions, paired):
-    """Transmittance towards the star at one azimuth, or at two if ``paired``. [1]
+def transmittance_tabled(depths, row, places, at, directions, narrow):
+    """Transmittance towards the star at one azimuth, or at two if ``narrow``. [1]
 
     Parameters
     ----------
@@ -145,17 +145,17 @@ def transmittance_tabled(depths, row, places, at, directions, paired):
     at : int
         Index of the first azimuth among them.
     directions : int
-    paired : bool
+    narrow : bool
         A constant.
     """
     x = places[at]
     place = min(int(x), directions - 2)
-    if paired:
+    if narrow:
         y = places[at + 1]
         second = min(int(y), directions - 2)
         f = pair(x - np.float32(place), y - np.float32(second))
-        one, two = FEW * (row * directions + place), FEW * (row * directions + second)
-        low, high = load_two(depths, one, two), load_two(depths, one + FEW, two + FEW)
+        one, two = HALF_LANES * (row * directions + place), HALF_LANES * (row * directions + second)
+        low, high = load_two(depths, one, two), load_two(depths, one + HALF_LANES, two + HALF_LANES)
     else:
         f = splat(x - np.float32(place))
         at = LANES * (row * directions + place)
@@ -183,9 +183,9 @@ def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
 
 @inlined
 def _first_order(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, paired
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, narrow
 ):  # fmt: skip
-    """``first_order_radius``, or ``first_order_radius_of_few`` if ``paired``, a constant."""
+    """``first_order_radius``, or ``first_order_radius_narrow`` if ``narrow``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
     bottom, top, _, sun_cosines, first_nodes, _, _ = grid
     (
@@ -216,8 +216,8 @@ def _first_order(
         most = max(most, starts[i, a + 1] - starts[i, a])
     directions = ratios.shape[3]
     width = LANES
-    if paired:
-        width = FEW
+    if narrow:
+        width = HALF_LANES
     scatterers = np.empty(constituents, np.int64)
     count = 0
     for c in range(constituents):
@@ -262,7 +262,7 @@ def _first_order(
             x = node_value(q, bottom, top, first_nodes, rows)
             fill_depths(
                 ratios, x, q, bottom, top, extinction, workspace, k * directions * width,
-                sun_depths, paired,
+                sun_depths, narrow,
             )  # fmt: skip
             transmittance = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
@@ -297,7 +297,7 @@ def _first_order(
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
         step = 1
-        if paired:
+        if narrow:
             step = 2
         for j in range(suns):
             mu_s = sun_cosines[j]
@@ -325,13 +325,13 @@ def _first_order(
                         if kinds[k] == 0:
                             continue
                         at = LANES * k + lane
-                        light = transmittance_tabled(sun_depths, k, low_at, at, directions, paired)
+                        light = transmittance_tabled(sun_depths, k, low_at, at, directions, narrow)
                         if kinds[k] == 2:
                             light = light + transmittance_tabled(
-                                sun_depths, k, high_at, at, directions, paired
+                                sun_depths, k, high_at, at, directions, narrow
                             )
                             light = light * np.float32(0.5)
-                        if paired:
+                        if narrow:
                             light = light * pair(seen[at], seen[at + 1])
                         else:
                             light = light * seen[at]
@@ -350,7 +350,7 @@ def _first_order(
                         surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius,
                         ground_depths, directions, lift,
                     )  # fmt: skip
-                    if paired:
+                    if narrow:
                         reflected_2 = reflected_star(
                             surface, ends, i, a, mu_s, nu_2, leaving, bottom, top, star_radius,
                             ground_depths, directions, lift,
@@ -367,7 +367,7 @@ def _first_order(
                     scattering_q * np.float32(cosine),
                     scattering_q * np.float32(sine_b),
                 )
-                if paired:
+                if narrow:
                     cosine, sine_b = star_plane(mu, mu_s, nu_2)
                     stokes_q = pair(stokes_q, scattering_q * np.float32(cosine))
                     stokes_u = pair(stokes_u, scattering_q * np.float32(sine_b))
@@ -383,7 +383,7 @@ def _first_order(
                     at = LANES * (2 + m)
                     weight = pair(sines[m, b], sines[m, second])
                     store(polarised, at, load(polarised, at) + weight * stokes_u)
-            if paired:
+            if narrow:
                 for m in range(degree + 1):
                     store(azimuthal, LANES * m, folded(load(azimuthal, LANES * m)))
                 for m in range(5):
@@ -434,7 +434,7 @@ def first_order_radius(
 
 
 @compiled_loop
-def first_order_radius_of_few(
+def first_order_radius_narrow(
     i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out
 ):  # fmt: skip
     """``first_order_radius`` for at most four wavelengths, two azimuths in a register.

@@ -25,7 +25,7 @@ from airlight.solvers.moments.convergence import (
     positivity_fixup,
 )
 from airlight.solvers.moments.energy_balance import energy_error
-from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
+from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_narrow
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import EVEN, POLARISED
 from airlight.solvers.moments.iterate_update import (
@@ -36,10 +36,10 @@ from airlight.solvers.moments.iterate_update import (
 from airlight.solvers.moments.limits import check_limits
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.moments.setup import Setup, WavelengthBatch
 from airlight.solvers.moments.spectral_initial_guess import SpectralGuess, wavelength_batches
 from airlight.solvers.moments.stopping import Iteration, Stopping
-from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_of_few
+from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_narrow
 from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
 from airlight.solvers.refracted_geometry import RefractedGeometry
 
@@ -157,15 +157,15 @@ def solve_moments(
     residual = np.empty(count)
     most = hardest = 0
     done = 0
-    for batch in wavelength_batches(setup.medium.wavelengths, clear=setup.parts == 1):
+    for group in wavelength_batches(setup.medium.wavelengths, clear=setup.parts == 1):
         guesses = SpectralGuess()
-        for number, which in enumerate(batch):
-            block = setup.block(which)
-            helped = guesses if len(batch) > 1 else None
-            last = number == len(batch) - 1
-            result = _iterate(block, _Watch(progress, block, done), cancel, helped, last)
+        for number, which in enumerate(group):
+            batch = setup.batch(which)
+            helped = guesses if len(group) > 1 else None
+            last = number == len(group) - 1
+            result = _iterate(batch, _Watch(progress, batch, done), cancel, helped, last)
             field[..., which], sky[..., which], residual[which], sweeps, scheme = result
-            most, hardest, done = max(most, sweeps), max(hardest, scheme), done + block.used
+            most, hardest, done = max(most, sweeps), max(hardest, scheme), done + batch.used
     return Moments(
         degree=setup.degree, grid=setup.grid, parts=setup.parts, field=field, sky=sky,
         columns=setup.table.values, sweeps=most, residual=residual,
@@ -174,7 +174,7 @@ def solve_moments(
 
 
 def gather(
-    block: Block,
+    batch: WavelengthBatch,
     kernel: Callable[..., None],
     *light: NDArray[Any],
     cancel: Cancel | None = None,
@@ -184,8 +184,8 @@ def gather(
 
     Parameters
     ----------
-    block : Block
-        Set-up from ``Setup.block``.
+    batch : WavelengthBatch
+        Set-up from ``Setup.batch``.
     kernel : callable
         One of these two functions.
     *light : array
@@ -199,13 +199,13 @@ def gather(
     -------
     moments, sky : array, shapes (r, s, k, 8), (r, s, 8)
     """
-    setup = block.setup
-    radii = block.rays.mu.shape[0]
-    moments, sky = _arrays(block) if out is None else out
+    setup = batch.setup
+    radii = batch.rays.mu.shape[0]
+    moments, sky = _arrays(batch) if out is None else out
 
     def radius(i: int) -> None:
         kernel(
-            i, setup.grid, block.rays, block.share, setup.azimuths, block.air, setup.expansion,
+            i, setup.grid, batch.rays, batch.share, setup.azimuths, batch.air, setup.expansion,
             *light, moments[i].reshape(-1), sky[i].reshape(-1),
         )  # fmt: skip
 
@@ -213,10 +213,10 @@ def gather(
     return moments, sky
 
 
-def _arrays(block: Block) -> Light:
+def _arrays(batch: WavelengthBatch) -> Light:
     """Arrays of moments and irradiances, with any contents."""
-    setup = block.setup
-    shape = block.rays.mu.shape[0], setup.grid.sun_cosines.size
+    setup = batch.setup
+    shape = batch.rays.mu.shape[0], setup.grid.sun_cosines.size
     return (
         np.empty((*shape, setup.terms, LANES), np.float32),
         np.empty((*shape, LANES), np.float32),
@@ -225,17 +225,17 @@ def _arrays(block: Block) -> Light:
 
 @dataclass(frozen=True)
 class _Watch:
-    """Reporter of the progress of one block of wavelengths."""
+    """Reporter of the progress of one batch of wavelengths."""
 
     progress: Progress | None
-    block: Block
-    done: int  # wavelengths of the blocks before
+    batch: WavelengthBatch
+    done: int  # wavelengths of the batches before
 
     def report(self, iteration: Iteration | None = None) -> None:
-        """Report progress over all wavelengths; this block's share is 0 without an iteration."""
+        """Report progress over all wavelengths; this batch's share is 0 without an iteration."""
         if self.progress is None:
             return
-        which, wavelengths = self.block.which, self.block.setup.medium.wavelengths
+        which, wavelengths = self.batch.which, self.batch.setup.medium.wavelengths
         nm = wavelengths[which]
         share = 0.0 if iteration is None else iteration.share
         still = 1.0 if iteration is None else float(iteration.remaining_error.max())
@@ -247,41 +247,41 @@ class _Watch:
 
 
 def _iterate(
-    block: Block,
+    batch: WavelengthBatch,
     watch: _Watch,
     cancel: Cancel | None,
     spectral_guess: SpectralGuess | None = None,
     last: bool = False,
 ) -> tuple[Float32Array, Float32Array, FloatArray, int, int]:
-    """Solve one block of wavelengths: sum of all orders, its residual, number of sweeps and scheme.
+    """Solve one batch of wavelengths: sum of all orders, its residual, number of sweeps and scheme.
 
     ``spectral_guess`` has corrections of near wavelengths, and receives its own unless ``last``.
     """
-    setup, used = block.setup, block.used
+    setup, used = batch.setup, batch.used
     once, sweep = first_order_radius, sweep_radius
-    if block.few:
-        once, sweep = first_order_radius_of_few, sweep_radius_of_few
+    if batch.narrow:
+        once, sweep = first_order_radius_narrow, sweep_radius_narrow
     watch.report()
     first_field, first_sky = gather(
-        block, once, setup.column_rows, setup.star_ratios, setup.paths.lift, cancel=cancel
+        batch, once, setup.column_rows, setup.star_ratios, setup.paths.lift, cancel=cancel
     )
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
-    synthetic = SyntheticAcceleration(block, cancel)
+    synthetic = SyntheticAcceleration(batch, cancel)
     guess = positivity_fixup(*synthetic.apply(first_field, first_sky), first_field, first_sky)
     light, least = guess, 2
-    nm = setup.medium.wavelengths[block.which]
+    nm = setup.medium.wavelengths[batch.which]
     between = None if spectral_guess is None else spectral_guess.corrected(nm, guess)
     if between is not None:
         light, least = positivity_fixup(*between, first_field, first_sky), 1
-    iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used, least=least)
+    iteration = Iteration(Stopping.of_sweeps(setup.settings), batch.thick, used, least=least)
     if spectral_guess is not None and between is not None:
         iteration.set_prediction(spectral_guess.expected(nm, guess))
-    degrees = active_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
+    degrees = active_degrees(batch, light[0]) if setup.parts > 1 else batch.all_degrees
     iterates: deque[Light] = deque(maxlen=iteration.stopping.iterates)
     best, at, scheme = light, 0, FALLBACK_SCHEMES[0]
     # Each sweep uses the arrays of the one before: the system clears new memory page by page.
-    swept, residual, mixed = _arrays(block), _arrays(block), _arrays(block)
+    swept, residual, mixed = _arrays(batch), _arrays(batch), _arrays(batch)
     packed: tuple[Float32Array | None, Float32Array | None] = None, None
     while iteration.unfinished():
         if iteration.diverging and at + 1 < len(FALLBACK_SCHEMES):
@@ -291,12 +291,12 @@ def _iterate(
             iterates.clear()
             iteration.restart(accelerated=scheme.acceleration > 0.0)
         packed = pack_light(
-            light[0], light[1][:1], block.level, setup.parts, few=block.few, out=packed[0]
+            light[0], light[1][:1], batch.level, setup.parts, narrow=batch.narrow, out=packed[0]
         )
-        gather(block, sweep, *packed, degrees, cancel=cancel, out=swept)
+        gather(batch, sweep, *packed, degrees, cancel=cancel, out=swept)
         add_first_order(swept, (first_field, first_sky), light, residual)
         mean = swept[0][:, :, 0]
-        weight = scheme.acceleration * acceleration_weights(mean, block.lateral_threshold)
+        weight = scheme.acceleration * acceleration_weights(mean, batch.lateral_threshold)
         accelerated_residual = (
             synthetic.apply(*residual, (mean, swept[1])) if scheme.acceleration > 0.0 else None
         )

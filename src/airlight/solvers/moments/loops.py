@@ -20,12 +20,12 @@ from airlight.solvers.moments.convergence import (
 )
 from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.first_order import first_order_radius_of_few
+from airlight.solvers.moments.first_order import first_order_radius_narrow
 from airlight.solvers.moments.iterate_update import _accelerate, _add_orders, _fill_quantities
 from airlight.solvers.moments.opaque_culling import share_into
 from airlight.solvers.moments.packing import _pack_sun
 from airlight.solvers.moments.rays import trace_into
-from airlight.solvers.moments.sweep import sweep_radius_of_few
+from airlight.solvers.moments.sweep import sweep_radius_narrow
 from airlight.solvers.moments.synthetic_acceleration import (
     _legendre_rows,
     multiply,
@@ -49,7 +49,7 @@ LOOPS: Final = (
     share_into,
     table_rays,
     _columns,
-    first_order_radius_of_few,
+    first_order_radius_narrow,
     synthetic_rows,
     gather_levels,
     _legendre_rows,
@@ -61,7 +61,7 @@ LOOPS: Final = (
     spread_onto,
     _replace,
     _pack_sun,
-    sweep_radius_of_few,
+    sweep_radius_narrow,
     _add_orders,
     _accelerate,
     _fill_quantities,

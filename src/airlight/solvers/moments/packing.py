@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel, vectorized
-from airlight.kernel.lanes import FEW, LANES
+from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import run_blocks
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, moment_count
 from airlight.solvers.moments.levels import THICK, fill_levels, refine
@@ -32,10 +32,10 @@ def filled(values: NDArray[Any]) -> NDArray[Any]:
     Lanes without a wavelength repeat the last, so that they compute nothing exceptional; where only
     four are used the others repeat these.
     """
-    missing = -values.shape[-1] % FEW
+    missing = -values.shape[-1] % HALF_LANES
     values = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
     if values.shape[-1] % LANES:
-        values = np.concatenate([values, values[..., -FEW:]], axis=-1)
+        values = np.concatenate([values, values[..., -HALF_LANES:]], axis=-1)
     return values
 
 
@@ -86,7 +86,7 @@ def pack_light(
     level: Float32Array,
     parts: int,
     *,
-    few: bool = False,
+    narrow: bool = False,
     out: Float32Array | None = None,
 ) -> tuple[Float32Array, Float32Array]:
     """Pack moments (r, s, k, w) and irradiances (r, s, w) for the kernels.
@@ -100,8 +100,8 @@ def pack_light(
         between two of them; where 0 they are interpolated as ratios.
     parts : int
         See ``levels.refine``. Irradiances of only one radius stay as they are.
-    few : bool
-        Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_of_few``.
+    narrow : bool
+        Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_narrow``.
     out : array, optional
         Earlier result for moments of the same shape, which receives them.
     """
@@ -112,8 +112,8 @@ def pack_light(
     radii, suns, terms, lanes = field.shape
     # One moment of eight wavelengths is a register, or two of four: see ``first_register``.
     order = np.arange(1 + terms)
-    if few:
-        order, lanes = pair_order(terms), FEW
+    if narrow:
+        order, lanes = pair_order(terms), HALF_LANES
     shape = ((radii - 1) * parts + 1, suns, order.size, lanes)
     packed = np.empty(shape, np.float32) if out is None else out.reshape(shape)
 

@@ -31,7 +31,7 @@ _COUPLINGS = 7
 
 
 @inlined
-def order_registers(degree, paired):
+def order_registers(degree, narrow):
     """Registers of a point's orders m of I, of the moments that couple, and of its Q and U.
 
     Returns
@@ -39,29 +39,29 @@ def order_registers(degree, paired):
     wide, orders, sent : int
     """
     wide, orders, sent = degree + 1, EVEN, POLARISED
-    if paired:
+    if narrow:
         wide, orders, sent = degree // 2 + 1, 2, 3
     return wide, orders, sent
 
 
 @inlined
-def registers_of(orders, paired):
+def registers_of(orders, narrow):
     """Registers that hold a number of orders m, from 0 on."""
-    if paired:
+    if narrow:
         return (orders + 1) // 2
     return orders
 
 
 @inlined
-def factor_count(degree, paired):
+def factor_count(degree, narrow):
     """Registers that ``fill_factors`` fills for a point."""
-    _, orders, _ = order_registers(degree, paired)
-    return first_register(degree + 1, paired) + _COUPLINGS * orders
+    _, orders, _ = order_registers(degree, narrow)
+    return first_register(degree + 1, narrow) + _COUPLINGS * orders
 
 
 @inlined
 def fill_factors(
-    point, rays, air, expansion, degree, highest, functions, first, factors, paired
+    point, rays, air, expansion, degree, highest, functions, first, factors, narrow
 ):  # fmt: skip
     """Factors by which the moments at a point of a ray are multiplied.
 
@@ -79,7 +79,7 @@ def fill_factors(
     factors : array
         Receives strengths times Legendre functions in the order of ``first_register``, and for each
         order that couples seven factors of the moments of degree 2.
-    paired : bool
+    narrow : bool
         See ``first_register``; a constant.
     """
     extinction, moments, polarised_phase = air
@@ -90,8 +90,8 @@ def fill_factors(
     for l in range(highest + 1):
         strength = strength_of(moments, amounts, point, l, degree, constituents) * transmittance
         index = l * (l + 1) // 2
-        at = first + LANES * first_register(l, paired)
-        if paired:
+        at = first + LANES * first_register(l, narrow)
+        if narrow:
             for m in range(0, l, 2):
                 both = pair(np.float32(functions[index + m]), np.float32(functions[index + m + 1]))
                 store(factors, at + LANES // 2 * m, strength * both)
@@ -118,13 +118,13 @@ def fill_factors(
     # The Legendre functions of degree 2.
     second_0, second_1, second_2 = functions[3], functions[4], functions[5]
     a0, a1, a2, b1, b2 = polarised_functions(mu_along[point])
-    at = first + LANES * first_register(degree + 1, paired)
-    _, orders, _ = order_registers(degree, paired)
+    at = first + LANES * first_register(degree + 1, narrow)
+    _, orders, _ = order_registers(degree, narrow)
     for m in range(orders):
         second = pair(np.float32(second_0), np.float32(second_1))
         even = pair(np.float32(a0), np.float32(a1))
         odd = pair(np.float32(0.0), np.float32(b1))
-        if paired:
+        if narrow:
             if m == 1:
                 second = pair(np.float32(second_2), np.float32(0.0))
                 even = pair(np.float32(a2), np.float32(0.0))
@@ -147,7 +147,7 @@ def fill_factors(
 
 @inlined
 def source_four_suns(
-    k, row, f, first, factors, suns, field, start, wide, highest, degree, rows, paired
+    k, row, f, first, factors, suns, field, start, wide, highest, degree, rows, narrow
 ):  # fmt: skip
     """Source function at a point of a ray, for four sun elevations.
 
@@ -173,13 +173,13 @@ def source_four_suns(
         Highest degree that counts at this point, and highest degree of the moments.
     rows : array
         Receives for each sun a node of ``source_at_point``.
-    paired : bool
+    narrow : bool
         See ``first_register``; a constant.
     """
-    all_wide, orders, sent = order_registers(degree, paired)
-    registers = first_register(degree + 1, paired)
+    all_wide, orders, sent = order_registers(degree, narrow)
+    registers = first_register(degree + 1, narrow)
     terms = registers + POLARISED
-    if paired:
+    if narrow:
         terms = registers + 4
     block = (1 + all_wide + sent) * LANES
     node = (1 + terms) * LANES
@@ -195,10 +195,10 @@ def source_four_suns(
         one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
         above_1, above_2, above_3, above_4 = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
         lowest = m
-        if paired:
+        if narrow:
             lowest = 2 * m
         for l in range(lowest, highest + 1):
-            index = LANES * (first_register(l, paired) + m)
+            index = LANES * (first_register(l, narrow) + m)
             at = low + LANES + index
             factor = load(factors, first + index)
             one = one + factor * load(field, at)
@@ -221,20 +221,20 @@ def source_four_suns(
         target = (k * suns + j) * block
         store(rows, target, g * load(field, low) + f * load(field, high))
         for m in range(orders):
-            moment, here = coupled_moments(field, low, high, f, m, degree, paired)
+            moment, here = coupled_moments(field, low, high, f, m, degree, narrow)
             by = first + LANES * (registers + _COUPLINGS * m)
             if m < wide:
                 at = target + LANES * (1 + m)
                 store(rows, at, load(rows, at) + load(factors, by) * here)
             point_q = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * here
             point_u = load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * here
-            if paired or m > 0:
-                turned = odd_moment(field, low, high, f, m, degree, paired)
+            if narrow or m > 0:
+                turned = odd_moment(field, low, high, f, m, degree, narrow)
                 point_q = point_q + load(factors, by + 3 * LANES) * turned
                 point_u = point_u + load(factors, by + 6 * LANES) * turned
             at = target + LANES * (1 + all_wide)
             store(rows, at + LANES * m, point_q)
-            if paired:  # U_1 in the second half, U_2 in the first
+            if narrow:  # U_1 in the second half, U_2 in the first
                 if m == 1:
                     point_u = point_u + load(rows, at + 2 * LANES)
                 store(rows, at + 2 * LANES, point_u)

@@ -1,6 +1,6 @@
 """Quantities that a solve derives from a medium beforehand: once, for every processor.
 
-``Setup`` is shared by all wavelengths, ``Block`` adds the wavelengths that run together. The sweeps
+``Setup`` is shared by all wavelengths, ``WavelengthBatch`` adds the wavelengths that run together. The sweeps
 of the CPU, the passes of the GPU, the plan of a page and the march of a solution read them, so that
 none of them derives its own grid, rays or depths.
 """
@@ -17,7 +17,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel.lanes import FEW
+from airlight.kernel.lanes import HALF_LANES
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii
@@ -258,7 +258,7 @@ class Setup:
         depth = self.optics.scattering_depth[which]
         return np.asarray(filled(level_weights(self.grid.sun_cosines, self.dip, depth)))
 
-    def block(self, which: slice) -> Block:
+    def batch(self, which: slice) -> WavelengthBatch:
         """Set-up of wavelengths that run together.
 
         Parameters
@@ -274,7 +274,7 @@ class Setup:
         depth_ratio = np.maximum(filled(transport) / TRANSPORT_DEPTH_SCALE, 1.0)
         length = self.optics.depths.diffusion_length
         radius = self.medium.bottom_radius
-        return Block(
+        return WavelengthBatch(
             setup=self,
             which=which,
             air=air,
@@ -292,7 +292,7 @@ class Setup:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Block:
+class WavelengthBatch:
     """Wavelengths that run together, in whole groups of eight lanes.
 
     Attributes
@@ -343,9 +343,9 @@ class Block:
         return np.full(self.setup.grid.radii.size, self.setup.degree)
 
     @property
-    def few(self) -> bool:
+    def narrow(self) -> bool:
         """Whether either half of the lanes has all the wavelengths."""
-        return self.used <= FEW
+        return self.used <= HALF_LANES
 
 
 def even_azimuths(degree: int, count: int) -> Azimuths:

@@ -3,8 +3,8 @@
 Synthetic acceleration of the first order is the initial guess. The correction that the sweeps then
 add, relative to the mean radiance, is a smooth function of wavelength: with the correction
 interpolated between two solved wavelengths, a wavelength needs one sweep or none where others need
-three or four. A batch has blocks of eight wavelengths; each block is a comb with wavelengths all
-over the batch. Its first and its last comb are solved before those between them. The change by a
+three or four. A group has batches of eight wavelengths; each batch is a comb with wavelengths all
+over the group. Its first and its last comb are solved before those between them. The change by a
 sweep after an interpolated guess measures the curvature of the correction over wavelength; where
 the predicted change is below the tolerance, no sweep is made.
 """
@@ -24,16 +24,16 @@ from airlight.solvers.moments.convergence import DARK, Light
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Largest number of blocks in a batch.
+#: Largest number of batches in a group.
 _LARGEST: Final = 8
-#: Smallest number of blocks for which guesses are interpolated.
+#: Smallest number of batches for which guesses are interpolated.
 _FEWEST: Final = 2
-#: Longest step between wavelengths of one block over the wavelength. [1]
+#: Longest step between wavelengths of one batch over the wavelength. [1]
 _WIDE: Final = 0.1
 
 
 def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[list[slice]]:
-    """Blocks of at most eight wavelengths in the order in which they are solved, by batch.
+    """Blocks of at most eight wavelengths in the order in which they are solved, by group.
 
     Parameters
     ----------
@@ -46,9 +46,9 @@ def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[l
     Returns
     -------
     list of list of slice
-        Indices of the wavelengths of each block. Guesses are interpolated between blocks of a
-        batch; where wavelengths are few, far apart or not monotonic, or the air is thick, each
-        batch is one block.
+        Indices of the wavelengths of each batch. Guesses are interpolated between batches of a
+        group; where wavelengths are few, far apart or not monotonic, or the air is thick, each
+        group is one batch.
 
     Examples
     --------
@@ -60,17 +60,17 @@ def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[l
     count = wavelengths.size
     steps = np.diff(wavelengths)
     whole = -(-count // LANES)
-    batches = -(-whole // _LARGEST)
-    blocks = -(-whole // batches)
-    helped = clear and blocks >= _FEWEST and bool(np.all(steps > 0.0) or np.all(steps < 0.0))
+    groups = -(-whole // _LARGEST)
+    batches = -(-whole // groups)
+    helped = clear and batches >= _FEWEST and bool(np.all(steps > 0.0) or np.all(steps < 0.0))
     if helped:
-        comb = np.abs(wavelengths[blocks:] - wavelengths[:-blocks]) / wavelengths[blocks:]
+        comb = np.abs(wavelengths[batches:] - wavelengths[:-batches]) / wavelengths[batches:]
         helped = bool(np.median(comb) < _WIDE)
     if not helped:
         return [
             [slice(first, min(first + LANES, count), 1)] for first in range(0, count, LANES)
         ]  # fmt: skip
-    edges = [min(LANES * (whole * k // batches), count) for k in range(batches + 1)]
+    edges = [min(LANES * (whole * k // groups), count) for k in range(groups + 1)]
     found = []
     for first, last in itertools.pairwise(edges):
         combs = -(-(last - first) // LANES)
@@ -91,7 +91,7 @@ def _from_the_ends(count: int) -> list[int]:
 
 
 class SpectralGuess:
-    """Initial guesses between the solved wavelengths of a batch, corrected by interpolation."""
+    """Initial guesses between the solved wavelengths of a group, corrected by interpolation."""
 
     def __init__(self) -> None:
         self._wavelengths: list[float] = []

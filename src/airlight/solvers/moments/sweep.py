@@ -52,9 +52,9 @@ _CACHED = 1_000_000
 
 @inlined
 def _sweep(
-    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, paired
+    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, narrow
 ):  # fmt: skip
-    """``sweep_radius``, or ``sweep_radius_of_few`` if ``paired``, a constant."""
+    """``sweep_radius``, or ``sweep_radius_narrow`` if ``narrow``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
     bottom, top, radii, sun_cosines, first_nodes, rows_at, places = grid
     (
@@ -80,9 +80,9 @@ def _sweep(
     terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    all_wide, _, sent = order_registers(degree, paired)
+    all_wide, _, sent = order_registers(degree, narrow)
     block = (1 + all_wide + sent) * LANES
-    registers = factor_count(degree, paired)
+    registers = factor_count(degree, narrow)
     together = 1
     if field.size > _CACHED:
         together = _TOGETHER
@@ -138,7 +138,7 @@ def _sweep(
                     degrees_at[k] = max(degrees[row], degrees[row + 1])
                     fill_factors(
                         point, along_rays, optics, expansion, degree, degrees_at[k], functions,
-                        k * registers * LANES, factors, paired,
+                        k * registers * LANES, factors, narrow,
                     )  # fmt: skip
                     for l in range(degree + 1):
                         for m in range(l + 1):
@@ -149,7 +149,7 @@ def _sweep(
                         orders_of[ray] = m + 1
                 for point in range(starts[i, ray], starts[i, ray + 1]):
                     k = point - head
-                    wide_at[k] = registers_of(min(orders_of[ray], degrees_at[k] + 1), paired)
+                    wide_at[k] = registers_of(min(orders_of[ray], degrees_at[k] + 1), narrow)
             count = starts[i, min(a + together, angles)] - head
             by_level(levels, count, radii.size, order)
             for start in range(0, suns, 4):
@@ -157,7 +157,7 @@ def _sweep(
                     k = order[index]
                     source_four_suns(
                         k, levels[k], fractions[k], k * registers * LANES, factors, suns, field,
-                        start, wide_at[k], degrees_at[k], degree, rows, paired,
+                        start, wide_at[k], degrees_at[k], degree, rows, narrow,
                     )  # fmt: skip
         first = starts[i, a] - head
         points = starts[i, a + 1] - starts[i, a]
@@ -191,12 +191,12 @@ def _sweep(
                     low = ((first + k) * suns + int(columns[at])) * block
                     light, point_q, point_u = source_at_point(
                         rows, low, low + block, shares[at], star_cosines[at], star_sines[at],
-                        wide_at[first + k], degree, True, True, paired,
+                        wide_at[first + k], degree, True, True, narrow,
                     )  # fmt: skip
                     radiance = radiance + light
                     stokes_q = stokes_q + point_q
                     stokes_u = stokes_u + point_u
-                if paired:
+                if narrow:
                     radiance, stokes_q, stokes_u = (
                         folded(radiance),
                         folded(stokes_q),
@@ -254,13 +254,13 @@ def sweep_radius(
 
 
 @compiled_loop
-def sweep_radius_of_few(
+def sweep_radius_narrow(
     i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out
 ):  # fmt: skip
     """``sweep_radius`` for at most four wavelengths, two moments in a register.
 
     Both halves of ``share`` and of ``air`` have the same wavelengths; ``field`` has pairs of
-    moments, see ``packing.paired``.
+    moments, see ``packing.narrow``.
     """
     _sweep(
         i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, True

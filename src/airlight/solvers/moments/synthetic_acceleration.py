@@ -25,7 +25,7 @@ from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import positive
-from airlight.solvers.moments.setup import Block
+from airlight.solvers.moments.setup import WavelengthBatch
 from airlight.solvers.moments.synthetic_operator import gather_levels, project_radii, synthetic_rows
 
 FloatArray = NDArray[np.float64]
@@ -45,20 +45,20 @@ class SyntheticAcceleration:
 
     Parameters
     ----------
-    block : Block
+    batch : WavelengthBatch
         Set-up of the sweeps.
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
 
-    def __init__(self, block: Block, cancel: Cancel | None = None) -> None:
-        setup, rays, share, air = block.setup, block.rays, block.share, block.air
+    def __init__(self, batch: WavelengthBatch, cancel: Cancel | None = None) -> None:
+        setup, rays, share, air = batch.setup, batch.rays, batch.share, batch.air
         grid, expansion, parts = setup.grid, setup.expansion, setup.parts
-        self.block, self.grid = block, grid
+        self.batch, self.grid = batch, grid
         self.set_lateral_scale(1.0)
         cosines = grid.sun_cosines
-        self.diffusion = lateral_diffusion_matrix(cosines, block.diffusion_length, 0.0)
-        self.grid_diffusion = lateral_diffusion_matrix(cosines, 0.0, block.grid_diffusion)
+        self.diffusion = lateral_diffusion_matrix(cosines, batch.diffusion_length, 0.0)
+        self.grid_diffusion = lateral_diffusion_matrix(cosines, 0.0, batch.grid_diffusion)
         self.degree = min(expansion.degree, DEGREE)
         self.order = min(expansion.degree, ORDER)
         self.radii = rays.mu.shape[0]
@@ -110,7 +110,7 @@ class SyntheticAcceleration:
 
     def set_lateral_scale(self, factor: float) -> None:
         """Scale the lateral diffusion length of the correction by a factor. [1]"""
-        length, grid_diffusion = self.block.diffusion_length, self.block.grid_diffusion
+        length, grid_diffusion = self.batch.diffusion_length, self.batch.grid_diffusion
         self.spread = lateral_diffusion_matrix(
             self.grid.sun_cosines, factor * length, factor**2 * grid_diffusion
         )
@@ -160,7 +160,7 @@ class SyntheticAcceleration:
         run_blocks(solve, (self.order + 1) * -(-suns // _SUNS))
         spread = self.spread
         mean, received = np.ones_like(sky), np.ones_like(sky)
-        if self.block.deep:
+        if self.batch.deep:
             if light is None:
                 more, more_sky = [self.diffusion @ one for one in more], self.diffusion @ more_sky
                 light, spread = (field[:, :, 0], sky), self.grid_diffusion
