@@ -64,7 +64,7 @@ def light_of(plan, sweeper, texture):
     n = plan.sizes
     moments = plan.nodes * n["terms"]
     flat = read_flat(sweeper.device, sweeper.texture(texture), moments + plan.nodes)
-    shape = (n["radii"], n["suns"])
+    shape = (n["radii"], n["sun_angles"])
     return flat[:moments].reshape(*shape, n["terms"], 4), flat[moments:].reshape(*shape, 4)
 
 

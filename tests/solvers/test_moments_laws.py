@@ -318,7 +318,7 @@ def test_default_agrees_with_fine_on_dusty_mars(
     from dataclasses import replace as replace_field
 
     finer = replace_field(
-        QUALITIES["fine"], radii=32, suns=80, zenith_angles=16, azimuths=16, tolerance=1e-3
+        QUALITIES["fine"], radii=32, sun_angles=80, zenith_angles=16, azimuths=16, tolerance=1e-3
     )
     mars = load_planet(name)
     mars = replace(

@@ -119,7 +119,9 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
 ) -> None:
     # A second method: the operator that the CPU's loops assemble from the same rays, for any
     # residual. The page's is assembled from textures in single precision: 3e-4 of the largest.
-    settings = dataclasses.replace(page_settings(), radii=5, suns=7, zenith_angles=3, degree=4)
+    settings = dataclasses.replace(
+        page_settings(), radii=5, sun_angles=7, zenith_angles=3, degree=4
+    )
     settings = dataclasses.replace(settings, thick_degree=4)
     medium = Medium.from_planet(load_planet("titan"), WAVELENGTHS)
     data = solver_data(SimpleNamespace(medium=medium), settings)  # type: ignore[arg-type]
@@ -172,7 +174,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
             change.tolist(),
         ],
     )
-    shape = (int(plan.sizes["radii"]), int(plan.sizes["suns"]))
+    shape = (int(plan.sizes["radii"]), int(plan.sizes["sun_angles"]))
     field = change[: nodes * terms * 4].reshape(*shape, terms, 4)
     sky = change[nodes * terms * 4 :].reshape(*shape, 4)
     both = [np.concatenate([one, one], axis=-1) for one in (field, sky)]

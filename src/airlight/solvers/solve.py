@@ -219,5 +219,5 @@ def _check_memory(settings: MomentsSettings, wavelengths: int) -> None:
     """
     from airlight.solvers.moments.harmonics import moment_count
 
-    fields = settings.radii * settings.suns * moment_count(settings.degree)
+    fields = settings.radii * settings.sun_angles * moment_count(settings.degree)
     check_memory(16.0 * fields * wavelengths, f"the light of {wavelengths} wavelengths")

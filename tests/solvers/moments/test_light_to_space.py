@@ -54,10 +54,10 @@ def test_suns_by_day_are_as_good_as_three_times_as_many(tell: Callable[[str], No
     # Second method: a grid of suns whose interpolation errs by a ninth of that. Both grids share
     # radii, directions and degree, so nothing else differs; the observers look at suns between
     # their nodes. With 10° from node to node near the zenith it was 0.23 %.
-    coarse = replace(QUALITIES["preview"], suns=56, march_panels=2)
+    coarse = replace(QUALITIES["preview"], sun_angles=56, march_panels=2)
     solutions = [
         solve(load_planet("mars-standard"), NM, settings, cache=False)
-        for settings in (coarse, replace(coarse, suns=166))
+        for settings in (coarse, replace(coarse, sun_angles=166))
     ]
     sight, _ = solutions[0].lines_of_sight(**lines_from_space(np.linspace(0.5, 60.0, 40)))
     high = np.degrees(np.arcsin((sight.r * sight.mu_s + sight.length * sight.nu) / 3389.5e3)) > 30.0

@@ -30,15 +30,15 @@ def largest_of(index, sizes, count, values):
         Moments (radius, sun, moment, lane), and after them irradiances. [1]
     """
     lane = index % WAVELENGTHS
-    j = index // WAVELENGTHS % sizes.suns
+    j = index // WAVELENGTHS % sizes.sun_angles
     step = sizes.terms * WAVELENGTHS
     start = 0
-    if index >= sizes.suns * WAVELENGTHS:
-        start = count * sizes.suns * step
+    if index >= sizes.sun_angles * WAVELENGTHS:
+        start = count * sizes.sun_angles * step
         step = WAVELENGTHS
     largest = 0.0
     for i in range(count):
-        largest = max(largest, values[start + (i * sizes.suns + j) * step + lane])
+        largest = max(largest, values[start + (i * sizes.sun_angles + j) * step + lane])
     return largest
 
 
@@ -64,9 +64,9 @@ def floor(index, sizes, heights):
     Numbers (mean radiance or irradiance, lane).
     """
     lane = index % WAVELENGTHS
-    first = index // WAVELENGTHS * sizes.suns
+    first = index // WAVELENGTHS * sizes.sun_angles
     brightest = 0.0
-    for j in range(sizes.suns):
+    for j in range(sizes.sun_angles):
         brightest = max(brightest, heights[(first + j) * WAVELENGTHS + lane])
     return floor_below(brightest)
 
@@ -134,16 +134,16 @@ def refined(index, sizes, tables, light, floors):
     lane = index % WAVELENGTHS
     number = index // WAVELENGTHS
     width, start, dark = sizes.terms, 0, floors[lane]
-    if number >= sizes.levels * sizes.suns * sizes.terms:
-        number = number - sizes.levels * sizes.suns * sizes.terms
+    if number >= sizes.levels * sizes.sun_angles * sizes.terms:
+        number = number - sizes.levels * sizes.sun_angles * sizes.terms
         width = 1
-        start = sizes.radii * sizes.suns * sizes.terms * WAVELENGTHS
+        start = sizes.radii * sizes.sun_angles * sizes.terms * WAVELENGTHS
         dark = floors[WAVELENGTHS + lane]
     part = number % width
-    j = number // width % sizes.suns
-    level = number // (width * sizes.suns)
+    j = number // width % sizes.sun_angles
+    level = number // (width * sizes.sun_angles)
     i = level // sizes.parts
-    step = sizes.suns * width * WAVELENGTHS
+    step = sizes.sun_angles * width * WAVELENGTHS
     mean_at = start + j * width * WAVELENGTHS + lane
     here = mean_at + part * WAVELENGTHS
     if level % sizes.parts == 0:
@@ -167,11 +167,11 @@ def node_scale(index, sizes, tables, fine, heights):
     """
     lane = index % WAVELENGTHS
     node = index // WAVELENGTHS
-    nodes = sizes.levels * sizes.suns
+    nodes = sizes.levels * sizes.sun_angles
     if node >= nodes:
         received = fine[(nodes * sizes.terms + node - nodes) * WAVELENGTHS + lane]
         return ratio_scale(received, received, 0.0)
-    j = node % sizes.suns
+    j = node % sizes.sun_angles
     value = fine[node * sizes.terms * WAVELENGTHS + lane]
     above = max(heights[j * WAVELENGTHS + lane], value)
     return ratio_scale(value, above, tables.level[j * WAVELENGTHS + lane])
@@ -184,7 +184,7 @@ def packed(index, sizes, fine, scales):
     Texels (level, sun, 1 + moments): s, then the moments times s; after them (level, sun, 2):
     s, then the irradiance times s.
     """
-    nodes = sizes.levels * sizes.suns
+    nodes = sizes.levels * sizes.sun_angles
     moments = nodes * (1 + sizes.terms)
     if index >= moments:
         node = (index - moments) // 2

@@ -73,7 +73,7 @@ def plan_for(
     sizes: dict[str, Any] = {
         "radii": setup.gathering.radii.size,
         "angles": rays.mu.shape[1],
-        "suns": grid.sun_cosines.size,
+        "sun_angles": grid.sun_cosines.size,
         "turns": azimuths.cosines.size,
         "degree": setup.degree,
         "terms": setup.terms,
@@ -106,7 +106,7 @@ def _lanes(flat: Float32Array) -> Float32Array:
 def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
     """Group radii so that the textures of a group are not too large."""
     angles = sizes["angles"]
-    each = max(sizes["suns"] * row_block(sizes), sizes["directions"])
+    each = max(sizes["sun_angles"] * row_block(sizes), sizes["directions"])
     most = _SPAN // each - 1
     bounds = [0]
     for i in range(1, start.shape[0]):

@@ -158,7 +158,19 @@ def scattered_once(
 
 @inlined
 def gathered(
-    turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree, bright, polarised
+    turn,
+    mu_along,
+    first,
+    points,
+    local,
+    rows,
+    mu_s,
+    nu,
+    places,
+    sun_angles,
+    degree,
+    bright,
+    polarised,
 ):
     """I, Q and U sent along a ray by its points, from light scattered before. [1]
 
@@ -176,7 +188,7 @@ def gathered(
         Cosines of the star at the start of the ray. [1]
     places : array
         Lookup table ``Grid.place``.
-    suns, degree : int
+    sun_angles, degree : int
         Number of sun elevations, and highest degree.
     bright, polarised : bool
         Whether I, and whether Q and U are found; constants. The others are 0.
@@ -186,10 +198,10 @@ def gathered(
     for k in range(points):
         mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
         x = sun_index(mu_sk, places)
-        column = min(int(x), suns - 2)
+        column = min(int(x), sun_angles - 2)
         step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
         sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
-        low = ((local + k) * suns + column) * block
+        low = ((local + k) * sun_angles + column) * block
         light, point_q, point_u = source_at_point(
             rows, low, low + block, np.float32(x - column), step, sine, degree + 1, degree, bright,
             polarised, False,

@@ -18,7 +18,7 @@ class Sizes(NamedTuple):
 
     Attributes
     ----------
-    radii, angles, suns, turns : int
+    radii, angles, sun_angles, turns : int
         Numbers of radii that gather light, of directions in zenith angle, of nodes in sun
         elevation, and of azimuths.
     degree, terms, constituents, directions : int
@@ -34,7 +34,7 @@ class Sizes(NamedTuple):
 
     radii: int
     angles: int
-    suns: int
+    sun_angles: int
     turns: int
     degree: int
     terms: int

@@ -91,7 +91,7 @@ def phase_nodes(
 def gather(
     i, axes, directions, phase, which, incoming, cos_psi, sin_psi, normalise, logarithmic, out
 ):
-    """Gather the incoming light at one radius, for all suns and view directions.
+    """Gather the incoming light at one radius, for all sun angles and view directions.
 
     G(V) = ∫ p(V·ω) H(ω) dω for each constituent; each phase function is divided by its own sum
     over the directions if ``normalise``.
@@ -104,12 +104,12 @@ def gather(
         Axes of the table, and directions of the gather.
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]
-    incoming : array, shape (suns, nl, nz, na)
+    incoming : array, shape (sun_angles, nl, nz, na)
         Light of one order at this radius, per irradiance of the star. [sr⁻¹]
     cos_psi, sin_psi : float
         Cosine and sine of the azimuth of a table without angles. [1]
     normalise, logarithmic : bool
-    out : array, shape (views, suns, angles, ns·nl)
+    out : array, shape (views, sun_angles, angles, ns·nl)
         Receives the gathered light or its logarithm. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
@@ -129,7 +129,7 @@ def gather(
     r = radius_of(i, axes)
     wavelengths = incoming.shape[1]
     last = phase.shape[1] - 1.0
-    for k in range(axes.suns):
+    for k in range(axes.sun_angles):
         light = incoming[k].reshape((wavelengths, count))
         mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
         sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
@@ -183,11 +183,11 @@ def complete(r, axes, out):
     r : float
         Radius. [m]
     axes : Layout
-    out : array, shape (views, suns, angles, channels)
+    out : array, shape (views, sun_angles, angles, channels)
         Logarithms, changed in place.
     """
-    narrow = np.zeros((axes.views, axes.suns))
-    for k in range(axes.suns):
+    narrow = np.zeros((axes.views, axes.sun_angles))
+    for k in range(axes.sun_angles):
         mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
         for j in range(axes.views):
             mu = view_of(j, r, axes)
@@ -198,14 +198,14 @@ def complete(r, axes, out):
                 continue_beyond(out[j, k], low, high)
             else:
                 narrow[j, k] = 0.5 * (low + high) + 1.0
-    last = axes.suns - 1
+    last = axes.sun_angles - 1
     for j in range(1, axes.views - 1):
         if narrow[j, 0] > 0.0:
             continue_alike(out[j, 0], narrow[j, 0] - 1.0, out[j, 1])
         if narrow[j, last] > 0.0:
             continue_alike(out[j, last], narrow[j, last] - 1.0, out[j, last - 1])
     last = axes.views - 1
-    for k in range(axes.suns):
+    for k in range(axes.sun_angles):
         if narrow[0, k] > 0.0:
             continue_alike(out[0, k], narrow[0, k] - 1.0, out[1, k])
         if narrow[last, k] > 0.0:
@@ -283,5 +283,5 @@ def node_radii(axes: Layout) -> FloatArray:
 
 
 def node_suns(axes: Layout) -> FloatArray:
-    """Cosines of the sun's zenith angle at the table's nodes, shape (suns,). [1]"""
-    return np.array([sun_of(k, axes) for k in range(axes.suns)])
+    """Cosines of the sun's zenith angle at the table's nodes, shape (sun_angles,). [1]"""
+    return np.array([sun_of(k, axes) for k in range(axes.sun_angles)])

@@ -50,7 +50,7 @@ class Layout(NamedTuple):
     ----------
     kind : int
         Index of the mapping in ``MAPPINGS``.
-    radii, views, suns, angles : int
+    radii, views, sun_angles, angles : int
         Numbers of nodes; one angle for the 3-D mappings.
     power : float
         Exponent of the power mappings. [1]
@@ -63,7 +63,7 @@ class Layout(NamedTuple):
     kind: int
     radii: int
     views: int
-    suns: int
+    sun_angles: int
     angles: int
     power: float
     bottom: float
@@ -78,7 +78,7 @@ def layout_for(medium: Medium, settings: Settings) -> Layout:
         MAPPINGS.index(settings.mapping),
         settings.radii,
         settings.views,
-        settings.suns,
+        settings.sun_angles,
         settings.scatter_angles,
         settings.power,
         bottom,
@@ -181,13 +181,13 @@ def sun_cell(mu_s, axes):
         x = 0.5 * (mu_s + 1.0)
     else:
         x = _power_cosine(mu_s, axes.power)
-    return cell(x * (axes.suns - 1.0), 0, axes.suns - 1)
+    return cell(x * (axes.sun_angles - 1.0), 0, axes.sun_angles - 1)
 
 
 @compiled_loop
 def sun_of(k, axes):
     """Cosine of the sun's zenith angle at a node. [1]"""
-    x = index_coordinate(k, axes.suns)
+    x = index_coordinate(k, axes.sun_angles)
     if axes.kind <= _BRUNETON:
         return _sun_back(x, axes.lowest, axes.bottom, axes.top)
     if axes.kind == _LINEAR:

@@ -242,7 +242,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
         Number of points of the line.
     axes : Layout
         Axes of the table.
-    table : array, shape (radii·views, suns, angles, ns·nl)
+    table : array, shape (radii·views, sun_angles, angles, ns·nl)
         Gathered light, or its logarithm. [1]
     logarithmic : bool
         Whether it is the logarithm.
@@ -331,4 +331,4 @@ def star_columns(r, mu_s, nested, air, edges, path, here):
 
 def axes_shape(axes: Layout, channels: int) -> tuple[int, int, int, int]:
     """Shape of a table of gathered light."""
-    return axes.radii * axes.views, axes.suns, axes.angles, channels
+    return axes.radii * axes.views, axes.sun_angles, axes.angles, channels

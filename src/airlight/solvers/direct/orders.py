@@ -43,9 +43,9 @@ class Orders:
     ----------
     axes : Layout
         Axes of the tables.
-    total : array, shape (radii·views, suns, angles, ns·nl)
+    total : array, shape (radii·views, sun_angles, angles, ns·nl)
         Gathered light of all orders together, or its logarithm, by the settings. [sr⁻¹]
-    ground : array, shape (suns, nl)
+    ground : array, shape (sun_angles, nl)
         Irradiance of the ground by the sky, all orders together. [1]
     each : list of array
         G⁽¹⁾, G⁽²⁾ … as ``total``, if they are kept.
@@ -150,13 +150,15 @@ class _Passes:
         self.directions: Directions = directions_for(self.axes, settings)
         self.phase, self.which = phase_nodes(medium, self.air.scatterers)
         self.progress, self.cancel = progress, cancel
-        suns = node_suns(self.axes)
-        line, lit = new_line(self.air), np.empty((suns.size, medium.wavelengths.size))
-        for k, mu_s in enumerate(suns):
+        sun_angles = node_suns(self.axes)
+        line, lit = new_line(self.air), np.empty((sun_angles.size, medium.wavelengths.size))
+        for k, mu_s in enumerate(sun_angles):
             direct_light(self.axes.bottom, mu_s, True, self.air, line, lit[k])
         self.lit_by_star = lit
         nz, na = self.directions.zenith.shape[1], self.directions.azimuth.size
-        self.incoming = np.empty((self.axes.radii, suns.size, medium.wavelengths.size, nz, na))
+        self.incoming = np.empty(
+            (self.axes.radii, sun_angles.size, medium.wavelengths.size, nz, na)
+        )
         self.from_sky = np.zeros_like(lit)
 
     def _all_radii(self, message: str, one: Callable[[int], None]) -> None:

@@ -39,9 +39,9 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
         See ``Layout``, ``Directions``, ``LineOptics`` and ``Line``.
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]
-    lit_ground : array, shape (suns, nl)
+    lit_ground : array, shape (sun_angles, nl)
         D, the radiance of the ground that the star lights. [sr⁻¹]
-    out : array, shape (suns, nl, nz, na)
+    out : array, shape (sun_angles, nl, nz, na)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
@@ -51,7 +51,7 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
     for z in range(zenith.size):
         mu, sine = cos(zenith[z]), sin(zenith[z])
         length = ray_length(r, mu, axes.bottom, axes.top)
-        for k in range(axes.suns):
+        for k in range(axes.sun_angles):
             mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
             sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
             for a in range(azimuth.size):
@@ -85,15 +85,15 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
     ----------
     i, axes, directions, air, line :
         Arguments of ``first_pass``.
-    table : array, shape (radii·views, suns, angles, ns·nl)
+    table : array, shape (radii·views, sun_angles, angles, ns·nl)
         G⁽ᵏ⁻¹⁾, the gathered light, or its logarithm. [sr⁻¹]
     logarithmic : bool
         Whether it is the logarithm.
-    lit_ground : array, shape (suns, nl)
+    lit_ground : array, shape (sun_angles, nl)
         Irradiance of the ground by the sky, whose reflection is A⁽ᵏ⁾. [1]
     by_star : bool
         Whether the light comes from the star instead.
-    out : array, shape (suns, nl, nz, na)
+    out : array, shape (sun_angles, nl, nz, na)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
@@ -108,7 +108,7 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
             count = prepare(r, mu, length, 0.0, 0.0, air, line)
             place_rows(r, mu, count, axes, line)
         to_ground = meets_ground(r, mu, axes.bottom)
-        for k in range(axes.suns):
+        for k in range(axes.sun_angles):
             mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
             sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
             for a in range(azimuth.size):
@@ -135,8 +135,8 @@ def add_ground(
     r, mu, mu_s, nu, length : float
         Coordinates of the start, and length. [m], [1], [1], [1], [m]
     axes : Layout
-        Axes of the table, with the suns.
-    lit_ground : array, shape (suns, nl)
+        Axes of the table, with the sun angles.
+    lit_ground : array, shape (sun_angles, nl)
         Irradiance of the ground. [1]
     by_star : bool
         Whether the light comes from the star; otherwise from the sky.
@@ -216,12 +216,12 @@ def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> 
         Zenith angles. [rad]
     weights : array, shape (nz, na)
         Solid angles. [sr]
-    incoming : array, shape (suns, nl, nz, na)
+    incoming : array, shape (sun_angles, nl, nz, na)
         Light of one order on the ground. [sr⁻¹]
 
     Returns
     -------
-    array, shape (suns, nl)
+    array, shape (sun_angles, nl)
         Irradiance. [1]
     """
     cosine = np.maximum(np.cos(zenith), 0.0)

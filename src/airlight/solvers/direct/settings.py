@@ -25,7 +25,7 @@ class Settings:
         nu), ``angle`` the same with the view direction and the angle to the sun in even steps of
         angle; ``linear``, ``power`` and ``weighted-power`` are the 3-D mappings of Atmosphere Plus
         of (h, φ, δ), which omit azimuth.
-    radii, views, suns, scatter_angles : int
+    radii, views, sun_angles, scatter_angles : int
         Shape of the table; the last is 1 for the 3-D mappings.
     power : float
         Exponent of the power and weighted power mappings. [1]
@@ -60,7 +60,7 @@ class Settings:
     mapping: str = "angle"
     radii: int = 24
     views: int = 32
-    suns: int = 40
+    sun_angles: int = 40
     scatter_angles: int = 12
     power: float = 2.0
     azimuth: float = 0.0
@@ -84,7 +84,7 @@ class Settings:
         for name, low, high in (
             ("radii", 2, 256),
             ("views", 4, 512),
-            ("suns", 4, 512),
+            ("sun_angles", 4, 512),
             ("scatter_angles", 1 if self.flat else 2, 1 if self.flat else 256),
             ("zenith_steps", 3, 200),
             ("azimuth_steps", 4, 400),
@@ -117,19 +117,19 @@ class Settings:
 
 QUALITIES: Final = {
     "preview": Settings(
-        radii=16, views=20, suns=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20, steps=12,
+        radii=16, views=20, sun_angles=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20, steps=12,
         pass_steps=8, tolerance=2e-2,
     ),
     "default": Settings(),
     "fine": Settings(
-        radii=26, views=36, suns=72, scatter_angles=16, zenith_steps=20, azimuth_steps=44,
+        radii=26, views=36, sun_angles=72, scatter_angles=16, zenith_steps=20, azimuth_steps=44,
         steps=28, pass_steps=14, keep_orders=False,
     ),
 }  # fmt: skip
 
 #: Tables of the Atmosphere Plus notes: 32 heights, 64 view and 32 sun directions, 30 steps.
 ATMOSPHERE_PLUS: Final = Settings(
-    mapping="weighted-power", radii=32, views=64, suns=32, scatter_angles=1, zenith_steps=12,
+    mapping="weighted-power", radii=32, views=64, sun_angles=32, scatter_angles=1, zenith_steps=12,
     azimuth_steps=24, steps=30, pass_steps=30, graded=False, logarithmic=False, orders=6,
     tail=False,
 )  # fmt: skip

@@ -289,7 +289,7 @@ def _from_arrays(
         )
     except (KeyError, TypeError, ValueError):
         return None
-    lit = (axes.suns, medium.wavelengths.size)
+    lit = (axes.sun_angles, medium.wavelengths.size)
     sound = (
         orders.total.shape == shape
         and orders.ground.shape == lit

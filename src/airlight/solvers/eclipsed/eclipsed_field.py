@@ -341,7 +341,7 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
         near, block, first, second = field_place(q, 1.0, mu_s, mu_s, light, work)
         p, s = np.float32(first), np.float32(second)
         p0, s0 = np.float32(1.0) - p, np.float32(1.0) - s
-        far = near + light.suns * block
+        far = near + light.sun_angles * block
         for at in range(0, lanes, LANES):
             low = between(light.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
             here = lanes + at

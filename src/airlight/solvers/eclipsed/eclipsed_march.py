@@ -226,7 +226,7 @@ def _add_point(
     near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, light, work)
     f, e = np.float32(f), np.float32(e)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    far = near + light.suns * block
+    far = near + light.sun_angles * block
     for at in range(0, light.lanes, LANES):
         transmittance = transmittance_columns(
             work.depths, light.scaled_extinction, light.constituents, light.lanes, at

@@ -1,6 +1,6 @@
 """Convergence of the iteration: weights of acceleration, remaining error, next guess.
 
-These functions take the light at all radii and suns, some wavelengths at a time. Formulas of one
+These functions take the light at all radii and sun angles, some wavelengths at a time. Formulas of one
 node or one wavelength are kernels, so that a page runs the same; when to stop is in ``stopping``.
 """
 

@@ -51,20 +51,20 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     grid, optics = setup.grid, setup.optics
     bottom, top = grid.bottom_radius, grid.top_radius
     mu = grid.sun_cosines
-    suns = 0.5 * (np.diff(mu, prepend=-1.0) + np.diff(mu, append=1.0))
+    sun_weights = 0.5 * (np.diff(mu, prepend=-1.0) + np.diff(mu, append=1.0))
     radii, beam = _direct_beam(setup)
     below = _amounts_below(setup)
     amount = _between(setup, below, radii)
-    lit = np.tensordot(_logarithmic_mean(beam[:-1], beam[1:]), suns, (1, 0))
+    lit = np.tensordot(_logarithmic_mean(beam[:-1], beam[1:]), sun_weights, (1, 0))
     scattered = np.einsum("rc,cw,rw->w", amount, optics.scattering, lit)
     taken = np.einsum("rc,cw,rw->w", amount, optics.extinction, lit)
-    ground = 2.0 * pi * bottom**2 * ((suns * np.maximum(mu, 0.0)) @ beam[0])
-    diffuse = np.tensordot(np.asarray(field[:, :, 0], float), suns, (1, 0)) * sqrt(4.0 * pi)
+    ground = 2.0 * pi * bottom**2 * ((sun_weights * np.maximum(mu, 0.0)) @ beam[0])
+    diffuse = np.tensordot(np.asarray(field[:, :, 0], float), sun_weights, (1, 0)) * sqrt(4.0 * pi)
     amount = _between(setup, below, setup.gathering.radii)
     diffuse = _logarithmic_mean(diffuse[:-1], diffuse[1:])
     absorbed = np.einsum("rc,cw,rw->w", amount, optics.extinction - optics.scattering, diffuse)
     # Moments are of the directions from which light comes: upward light has negative cosines.
-    flux = np.tensordot(np.asarray(field[[0, -1], :, 1], float), suns, (1, 0))
+    flux = np.tensordot(np.asarray(field[[0, -1], :, 1], float), sun_weights, (1, 0))
     flux *= -sqrt(4.0 * pi / 3.0)
     leaving = 2.0 * pi * (top**2 * flux[1] - bottom**2 * flux[0])
     return np.asarray((leaving + absorbed - scattered) / (taken + ground))

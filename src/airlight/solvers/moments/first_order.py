@@ -204,7 +204,7 @@ def _first_order(
     ) = rays
     cosines, multiples, sines = azimuths
     extinction, moments, surface, star_radius, polarised_phase = air
-    suns = sun_cosines.size
+    sun_angles = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
     harmonics = (degree + 1) * (degree + 2) // 2
@@ -299,7 +299,7 @@ def _first_order(
         step = 1
         if narrow:
             step = 2
-        for j in range(suns):
+        for j in range(sun_angles):
             mu_s = sun_cosines[j]
             sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
             azimuthal[:] = 0.0

@@ -74,7 +74,7 @@ def make_grid(
     bottom_radius: float,
     top_radius: float,
     radii: int,
-    suns: int,
+    sun_angles: int,
     depths: Depths,
     first_nodes: FloatArray,
 ) -> tuple[Grid, int]:
@@ -84,7 +84,7 @@ def make_grid(
     ----------
     bottom_radius, top_radius : float
         Radii of the ground and of the top. [m]
-    radii, suns : int
+    radii, sun_angles : int
         Numbers of nodes; thick air gets more radii.
     depths : Depths
         Depths at the altitude nodes.
@@ -98,8 +98,8 @@ def make_grid(
         Step, in radii of the grid, between those at which light is gathered.
     """
     dip = degrees(acos(bottom_radius / top_radius))
-    elevation, index = sun_indices(dip, suns)
-    nodes = np.interp(np.arange(suns, dtype=float), index, elevation)
+    elevation, index = sun_indices(dip, sun_angles)
+    nodes = np.interp(np.arange(sun_angles, dtype=float), index, elevation)
     nodes[0], nodes[-1] = -90.0, 90.0
     wanted = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
     # Light does not fade evenly before the densest nodes.
@@ -127,14 +127,14 @@ def make_grid(
     return grid, levels.parts
 
 
-def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
+def sun_indices(dip: float, sun_angles: int) -> tuple[FloatArray, FloatArray]:
     """Fractional indices of the nodes at many sun elevations.
 
     Parameters
     ----------
     dip : float
         Dip of the horizon, seen from the top of the shell. [deg]
-    suns : int
+    sun_angles : int
         Number of nodes.
 
     Returns
@@ -142,7 +142,7 @@ def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
     elevation : array, shape (n,)
         Elevations, ascending from -90 to 90. [deg]
     index : array, shape (n,)
-        Fractional indices, ascending from 0 to suns - 1. [1]
+        Fractional indices, ascending from 0 to sun angles - 1. [1]
     """
     width, shift = _WIDTH * dip, _SHIFT * dip
     t = np.linspace(asinh((shift - 90.0) / width), asinh((shift + 90.0) / width), _SAMPLES)
@@ -154,7 +154,7 @@ def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
     density = np.hypot(shadow, _smooth(elevation / dip) * width * np.cosh(t) / _DAY)
     steps = 0.5 * (density[1:] + density[:-1])
     index = np.concatenate([[0.0], np.cumsum(steps)])
-    return elevation, index * ((suns - 1) / index[-1])
+    return elevation, index * ((sun_angles - 1) / index[-1])
 
 
 def fading_places(elevation: FloatArray, nodes: FloatArray, rate: float) -> FloatArray:

@@ -52,7 +52,7 @@ def ground_light(mu_s, orders, light, work):
             work.columns_to_sun_high,
         )
     x = sun_index(mu_s, light.place)
-    place = min(int(x), light.suns - 2)
+    place = min(int(x), light.sun_angles - 2)
     for at in range(0, light.lanes, LANES):
         star, sky = splat(0.0), splat(0.0)
         if direct:
@@ -162,14 +162,14 @@ def sky_irradiance(r, mu_s, radii, light, out):
 
     ``radii`` are those of the solution's grid. [m]
     """
-    suns, lanes = light.suns, light.lanes
+    sun_angles, lanes = light.sun_angles, light.lanes
     for k in range(r.size):
         place = node_value(r[k], light.bottom, light.top, light.first_nodes, light.row)
         row = min(int(place), light.radii - 2)
         # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
         f = (r[k] - radii[row]) / (radii[row + 1] - radii[row])
         x = sun_index(mu_s[k], light.place)
-        sun = min(int(x), suns - 2)
+        sun = min(int(x), sun_angles - 2)
         e = x - sun
         for at in range(0, lanes, LANES):
             scale = splat(0.0)
@@ -177,7 +177,7 @@ def sky_irradiance(r, mu_s, radii, light, out):
             for corner in range(4):
                 up, right = corner // 2, corner % 2
                 weight = np.float32((f if up else 1.0 - f) * (e if right else 1.0 - e))
-                node = ((row + up) * suns + sun + right) * 2 * lanes + at
+                node = ((row + up) * sun_angles + sun + right) * 2 * lanes + at
                 scale = scale + weight * load(light.sky, node)
                 value = value + weight * load(light.sky, node + lanes)
             store(out[k], at, value / scale)

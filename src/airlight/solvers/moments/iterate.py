@@ -152,8 +152,8 @@ def solve_moments(
     check_limits(setup.optics)
     count = setup.medium.wavelengths.size
     radii = setup.gathering.radii.size
-    field = np.empty((radii, settings.suns, setup.terms, count), np.float32)
-    sky = np.empty((radii, settings.suns, count), np.float32)
+    field = np.empty((radii, settings.sun_angles, setup.terms, count), np.float32)
+    sky = np.empty((radii, settings.sun_angles, count), np.float32)
     residual = np.empty(count)
     most = hardest = 0
     done = 0

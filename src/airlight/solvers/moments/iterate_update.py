@@ -128,8 +128,8 @@ def convergence_quantities(
     before, after : array, shape (r, s, k, 8)
         Moments of a guess and of its iterate.
     """
-    radii, suns, terms, lanes = after.shape
-    earlier = np.empty((radii, suns, 1 + POLARISED, lanes), np.float32)
+    radii, sun_angles, terms, lanes = after.shape
+    earlier = np.empty((radii, sun_angles, 1 + POLARISED, lanes), np.float32)
     mean = np.empty_like(earlier)
     _fill_quantities(before, after, terms - POLARISED, earlier, mean)
     shape = (radii, -1, lanes)

@@ -319,7 +319,7 @@ def add_polarised_light(transmittance, mu, near, block, f, e, light, work, at, r
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     stokes_q, stokes_u = polarised_scattering_source(
         work.point_density, light.polarised_phase, light.field, mu, work.azimuth[0], near,
-        near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
+        near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip
     store(
@@ -381,10 +381,10 @@ def field_place(q, mu, mu_s, nu, light, work):
     x = node_value(q, light.bottom, light.top, light.first_nodes, light.row)
     row = min(int(x), light.radii - 2)
     y = sun_index(mu_s, light.place)
-    sun = min(int(y), light.suns - 2)
+    sun = min(int(y), light.sun_angles - 2)
     # A node holds a factor and the harmonics.
     block = light.lanes * (1 + (light.degree + 1) * (light.degree + 2) // 2 + POLARISED)
-    return (row * light.suns + sun) * block, block, x - row, y - sun
+    return (row * light.sun_angles + sun) * block, block, x - row, y - sun
 
 
 @inlined
@@ -403,6 +403,6 @@ def multiple_scattering_at(near, block, f, e, light, work, at):
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(
         work.point_density, light.moments, light.polarised_phase, light.field, work.functions, near,
-        near + light.suns * block, block, g * h, g * e, f * h, f * e, light.degree,
+        near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip

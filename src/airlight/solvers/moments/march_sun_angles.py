@@ -67,10 +67,10 @@ class SunAngleWorkspace(NamedTuple):
         Scattering coefficients at a point. [m⁻¹]
     factors : array, shape (k·w,)
         Harmonics of the line at a point times the moments' strengths. [m⁻¹]
-    orders : array, shape (suns·(N + 2)·w,)
+    orders : array, shape (sun_angles·(N + 2)·w,)
         Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
         field's scale, for each sun of the field.
-    made : array, shape (suns,)
+    made : array, shape (sun_angles,)
         Whether these are computed for the point.
     sums : array, shape (n·(4 + nc)·w,)
         Sums over the line for each sun angle: all light, three of ``add_peaks``, single scattering
@@ -107,8 +107,8 @@ def _new_workspace(light: MarchTables) -> SunAngleWorkspace:
         transmittance_once=np.empty(lanes, np.float32),
         scattering=np.empty(count * lanes, np.float32),
         factors=np.empty(moment_count(light.degree) * lanes, np.float32),
-        orders=np.empty(light.suns * (light.degree + 2) * lanes, np.float32),
-        made=np.empty(light.suns, np.bool_),
+        orders=np.empty(light.sun_angles * (light.degree + 2) * lanes, np.float32),
+        made=np.empty(light.sun_angles, np.bool_),
         sums=np.empty(_STARS * (4 + count) * lanes, np.float32),
     )
 
@@ -341,7 +341,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
                 _place_direction(mu_q, light, work, stars)
                 ready = True
             y = sun_index(mu_sq, light.place)
-            sun = min(int(y), light.suns - 2)
+            sun = min(int(y), light.sun_angles - 2)
             if not (stars.made[sun] and stars.made[sun + 1]):
                 _add_degrees(row, sun, f, light, stars)
             _add_multiple_scattering(
@@ -403,7 +403,7 @@ def _place_direction(mu, light, work, stars):
     lanes, degree = light.lanes, light.degree
     terms = (degree, light.start, light.ahead, light.back)
     legendre_functions(mu, terms, work.functions)
-    for node in range(light.suns):
+    for node in range(light.sun_angles):
         stars.made[node] = False
     for at in range(0, lanes, LANES):
         for l in range(degree + 1):
@@ -431,8 +431,8 @@ def _add_degrees(row, sun, f, light, stars):
     lanes, degree = light.lanes, light.degree
     last = (degree + 1) * (degree + 2) // 2
     block = lanes * (1 + last + POLARISED)
-    near = (row * light.suns + sun) * block
-    far = near + light.suns * block
+    near = (row * light.sun_angles + sun) * block
+    far = near + light.sun_angles * block
     g = np.float32(1.0) - f
     first = sun * (degree + 2) * lanes
     second = first + (degree + 2) * lanes

@@ -43,7 +43,7 @@ class MarchTables(NamedTuple):
     hides : int
         1 where panels that are out of sight have no points; 0 in a shader, whose lines run side by
         side.
-    constituents, degree, radii, suns, phase_nodes : int
+    constituents, degree, radii, sun_angles, phase_nodes : int
         Sizes of the tables.
     separated_1, separated_2 : int
         Constituents whose single scattering is also found without its phase function; -1 for none.
@@ -110,7 +110,7 @@ class MarchTables(NamedTuple):
     constituents: int
     degree: int
     radii: int
-    suns: int
+    sun_angles: int
     phase_nodes: int
     separated_1: Annotated[int, CHOICE]
     separated_2: Annotated[int, CHOICE]

@@ -109,18 +109,18 @@ def pack_light(
     received = positive(sky)
     if received.shape[0] > 1:
         received = refine(received[:, :, None], received, level, parts)[:, :, 0]
-    radii, suns, terms, lanes = field.shape
+    radii, sun_angles, terms, lanes = field.shape
     # One moment of eight wavelengths is a register, or two of four: see ``first_register``.
     order = np.arange(1 + terms)
     if narrow:
         order, lanes = pair_order(terms), HALF_LANES
-    shape = ((radii - 1) * parts + 1, suns, order.size, lanes)
+    shape = ((radii - 1) * parts + 1, sun_angles, order.size, lanes)
     packed = np.empty(shape, np.float32) if out is None else out.reshape(shape)
 
     def under(sun: int) -> None:
         _pack_sun(field[:, sun], mean[:, sun], level[sun], parts, order, packed[:, sun])
 
-    run_blocks(under, suns)
+    run_blocks(under, sun_angles)
     return packed.reshape(-1), as_ratios(received[..., None, :], received)
 
 

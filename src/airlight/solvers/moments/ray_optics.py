@@ -124,10 +124,10 @@ def star_at_end(ends, i, a, mu_s, nu):
 
 
 @inlined
-def sky_at(ground, mu_s, places, suns):
+def sky_at(ground, mu_s, places, sun_angles):
     """Irradiance of the ground by the light so far, from (s, E·s) per node. [1]"""
     x = sun_index(mu_s, places)
-    column = min(int(x), suns - 2)
+    column = min(int(x), sun_angles - 2)
     f = np.float32(x - column)
     g = np.float32(1.0) - f
     low = column * 2 * LANES

@@ -147,7 +147,7 @@ def fill_factors(
 
 @inlined
 def source_four_suns(
-    k, row, f, first, factors, suns, field, start, wide, highest, degree, rows, narrow
+    k, row, f, first, factors, sun_angles, field, start, wide, highest, degree, rows, narrow
 ):  # fmt: skip
     """Source function at a point of a ray, for four sun elevations.
 
@@ -161,8 +161,8 @@ def source_four_suns(
         Index of its first factor in ``factors``, in lanes.
     factors : array
         Factors from ``fill_factors``.
-    suns : int
-        Number of suns.
+    sun_angles : int
+        Number of sun angles.
     field : array
         As in ``sweep_radius``.
     start : int
@@ -184,13 +184,13 @@ def source_four_suns(
     block = (1 + all_wide + sent) * LANES
     node = (1 + terms) * LANES
     g = np.float32(1.0) - f
-    last = suns - 1
+    last = sun_angles - 1
     second, third, fourth = min(start + 1, last), min(start + 2, last), min(start + 3, last)
-    low = (row * suns + start) * node
-    up = suns * node
+    low = (row * sun_angles + start) * node
+    up = sun_angles * node
     to_second, to_third = (second - start) * node, (third - start) * node
     to_fourth = (fourth - start) * node
-    target = (k * suns + start) * block
+    target = (k * sun_angles + start) * block
     for m in range(wide):
         one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
         above_1, above_2, above_3, above_4 = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
@@ -216,9 +216,9 @@ def source_four_suns(
         store(rows, at + (third - start) * block, g * three + f * above_3)
         store(rows, at + (fourth - start) * block, g * four + f * above_4)
     for j in range(start, fourth + 1):
-        low = (row * suns + j) * node
+        low = (row * sun_angles + j) * node
         high = low + up
-        target = (k * suns + j) * block
+        target = (k * sun_angles + j) * block
         store(rows, target, g * load(field, low) + f * load(field, high))
         for m in range(orders):
             moment, here = coupled_moments(field, low, high, f, m, degree, narrow)

@@ -18,7 +18,7 @@ class Settings:
         Highest degree of the harmonics for air with thin aerosol.
     thick_degree : int
         Highest degree where forward peaks are scattered many times (dust, haze).
-    radii, suns : int
+    radii, sun_angles : int
         Nodes in radius and in sun elevation.
     zenith_angles : int
         Directions on each side of the local horizon in thick air.
@@ -54,7 +54,7 @@ class Settings:
     degree: int
     thick_degree: int
     radii: int
-    suns: int
+    sun_angles: int
     zenith_angles: int
     horizon_angles: int
     high_angles: int
@@ -83,7 +83,7 @@ QUALITIES: Final = {
         thick_degree=6,
         layer_degree=12,
         radii=14,
-        suns=36,
+        sun_angles=36,
         zenith_angles=6,
         horizon_angles=3,
         high_angles=4,  # as many as its thick degree needs: a fit crosses from one to the other
@@ -103,7 +103,7 @@ QUALITIES: Final = {
         degree=9,
         thick_degree=16,
         radii=24,
-        suns=58,
+        sun_angles=58,
         zenith_angles=12,
         horizon_angles=6,
         high_angles=5,
@@ -123,7 +123,7 @@ QUALITIES: Final = {
         thick_degree=24,
         layer_degree=24,
         radii=40,
-        suns=104,
+        sun_angles=104,
         zenith_angles=20,
         horizon_angles=10,
         high_angles=10,

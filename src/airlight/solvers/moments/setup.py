@@ -113,7 +113,7 @@ class Setup:
             medium.bottom_radius,
             medium.top_radius,
             settings.radii,
-            settings.suns,
+            settings.sun_angles,
             depths._replace(scattering=self.extinction_headroom * depths.scattering),
             medium.density.first_nodes,
         )

@@ -129,7 +129,7 @@ class MomentsSolution(Solution):
             constituents=len(medium.names),
             degree=expansion.degree,
             radii=grid.radii.size,
-            suns=grid.sun_cosines.size,
+            sun_angles=grid.sun_cosines.size,
             phase_nodes=medium.phase_table.shape[2],
             separated_1=-1,
             separated_2=-1,

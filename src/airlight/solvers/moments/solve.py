@@ -141,7 +141,7 @@ def solve_work(quality: str | Settings, wavelengths: int) -> float:
     settings = settings_for(quality)
     degree = settings.thick_degree
     rays = 2.0 * settings.zenith_angles * max(settings.azimuths, 3 * degree // 4)
-    points = settings.radii * settings.suns * rays * settings.nodes
+    points = settings.radii * settings.sun_angles * rays * settings.nodes
     return 5.0 * -(-wavelengths // LANES) * points * moment_count(degree)
 
 
@@ -159,13 +159,13 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
     """Moments in a cache file, or None if it holds something else."""
     try:
         degree, sweeps, scheme = (int(x) for x in arrays["counts"])
-        medium, suns = setup.medium, setup.settings.suns
+        medium, sun_angles = setup.medium, setup.settings.sun_angles
         count, radii = medium.wavelengths.size, setup.gathering.radii.size
-        shape = (radii, suns, moment_count(degree), count)
+        shape = (radii, sun_angles, moment_count(degree), count)
         sound = (
             arrays["field"].shape == shape
             and arrays["field"].dtype == np.float32
-            and arrays["sky"].shape == (radii, suns, count)
+            and arrays["sky"].shape == (radii, sun_angles, count)
             and arrays["residual"].shape == arrays["energy"].shape == (count,)
             and arrays["columns"].shape == setup.table_shape
             and bool(np.isfinite(arrays["field"]).all())

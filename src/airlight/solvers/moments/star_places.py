@@ -31,7 +31,7 @@ DISC_NODES: Final = 256
 
 @inlined
 def place_stars(
-    turned, first_point, points, azimuths, first, sine_s, mu_s, places, suns, columns, shares,
+    turned, first_point, points, azimuths, first, sine_s, mu_s, places, sun_angles, columns, shares,
     steps, sines,
 ):  # fmt: skip
     """Directions of the star at the points of a ray, for eight azimuths in the lanes.
@@ -53,7 +53,7 @@ def place_stars(
         Sine and cosine of the star's zenith angle at the start of the ray. [1]
     places : array
         ``Grid.place`` in single precision.
-    suns : int
+    sun_angles : int
         Number of sun elevations.
     columns, shares, steps, sines : array, shape (points·8,)
         Receive the node of the lower sun, the weight of the higher, and cosine and sine of the
@@ -70,7 +70,7 @@ def place_stars(
         node = minimum(floored(x), np.float32(places.size - 2))
         low = looked_up(places, node)
         index = low + (looked_up(places, node + np.float32(1.0)) - low) * (x - node)
-        node = minimum(floored(index), np.float32(suns - 2))
+        node = minimum(floored(index), np.float32(sun_angles - 2))
         store(columns, LANES * k, node)
         store(shares, LANES * k, index - node)
         scale = splat(1.0) / square_root(along * along + aside * aside + np.float32(1e-30))

@@ -73,7 +73,7 @@ def _sweep(
     ) = rays
     cosines, multiples, sines = azimuths
     extinction, moments, surface, _, polarised_phase = air
-    suns = sun_cosines.size
+    sun_angles = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
     harmonics = (degree + 1) * (degree + 2) // 2
@@ -92,7 +92,7 @@ def _sweep(
         most = max(most, starts[i, after] - starts[i, first_ray])
     for a in range(angles):
         longest = max(longest, starts[i, a + 1] - starts[i, a])
-    rows = np.empty(most * suns * block, np.float32)
+    rows = np.empty(most * sun_angles * block, np.float32)
     factors = np.empty(most * registers * LANES, np.float32)
     levels = np.empty(most, np.int64)
     fractions = np.empty(most, np.float32)
@@ -152,11 +152,11 @@ def _sweep(
                     wide_at[k] = registers_of(min(orders_of[ray], degrees_at[k] + 1), narrow)
             count = starts[i, min(a + together, angles)] - head
             by_level(levels, count, radii.size, order)
-            for start in range(0, suns, 4):
+            for start in range(0, sun_angles, 4):
                 for index in range(count):
                     k = order[index]
                     source_four_suns(
-                        k, levels[k], fractions[k], k * registers * LANES, factors, suns, field,
+                        k, levels[k], fractions[k], k * registers * LANES, factors, sun_angles, field,
                         start, wide_at[k], degrees_at[k], degree, rows, narrow,
                     )  # fmt: skip
         first = starts[i, a] - head
@@ -173,7 +173,7 @@ def _sweep(
             reflected = factor * INVERSE_PI * transmittance
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
-        for j in range(suns):
+        for j in range(sun_angles):
             mu_s = sun_cosines[j]
             sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
             azimuthal[:] = 0.0
@@ -182,13 +182,13 @@ def _sweep(
                 lane = b % LANES
                 if lane == 0:
                     place_stars(
-                        turned, first, points, around, b, sine_s, np.float32(mu_s), table, suns,
+                        turned, first, points, around, b, sine_s, np.float32(mu_s), table, sun_angles,
                         columns, shares, star_cosines, star_sines,
                     )  # fmt: skip
                 radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
                 for k in range(points):
                     at = LANES * k + lane
-                    low = ((first + k) * suns + int(columns[at])) * block
+                    low = ((first + k) * sun_angles + int(columns[at])) * block
                     light, point_q, point_u = source_at_point(
                         rows, low, low + block, shares[at], star_cosines[at], star_sines[at],
                         wide_at[first + k], degree, True, True, narrow,
@@ -207,7 +207,7 @@ def _sweep(
                 if below:
                     nu = star_from_ray(mu, mu_s, cosines[b])
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
-                    radiance = radiance + reflected * sky_at(ground, mu_sg, places, suns)
+                    radiance = radiance + reflected * sky_at(ground, mu_sg, places, sun_angles)
                 for m in range(orders):
                     at = LANES * m
                     store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)

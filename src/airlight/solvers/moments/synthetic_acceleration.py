@@ -139,13 +139,13 @@ class SyntheticAcceleration:
         two arrays, shapes (r, s, k, 8), (r, s, 8)
             Accelerated residual of moments and irradiances.
         """
-        radii, suns = field.shape[:2]
-        more = [np.empty((size, suns, LANES), np.float32) for size in self.sizes]
+        radii, sun_angles = field.shape[:2]
+        more = [np.empty((size, sun_angles, LANES), np.float32) for size in self.sizes]
         more_sky = np.empty_like(sky)
 
         def solve(index: int) -> None:
             m, first = index % (self.order + 1), index // (self.order + 1) * _SUNS
-            here = slice(first, min(first + _SUNS, suns))
+            here = slice(first, min(first + _SUNS, sun_angles))
             width = here.stop - first
             before = np.empty((self.sizes[m], width, LANES), np.float32)
             take_terms(field, sky, m, self.degree, first, before)
@@ -157,7 +157,7 @@ class SyntheticAcceleration:
                 multiply(self.to_sky.reshape(-1), after.reshape(-1), width, found)
                 more_sky[:, here] = found
 
-        run_blocks(solve, (self.order + 1) * -(-suns // _SUNS))
+        run_blocks(solve, (self.order + 1) * -(-sun_angles // _SUNS))
         spread = self.spread
         mean, received = np.ones_like(sky), np.ones_like(sky)
         if self.batch.deep:
@@ -190,7 +190,7 @@ class SyntheticAcceleration:
 
 @compiled_loop
 def take_terms(field, sky, m, degree, first, out):
-    """Take the moments of one m of some suns, and for m = 0 the ground's irradiance.
+    """Take the moments of one m of some sun angles, and for m = 0 the ground's irradiance.
 
     Parameters
     ----------
@@ -200,25 +200,25 @@ def take_terms(field, sky, m, degree, first, out):
         Order of the moments, and highest degree.
     first : int
         Index of the first sun.
-    out : array, shape (n, suns, 8)
+    out : array, shape (n, sun_angles, 8)
         Receives them by radius and then degree.
     """
-    row, suns = 0, out.shape[1]
+    row, sun_angles = 0, out.shape[1]
     given, taken = field.reshape(-1), out.reshape(-1)
     for i in range(field.shape[0]):
         for l in range(m, degree + 1):
-            for s in range(suns):
+            for s in range(sun_angles):
                 at = (i * field.shape[1] + first + s) * field.shape[2] + l * (l + 1) // 2 + m
-                store(taken, LANES * (row * suns + s), load(given, LANES * at))
+                store(taken, LANES * (row * sun_angles + s), load(given, LANES * at))
             row += 1
     if m == 0:
-        for s in range(suns):
-            store(taken, LANES * (row * suns + s), load(sky.reshape(-1), LANES * (first + s)))
+        for s in range(sun_angles):
+            store(taken, LANES * (row * sun_angles + s), load(sky.reshape(-1), LANES * (first + s)))
 
 
 @compiled_loop
 def spread_onto(matrix, values, terms, inner, scale, out):
-    """Add values at the suns, multiplied by a matrix (s, s) and by ``scale``, to some terms.
+    """Add values at the sun angles, multiplied by a matrix (s, s) and by ``scale``, to some terms.
 
     Parameters
     ----------
@@ -235,20 +235,20 @@ def spread_onto(matrix, values, terms, inner, scale, out):
     out : array, shape (s, k, 8)
         Receives the sums.
     """
-    suns = matrix.shape[0]
+    sun_angles = matrix.shape[0]
     for n in range(len(terms)):
-        for t in range(inner, suns - inner, 4):
+        for t in range(inner, sun_angles - inner, 4):
             # Four at a time, so that each value is loaded once for all of them.
-            second, third = min(t + 1, suns - 1), min(t + 2, suns - 1)
-            fourth = min(t + 3, suns - 1)
+            second, third = min(t + 1, sun_angles - 1), min(t + 2, sun_angles - 1)
+            fourth = min(t + 3, sun_angles - 1)
             one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
-            for s in range(suns):
-                value = load(values, LANES * (n * suns + s))
+            for s in range(sun_angles):
+                value = load(values, LANES * (n * sun_angles + s))
                 one = one + matrix[t, s] * value
                 two = two + matrix[second, s] * value
                 three = three + matrix[third, s] * value
                 four = four + matrix[fourth, s] * value
-            last = suns - inner
+            last = sun_angles - inner
             add_at(out, t, terms[n], one * load(scale[t], 0))
             if t + 1 < last:
                 add_at(out, t + 1, terms[n], two * load(scale[t + 1], 0))
@@ -266,21 +266,21 @@ def add_at(out, sun, term, value):
 
 
 @compiled_loop
-def multiply(matrix, values, suns, out):
+def multiply(matrix, values, sun_angles, out):
     """Multiply values (k, s, 8) by a matrix (r, k, 8) of each wavelength, into ``out`` (r, s, 8).
 
-    Matrix and values are flat; ``suns`` is the number s. Further values are left out.
+    Matrix and values are flat; ``sun_angles`` is the number s. Further values are left out.
     """
     flat = out.reshape(-1)
     radii = out.shape[0]
     terms = matrix.size // (radii * LANES)
     for r in range(radii):
-        for s in range(suns):
+        for s in range(sun_angles):
             total = splat(0.0)
             for k in range(terms):
                 factor = load(matrix, LANES * (r * terms + k))
-                total = total + factor * load(values, LANES * (k * suns + s))
-            store(flat, LANES * (r * suns + s), total)
+                total = total + factor * load(values, LANES * (k * sun_angles + s))
+            store(flat, LANES * (r * sun_angles + s), total)
 
 
 def lateral_diffusion_matrix(
@@ -302,10 +302,10 @@ def lateral_diffusion_matrix(
     diffusion_length, grid_diffusion : float
         L and λ over the planet's radius. [rad]
     """
-    suns = sun_cosines.size
-    spread, measure = np.zeros(suns * suns), np.empty(suns)
+    sun_angles = sun_cosines.size
+    spread, measure = np.zeros(sun_angles * sun_angles), np.empty(sun_angles)
     lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, spread, measure)
-    matrix = np.linalg.solve(spread.reshape(suns, suns), np.diag(measure))
+    matrix = np.linalg.solve(spread.reshape(sun_angles, sun_angles), np.diag(measure))
     return np.asarray(matrix, np.float32)
 
 
@@ -321,13 +321,13 @@ def lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, s
     measure : array, shape (s,)
         Receives the interval of cosines of each elevation's cell. [1]
     """
-    suns = sun_cosines.size
+    sun_angles = sun_cosines.size
     below = -1.0
-    for j in range(suns):
-        spread[j * suns + j] -= below
+    for j in range(sun_angles):
+        spread[j * sun_angles + j] -= below
         measure[j] = -below
         below = 1.0
-        if j < suns - 1:
+        if j < sun_angles - 1:
             angle, further = acos(sun_cosines[j]), acos(sun_cosines[j + 1])
             between, step = 0.5 * (angle + further), angle - further
             below = cos(between)
@@ -336,11 +336,11 @@ def lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, s
                 * sin(between)
                 / step
             )
-            spread[j * suns + j] += flux
-            spread[j * suns + j + 1] -= flux
-            spread[(j + 1) * suns + j] -= flux
-            spread[(j + 1) * suns + j + 1] += flux
-        spread[j * suns + j] += below
+            spread[j * sun_angles + j] += flux
+            spread[j * sun_angles + j + 1] -= flux
+            spread[(j + 1) * sun_angles + j] -= flux
+            spread[(j + 1) * sun_angles + j + 1] += flux
+        spread[j * sun_angles + j] += below
         measure[j] += below
 
 

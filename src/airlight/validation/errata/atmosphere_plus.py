@@ -39,7 +39,7 @@ SCALE_HEIGHT: Final = 8e3
 #: both sums are 0.4 % too low or too high together, so that their ratio is unaffected.
 _GROUND: Final = 0.3
 _COARSE: Final = Settings(
-    radii=10, views=12, suns=16, scatter_angles=6, zenith_steps=6, azimuth_steps=12, steps=12,
+    radii=10, views=12, sun_angles=16, scatter_angles=6, zenith_steps=6, azimuth_steps=12, steps=12,
     pass_steps=8, orders=12, keep_orders=False,
 )  # fmt: skip
 #: Radii of the later notes and of Bruneton. [m]

@@ -130,8 +130,8 @@ export class Solver {
     const { fixed, plan } = this;
     const { over_relaxation, iterates: most, least, tolerance } = fixed.synthetic;
     const { lateral_threshold, transport_depth_scale } = fixed.synthetic;
-    const { radii, suns, terms } = plan.sizes;
-    const nodes = radii * suns;
+    const { radii, sun_angles, terms } = plan.sizes;
+    const nodes = radii * sun_angles;
     const polarised = over_relaxation.map((_, i) => terms - over_relaxation.length + i);
     const synthetic = await this.synthetic(air);
     const first = await this.numbers("first");
@@ -155,7 +155,7 @@ export class Solver {
       const swept = await this.numbers(this.ring[0], plan.textures.light);
       const mean = momentOf(swept, nodes, terms, 0);
       if (!mean.some((x) => x > 0)) break;
-      const acceleration = accelerationWeights(mean, suns, thresholds);
+      const acceleration = accelerationWeights(mean, sun_angles, thresholds);
       const residual = swept.map((x, i) => x - light[i]);
       const accelerated = synthetic.apply(residual, swept);
       const iterate = light.map((value, i) => {
@@ -270,8 +270,8 @@ export class Solver {
 
   /** Promise of mean radiance and irradiance of the last iterate, and mean radiance of the guess. */
   async means() {
-    const { radii, suns } = this.plan.sizes;
-    const length = radii * suns * LANES;
+    const { radii, sun_angles } = this.plan.sizes;
+    const length = radii * sun_angles * LANES;
     const numbers = await this.device.read(this.textures.get("means"));
     return [0, 1, 2].map((part) => numbers.slice(part * length, (part + 1) * length));
   }
