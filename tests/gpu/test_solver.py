@@ -122,14 +122,14 @@ def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: flo
     zenith, azimuth = np.meshgrid(zenith, [0.0, 90.0, 180.0])
     for altitude in ALTITUDES:
         for elevation in ELEVATIONS:
-            sight = {
+            lines = {
                 "altitude": altitude * thickness,
                 "sun_zenith": 90.0 - elevation,
                 "view_zenith": zenith,
                 "azimuth": azimuth,
             }
-            expected = np.asarray(cpu.radiance(**sight))
-            got = np.asarray(gpu.radiance(**sight))
+            expected = np.asarray(cpu.radiance(**lines))
+            got = np.asarray(gpu.radiance(**lines))
             lit = expected > 1e-6
             message = f"at {altitude} thicknesses, sun at {elevation}°"
             assert_allclose(got[lit], expected[lit], rtol=rtol, err_msg=message)

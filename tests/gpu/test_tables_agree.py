@@ -403,7 +403,7 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
-        "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
+        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_shares", "ground_angles",
         "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
@@ -412,7 +412,7 @@ WHOLE = {
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
-        "bent_to_ground", "place_in_sky", "seen_line",
+        "bent_to_ground", "place_in_sky", "sky_lookup",
     ),
     "test_pictures.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",

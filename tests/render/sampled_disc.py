@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.geometry.bending import apparent_sun
-from airlight.render.sun_disc import leaving_direction, straight_sight, sun_solid_angle
+from airlight.render.sun_disc import leaving_direction, straight_lines, sun_solid_angle
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.tables.columns import columns
@@ -162,12 +162,12 @@ def _angle(directions: FloatArray, sun: FloatArray) -> FloatArray:
 
 def _through(directions: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
     """Transmittance to space along directions, 0 where the ground intervenes, (n, nl). [1]"""
-    sight, medium = straight_sight(directions, solution, altitude), solution.paths.medium
+    lines, medium = straight_lines(directions, solution, altitude), solution.paths.medium
     depth = columns(
-        sight.r, sight.mu, sight.length, medium.bottom_radius, medium.density, nodes=32, panels=12
+        lines.r, lines.mu, lines.length, medium.bottom_radius, medium.density, nodes=32, panels=12
     )
     through = np.exp(-(depth @ medium.extinction))
-    through[sight.to_ground] = 0.0
+    through[lines.to_ground] = 0.0
     return np.asarray(through)
 
 

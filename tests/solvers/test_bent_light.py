@@ -162,18 +162,18 @@ def bent(planet: Planet) -> MomentsSolution:
 
 
 @pytest.mark.parametrize(
-    "sight", [SIGHTS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in SIGHTS[1:])]
+    "line", [SIGHTS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in SIGHTS[1:])]
 )
 def test_light_scattered_once_follows_rays_traced_step_by_step(
-    sight: tuple[float, float, float, float], bent: MomentsSolution
+    line: tuple[float, float, float, float], bent: MomentsSolution
 ) -> None:
     # A second method, the ray equation in small steps: straight rays are off by up to 18 % here.
     # The march takes one scattering angle for the whole line, that at the observer: 0.2 %.
-    altitude, view, sun, azimuth = sight
+    altitude, view, sun, azimuth = line
     ours = bent.radiance(
         altitude=altitude, view_zenith=view, sun_zenith=sun, azimuth=azimuth, order=1
     )
-    assert_allclose(ours.item(), once_scattered(*sight), rtol=4e-3)
+    assert_allclose(ours.item(), once_scattered(*line), rtol=4e-3)
 
 
 @pytest.mark.parametrize("view", [0.0, 75.0, 89.0, 90.0])
@@ -235,22 +235,22 @@ def test_histories_are_bent_as_the_traced_ray_is(
 
 
 @pytest.mark.parametrize(
-    "sight", [SIGHTS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in SIGHTS[1:])]
+    "line", [SIGHTS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in SIGHTS[1:])]
 )
 def test_histories_scatter_bent_light(
-    sight: tuple[float, float, float, float],
+    line: tuple[float, float, float, float],
     histories: MonteCarloSolution,
     bent: MomentsSolution,
 ) -> None:
     # The first order is sampled along bent rays, and must be that of the ray equation; the sum of
     # all orders that of the moments solver, whose default is good to 0.5 % here. Three errors.
-    altitude, view, sun, azimuth = sight
+    altitude, view, sun, azimuth = line
     where = {"altitude": altitude, "view_zenith": view, "sun_zenith": sun, "azimuth": azimuth}
     found = histories.estimate(**where)
     first, error = (
         found[name].values.ravel()[0] for name in ("order_radiance", "order_standard_error")
     )
-    assert abs(first - once_scattered(*sight)) < 3.0 * error
+    assert abs(first - once_scattered(*line)) < 3.0 * error
     all_orders = bent.radiance(**where).item()
     allowed = 3.0 * found["standard_error"].item() + 5e-3 * all_orders
     assert abs(found["radiance"].item() - all_orders) < allowed

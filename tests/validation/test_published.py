@@ -134,7 +134,7 @@ class EvenGround(Solution):
     def __init__(self, solution: Solution) -> None:
         self.medium, self.report = solution.medium, solution.report
 
-    def relative_radiance(self, sight, *, order=None):  # type: ignore[no-untyped-def]
+    def relative_radiance(self, lines, *, order=None):  # type: ignore[no-untyped-def]
         raise NotImplementedError
 
     def relative_sky_irradiance(self, r, mu_s):  # type: ignore[no-untyped-def]

@@ -81,11 +81,11 @@ class SurroundingLight:
         rise, turn = np.array(nodes, float).T
         altitude = np.minimum(_HIGH * np.expm1(_RISE * rise), self._solution.medium.thickness)
         mu_s = np.clip(np.sinh(_TURN * turn) / _LEVEL, -1.0, 1.0)
-        sight, _ = self._solution.lines_of_sight(
+        lines, _ = self._solution.lines_of_sight(
             altitude=altitude[:, None], sun_zenith=np.degrees(np.arccos(mu_s))[:, None],
             view_zenith=np.degrees(np.arccos(z))[None, :], azimuth=np.degrees(around)[None, :],
         )  # fmt: skip
-        light = self._solution.relative_radiance(sight).reshape(len(nodes), z.size, -1)
+        light = self._solution.relative_radiance(lines).reshape(len(nodes), z.size, -1)
         for node, one in zip(nodes, light, strict=True):
             self._nodes[node] = basis.T @ one
 

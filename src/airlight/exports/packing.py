@@ -145,24 +145,24 @@ def split_once(air: AirLight, positions: Positions, parts: Parts, *, each: bool)
     to the solution's first order where that is mostly theirs.
     """
     medium = air.solution.medium
-    sight = lines_of_sight(positions, medium)
+    lines = lines_of_sight(positions, medium)
     kinds = len(parts.phases.names) - 1
     if not air.has_first:
-        light = air(sight)
+        light = air(lines)
         nothing = np.zeros((len(positions), kinds, light.shape[-1]))
         return Split(np.zeros_like(light), light, nothing, light)
     own = medium.phase_function(positions.nu)
     gas, particles = list(parts.gas), list(parts.particles)
     if air.apart:
-        once, rest = air.once_and_rest(sight)
+        once, rest = air.once_and_rest(lines)
         from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
         dust = once[:, particles]
         if kinds and not each:
             from_particles = (own[:, particles] * dust).sum(axis=1)
             dust = (from_particles / parts.phases.at("particles", positions.nu))[:, None]
         return Split(from_gas / parts.phases.at("gas", positions.nu), rest, dust, rest)
-    light, first = air.with_first(sight)
-    once = scattered_once(medium, sight)
+    light, first = air.with_first(lines)
+    once = scattered_once(medium, lines)
     if each:  # as in the look-up
         for kind, index in zip(parts.phases.names[1:], particles, strict=True):
             own[:, index] = parts.phases.at(kind, positions.nu)

@@ -130,12 +130,12 @@ def _reflected(solution: Solution, phase: float, points: int) -> FloatArray:
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     made = disc_points(ground_edge(solution.paths), top, phase, points)
-    sight = disc_lines(made.impact, made.position, phase, bottom, top)
+    lines = disc_lines(made.impact, made.position, phase, bottom, top)
     if not solution.polarised:
-        whole = made.area @ solution.relative_radiance(sight)
+        whole = made.area @ solution.relative_radiance(lines)
         return np.stack([whole, np.zeros_like(whole)])
     # a line's e_θ is opposite to its position angle's side, its e_φ ahead of that
-    i, q, u = np.moveaxis(solution.relative_stokes(sight), 1, 0)
+    i, q, u = np.moveaxis(solution.relative_stokes(lines), 1, 0)
     turn = 2.0 * made.position[:, None]
     return np.stack([made.area @ i, -(made.area @ (q * np.cos(turn) + u * np.sin(turn)))])
 

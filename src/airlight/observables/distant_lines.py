@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
 
 
 def lines_into_shell(
     impact: FloatArray, mu_s: FloatArray, nu: FloatArray, bottom: float, top: float
-) -> Sight:
+) -> LinesOfSight:
     """Lines of sight from the points where they enter the shell.
 
     Parameters
@@ -32,7 +32,7 @@ def lines_into_shell(
     sine = np.minimum(impact / top, 1.0)
     mu = -np.sqrt((1.0 - sine) * (1.0 + sine))
     r = np.full(mu.shape, top)
-    return Sight(
+    return LinesOfSight(
         r, mu, np.clip(mu_s, -1.0, 1.0), np.clip(nu, -1.0, 1.0),
         vectorized(ray_length)(r, mu, bottom, top), vectorized(meets_ground)(r, mu, bottom),
     )  # fmt: skip
@@ -40,7 +40,7 @@ def lines_into_shell(
 
 def disc_lines(
     impact: FloatArray, position: FloatArray, phase: float, bottom: float, top: float
-) -> Sight:
+) -> LinesOfSight:
     """Lines of sight over the disc of a planet at a phase angle.
 
     With z towards the observer and x towards the sun's side of the disc, the sun is at

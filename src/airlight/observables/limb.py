@@ -58,6 +58,6 @@ def limb_radiance(
     across = np.sin(np.radians(sun)) * np.cos(np.radians(around))
     half_chord = np.sqrt(np.maximum((top - impact) * (top + impact), 0.0))
     mu_s = (impact * np.cos(np.radians(sun)) - half_chord * across) / top
-    sight = lines_into_shell(impact.ravel(), mu_s.ravel(), across.ravel(), bottom, top)
-    values = solution.relative_radiance(sight) * solution.lights[0].irradiance
+    lines = lines_into_shell(impact.ravel(), mu_s.ravel(), across.ravel(), bottom, top)
+    values = solution.relative_radiance(lines) * solution.lights[0].irradiance
     return np.asarray(values.reshape(*height.shape, -1))

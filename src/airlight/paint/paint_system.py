@@ -227,7 +227,7 @@ class _Picture:
             brightest = max(brightest, float(source.irradiance.max()))
             if source.irradiance.max() <= _FAINTEST * brightest:
                 continue
-            lit = solution.lit_by(source, beside=number > 0)
+            lit = solution.with_light(source, secondary=number > 0)
             local = level_axes(up, self.lights.towards(light, body.centre[None])[0])
             scene = self._scene(body, light, up, local, latitude, longitude, altitude)
             drawing = planet_drawing(

@@ -244,7 +244,7 @@ def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
     """
     names = ("lamp_red", "lamp_green", "lamp_blue")
     star = solution.lights[0]
-    if solution.beside:
+    if solution.secondary:
         return dict.fromkeys(names, 0.0)
     eye = np.arange(360.0, 831.0)
     color = np.maximum(sun_color(planck_radiance(eye, LAMP_TEMPERATURE)), 0.0)

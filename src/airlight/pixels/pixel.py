@@ -234,7 +234,7 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
 
 
 @inlined
-def sight(x, y, z, observer, light):
+def classify_ray(x, y, z, observer, light):
     """Classify a line of sight, and find its row in the table of the sky.
 
     Parameters
@@ -272,7 +272,7 @@ def place_in_sky(x, y, row, to_ground, window):
     x, y : float
         Horizontal components of its direction in the observer's frame. [1]
     row, to_ground : float, bool
-        Results of ``sight``.
+        Results of ``classify_ray``.
     window : SkyWindow
         Available part.
 
@@ -295,7 +295,7 @@ def place_in_sky(x, y, row, to_ground, window):
 
 
 @inlined
-def seen_line(
+def sky_lookup(
     x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
 ):  # fmt: skip
     """Find the air's light along a line of sight, and that of a white ground behind it.
@@ -305,7 +305,7 @@ def seen_line(
     x, y, z : float
         Its direction in the observer's frame. [1]
     sine, row, to_ground : float, float, bool
-        Results of ``sight``.
+        Results of ``classify_ray``.
     exact, window, observer, screen, light, work :
         Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
         the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
@@ -394,11 +394,11 @@ def pixel_light(
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    sine, row, through_air, to_ground = sight(x, y, z, observer, light)
+    sine, row, through_air, to_ground = classify_ray(x, y, z, observer, light)
     through_air = through_air and screen.draws_air
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
-        bent = seen_line(
+        bent = sky_lookup(
             x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
         )
         if to_ground:

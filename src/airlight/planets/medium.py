@@ -152,7 +152,7 @@ class Medium:
         )
         return (star,)
 
-    def lit_by(self, source: LightSource) -> Medium:
+    def with_light(self, source: LightSource) -> Medium:
         """Medium under another light source, sampled at the same wavelengths."""
         other = copy.copy(self)
         object.__setattr__(other, "solar_irradiance", source.irradiance)

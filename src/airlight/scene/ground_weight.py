@@ -54,7 +54,7 @@ class _Legs(NamedTuple):
     ----------
     impact : array
         Distance at which the line passes the planet's centre. [m]
-    sight, entry : array
+    observer, entry : array
         Distances along the line, from its lowest point, of the observer, and of the point where it
         enters the air. [m]
     solid : array
@@ -66,7 +66,7 @@ class _Legs(NamedTuple):
     """
 
     impact: FloatArray
-    sight: FloatArray
+    observer: FloatArray
     entry: FloatArray
     solid: FloatArray
     low: FloatArray
@@ -145,7 +145,7 @@ def _lit_air(medium: Medium, altitude: float) -> tuple[FloatArray, FloatArray, F
     through = _through(medium, start, legs.entry / start, np.maximum(along - legs.entry, 0.0))
     scattering, _ = _even_air(medium)
     density = (scattering @ medium.density.at((radius - bottom).ravel())).reshape(radius.shape)
-    angle = np.arctan2(along, legs.impact) - np.arctan2(legs.sight, legs.impact)
+    angle = np.arctan2(along, legs.impact) - np.arctan2(legs.observer, legs.impact)
     weight = legs.solid * step * through * density
     return angle.ravel(), radius.ravel(), weight.ravel()
 
@@ -164,12 +164,12 @@ def _legs(r: float, bottom: float, top: float, lines: int) -> _Legs:
     for first, last in ranges:
         nodes, solid = first + (last - first) * rule.nodes, (last - first) * rule.weights
         if r > top:
-            impact, sight = np.sqrt(nodes), -np.sqrt(r * r - nodes)
-            solid, entry = 0.5 * solid / (-sight * r), -np.sqrt(top * top - nodes)
+            impact, observer = np.sqrt(nodes), -np.sqrt(r * r - nodes)
+            solid, entry = 0.5 * solid / (-observer * r), -np.sqrt(top * top - nodes)
         else:
-            impact, sight = r * np.sqrt((1.0 - nodes) * (1.0 + nodes)), r * nodes
-            entry = sight
-        line = impact, sight, entry, solid
+            impact, observer = r * np.sqrt((1.0 - nodes) * (1.0 + nodes)), r * nodes
+            entry = observer
+        line = impact, observer, entry, solid
         if first >= 0.0 and r <= top:
             rows.append((*line, start, top, 1.0))
         elif np.all(impact < bottom):

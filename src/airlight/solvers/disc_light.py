@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.solvers.sight import enter_shell
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
@@ -66,7 +66,7 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
     angle = np.radians(phase)
     mu_s = np.full(sine.size, np.cos(angle))
     nu = mu * mu_s + sine * np.sin(angle) * np.cos(azimuth)
-    sight = enter_shell(np.full(sine.size, far), mu, sine, mu_s, nu, bottom, top)
-    radiance = solution.relative_radiance(sight)
+    lines = enter_shell(np.full(sine.size, far), mu, sine, mu_s, nu, bottom, top)
+    radiance = solution.relative_radiance(lines)
     share = np.repeat(weight, _TURN) * np.tile(2.0 * np.pi * turn.weights, impact.size)
     return np.asarray(share @ radiance) / bottom**2

@@ -18,7 +18,7 @@ from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, vectorized
 from airlight.optics.bent_density import RefractingShell
 from airlight.planets.medium import Medium
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.tables.columns import columns
 from airlight.tables.refraction_table import NONE, bending, refraction_table
 
@@ -76,23 +76,23 @@ class RefractedGeometry:
         excess = cubic_curve(shell.altitude, shell.optical, slopes, inside)
         return np.asarray(np.where(altitude > inside, r, excess))
 
-    def sight(self, sight: Sight) -> Sight:
+    def optical_lines(self, lines: LinesOfSight) -> LinesOfSight:
         """Lines of sight as straight lines, each to the ground or to the top of the shell."""
         if self.shell is None:
-            return sight
-        x = self.optical_radius(sight.r)
-        missed = (sight.length <= 0.0) & ~sight.to_ground
+            return lines
+        x = self.optical_radius(lines.r)
+        missed = (lines.length <= 0.0) & ~lines.to_ground
         bottom, top = self.shell.bottom, self.shell.top
-        to_ground = vectorized(meets_ground)(x, sight.mu, bottom) & ~missed
-        length = np.where(missed, 0.0, vectorized(ray_length)(x, sight.mu, bottom, top))
-        return replace(sight, r=x, length=length, to_ground=to_ground)
+        to_ground = vectorized(meets_ground)(x, lines.mu, bottom) & ~missed
+        length = np.where(missed, 0.0, vectorized(ray_length)(x, lines.mu, bottom, top))
+        return replace(lines, r=x, length=length, to_ground=to_ground)
 
-    def apparent_nu(self, sight: Sight) -> FloatArray:
+    def apparent_nu(self, lines: LinesOfSight) -> FloatArray:
         """Cosines between lines of sight and the apparent star, shape (n,). [1]"""
         if self.shell is None:
-            return sight.nu
-        out = np.empty(sight.nu.size)
-        arrays = (sight.r, sight.mu, sight.mu_s, sight.nu)
+            return lines.nu
+        out = np.empty(lines.nu.size)
+        arrays = (lines.r, lines.mu, lines.mu_s, lines.nu)
         _apparent_nu(*arrays, self.shell.bottom, self.shell.top, self.lift, out)
         return out
 

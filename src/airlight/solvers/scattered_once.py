@@ -21,8 +21,8 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii, layer_ends
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import require_no_refraction
-from airlight.solvers.sight import Sight
 from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
 from airlight.tables.columns import (
     TABLE_SHAPE,
@@ -43,8 +43,8 @@ _BLOCK: Final = 2048
 
 
 @compiled_loop
-def _scattered(sight, panels, rule, ends, shell, star_radius, optics, tables, workspace, out):
-    r, mu, mu_s, nu, length = sight
+def _scattered(lines, panels, rule, ends, shell, star_radius, optics, tables, workspace, out):
+    r, mu, mu_s, nu, length = lines
     bottom, top = shell
     scattering, extinction, strongest = optics
     nodes, rows, sun_table = tables
@@ -77,14 +77,16 @@ def _scattered(sight, panels, rule, ends, shell, star_radius, optics, tables, wo
                     out[p, c, w] += scattering[c, w] * density[c, k] * light
 
 
-def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None) -> FloatArray:
+def scattered_once(
+    medium: Medium, lines: LinesOfSight, *, cancel: Cancel | None = None
+) -> FloatArray:
     """Light of the star scattered once by each constituent, without its phase function.
 
     Parameters
     ----------
     medium : Medium
         Medium of the planet.
-    sight : Sight
+    lines : LinesOfSight
         Lines of sight, n of them.
     cancel : callable, optional
         Called often; True stops with ``Cancelled``.
@@ -106,7 +108,7 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
     rule = gauss_legendre(_NODES).as_tuple()
     optics = (medium.scattering, medium.extinction, medium.extinction.max(axis=1))
     constituents = len(medium.names)
-    n = sight.r.size
+    n = lines.r.size
     out = np.empty((n, constituents, medium.wavelengths.size))
 
     def block(index: int) -> None:
@@ -116,9 +118,11 @@ def scattered_once(medium: Medium, sight: Sight, *, cancel: Cancel | None = None
             np.empty(MAX_EDGES),
             np.empty(constituents),
         )
-        lines = tuple(x[rows] for x in (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length))
+        block_lines = tuple(
+            x[rows] for x in (lines.r, lines.mu, lines.mu_s, lines.nu, lines.length)
+        )
         _scattered(
-            lines, _PANELS, rule, ends, (bottom, top), medium.lights[0].angular_radius, optics,
+            block_lines, _PANELS, rule, ends, (bottom, top), medium.lights[0].angular_radius, optics,
             tables, workspace, out[rows],
         )  # fmt: skip
 

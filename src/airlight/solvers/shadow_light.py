@@ -27,7 +27,7 @@ from airlight.errors import ParameterError
 from airlight.geometry.disc_overlap import covered_half_arc, visible_light
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import vectorized
-from airlight.solvers.sight import enter_shell
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.solution import Solution
 from airlight.spectra.limb_darkening import UNIFORM
 from airlight.tables.columns import columns
@@ -162,8 +162,8 @@ class ShadowLight:
         mu = -np.sqrt((1.0 - sine) * (1.0 + sine))
         mu_s = np.full(sine.size, -np.cos(separation))
         nu = mu * mu_s + sine * np.sin(separation) * np.cos(azimuth)
-        sight = enter_shell(np.full(sine.size, d), mu, sine, mu_s, nu, bottom, top)
-        radiance = solution.relative_radiance(sight)
+        lines = enter_shell(np.full(sine.size, d), mu, sine, mu_s, nu, bottom, top)
+        radiance = solution.relative_radiance(lines)
         share = np.repeat(weight, _POSITIONS) * np.tile(2.0 * np.pi * azimuths.weights, _HEIGHTS)
         return np.asarray(share @ radiance)
 

@@ -34,8 +34,8 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
 from airlight.optics.reflection import leaving_cosine, star_factors
 from airlight.planets.medium import Medium
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import require_no_refraction
-from airlight.solvers.sight import Sight
 from airlight.solvers.star_light import (
     PANELS,
     direct_irradiance,
@@ -140,8 +140,8 @@ def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
 
 
 @compiled_loop
-def _scattered(sight, star_radius, shell, density, extinction, rules, workspace, out):
-    all_r, all_mu, all_mu_s, all_nu, lengths = sight
+def _scattered(lines, star_radius, shell, density, extinction, rules, workspace, out):
+    all_r, all_mu, all_mu_s, all_nu, lengths = lines
     constituents, wavelengths = extinction.shape
     n = rules[2][0].size
     scratch = (np.empty((constituents, n)), np.empty(constituents), np.empty(wavelengths))
@@ -214,7 +214,7 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, workspace,
 
 def single_scattering(
     medium: Medium,
-    sight: Sight,
+    lines: LinesOfSight,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -225,7 +225,7 @@ def single_scattering(
     ----------
     medium : Medium
         Medium of the planet.
-    sight : Sight
+    lines : LinesOfSight
         Lines of sight.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
@@ -243,8 +243,8 @@ def single_scattering(
     """
     require_no_refraction(medium, "single scattering by quadrature")
     constituents, wavelengths = medium.scattering.shape
-    out = np.zeros((sight.r.size, constituents, wavelengths))
-    arrays = (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length)
+    out = np.zeros((lines.r.size, constituents, wavelengths))
+    arrays = (lines.r, lines.mu, lines.mu_s, lines.nu, lines.length)
     rules = (*star_rules(), gauss_legendre(_NODES).as_tuple())
 
     def run(index: int) -> None:
@@ -261,7 +261,7 @@ def single_scattering(
         )
 
     run_blocks(
-        run, -(-sight.r.size // _BLOCK), cancel=cancel, progress=progress,
+        run, -(-lines.r.size // _BLOCK), cancel=cancel, progress=progress,
         message="single scattering",
     )  # fmt: skip
     return np.asarray(out * medium.scattering)
@@ -289,14 +289,14 @@ def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
             out[k, i] = total
 
 
-def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
+def reflected_once(medium: Medium, lines: LinesOfSight) -> FloatArray:
     """Light of the star reflected once by the ground and transmitted to the observer.
 
     Parameters
     ----------
     medium : Medium
         Medium with the planet's ground; its mean albedo is used, not a map.
-    sight : Sight
+    lines : LinesOfSight
         Lines of sight.
 
     Returns
@@ -305,12 +305,12 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
         Radiance per irradiance of the star: albedo/π T E_direct; 0 where the line does not end
         on the ground. [sr⁻¹]
     """
-    out = np.zeros((sight.r.size, medium.wavelengths.size))
-    hits = np.flatnonzero(sight.to_ground)
+    out = np.zeros((lines.r.size, medium.wavelengths.size))
+    hits = np.flatnonzero(lines.to_ground)
     if hits.size == 0:
         return out
     bottom = medium.bottom_radius
-    r, mu, length = sight.r[hits], sight.mu[hits], sight.length[hits]
+    r, mu, length = lines.r[hits], lines.mu[hits], lines.length[hits]
     column = np.empty((hits.size, medium.extinction.shape[0]))
     _ground_columns(
         r,
@@ -321,10 +321,10 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
         new_workspace(),
         column,
     )
-    mu_s = np.clip((r * sight.mu_s[hits] + length * sight.nu[hits]) / bottom, -1.0, 1.0)
+    mu_s = np.clip((r * lines.mu_s[hits] + length * lines.nu[hits]) / bottom, -1.0, 1.0)
     direct = direct_irradiance(medium, np.full(hits.size, bottom), mu_s)
     factor = np.empty_like(direct)
     leaving = vectorized(leaving_cosine)(r, mu, bottom)
-    star_factors(medium.ground, mu_s, leaving, sight.nu[hits], factor)
+    star_factors(medium.ground, mu_s, leaving, lines.nu[hits], factor)
     out[hits] = factor / np.pi * np.exp(-(column @ medium.extinction)) * direct
     return out

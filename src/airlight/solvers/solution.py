@@ -21,10 +21,10 @@ from airlight.optics.air_mass import air_mass_pickering2002
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solvers.named_axes import Argument, NamedAxes
 from airlight.solvers.provenance import provenance
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.stokes_frame import STOKES, to_meridian
 from airlight.tables.columns import columns
 
@@ -109,7 +109,7 @@ class Solution(ABC):
     planet: Planet | None = None
     _source: LightSource | None = None
     #: Whether this is the light of a source beside the first one of a picture, without its lamps.
-    beside: bool = False
+    secondary: bool = False
 
     def __repr__(self) -> str:
         name = "a medium" if self.planet is None else self.planet.name
@@ -152,7 +152,7 @@ class Solution(ABC):
             )
         )
 
-    def lit_by(self, source: LightSource, *, beside: bool = False) -> Self:
+    def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
         """Solution under another light source.
 
         Light scattered once and the ground's direct light have the source's own disc. Light that
@@ -162,19 +162,19 @@ class Solution(ABC):
         ----------
         source : LightSource
             Source, sampled at the solution's wavelengths.
-        beside : bool
+        secondary : bool
             Whether it shines beside another one, whose picture has the lamps of towns.
         """
         other = copy.copy(self)
-        other.medium, other._source = self.medium.lit_by(source), source
-        other.beside = beside
+        other.medium, other._source = self.medium.with_light(source), source
+        other.secondary = secondary
         return other
 
     #: Largest order that can be requested separately.
     highest_order: int = 1
 
     @abstractmethod
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """Radiance per irradiance of the star along lines of sight, shape (n, nl). [sr⁻¹]
 
         ``order`` selects the light scattered or reflected exactly that many times.
@@ -185,7 +185,7 @@ class Solution(ABC):
         """Whether the light is polarised; else transfer is scalar."""
         return False
 
-    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """I, Q and U per irradiance of the star, shape (n, 3, nl), where ``polarised``. [sr⁻¹]
 
         Azimuths count as 0 to 180, see ``stokes_frame``.
@@ -255,14 +255,14 @@ class Solution(ABC):
             If a value is out of its range, the shapes do not broadcast, or polarised light is
             requested of scalar transfer.
         """
-        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        arrays, lines, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
         self.check_order(order)
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         if not stokes:
-            values = self.relative_radiance(sight, order=order) * sun
+            values = self.relative_radiance(lines, order=order) * sun
             return self._labelled(values, axes, "radiance", unit)
         self.check_polarised()
-        found = to_meridian(self.relative_stokes(sight, order=order), *arrays[2:]) * sun
+        found = to_meridian(self.relative_stokes(lines, order=order), *arrays[2:]) * sun
         return self._labelled(found, axes.beside("stokes", STOKES), "radiance", unit)
 
     def check_polarised(self) -> None:
@@ -285,7 +285,7 @@ class Solution(ABC):
         sun_zenith: Measures,
         view_zenith: Measures,
         azimuth: Measures = 0.0,
-    ) -> tuple[Sight, NamedAxes]:
+    ) -> tuple[LinesOfSight, NamedAxes]:
         """Lines of sight inside the shell as flat arrays, and the axes of the inputs.
 
         Parameters
@@ -306,7 +306,7 @@ class Solution(ABC):
         sun_zenith: Measures,
         view_zenith: Measures,
         azimuth: Measures,
-    ) -> tuple[list[FloatArray], Sight, NamedAxes]:
+    ) -> tuple[list[FloatArray], LinesOfSight, NamedAxes]:
         """Arguments of ``radiance`` as flat arrays, and results of ``lines_of_sight``."""
         arrays, axes = NamedAxes.of(
             altitude=Argument(altitude, 0.0, HIGHEST, "m"),
@@ -318,8 +318,8 @@ class Solution(ABC):
         mu, mu_s = np.cos(view), np.cos(sun)
         nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
-        sight = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
-        return arrays, sight, axes
+        lines = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
+        return arrays, lines, axes
 
     def transmittance(
         self,
@@ -362,19 +362,19 @@ class Solution(ABC):
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
         r, view = bottom + arrays[0], np.radians(arrays[1])
         mu, sine, zero = np.cos(view), np.sin(view), np.zeros_like(view)
-        sight = self.paths.sight(enter_shell(r, mu, sine, zero, zero, bottom, top))
-        length = sight.length
-        blocked = sight.to_ground
+        lines = self.paths.optical_lines(enter_shell(r, mu, sine, zero, zero, bottom, top))
+        length = lines.length
+        blocked = lines.to_ground
         if distance is not None:
             half_chord = np.sqrt(np.maximum(top**2 - (r * sine) ** 2, 0.0))
             way = np.where(r > top, -r * mu - half_chord, 0.0)
             asked = self.paths.optical_length(
-                sight.r, sight.mu, np.maximum(arrays[2] - way, 0.0), length
+                lines.r, lines.mu, np.maximum(arrays[2] - way, 0.0), length
             )
             blocked = blocked & (asked > length * (1.0 + 1e-12))
             length = np.minimum(length, asked)
         drawn = self.paths.medium
-        depth = columns(sight.r, sight.mu, length, drawn.bottom_radius, drawn.density)
+        depth = columns(lines.r, lines.mu, length, drawn.bottom_radius, drawn.density)
         if air_mass is not None:
             self._replace_air_mass(depth, air_mass, arrays[0], arrays[1], distance)
         values = np.exp(-(depth @ drawn.extinction))

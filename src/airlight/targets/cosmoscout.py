@@ -202,8 +202,8 @@ def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
     medium, paths = solution.medium, solution.paths
     layout = TransmittanceLayout(bottom_radius=medium.bottom_radius, top_radius=medium.top_radius)
     at = layout.positions()
-    sight = lines_of_sight(at, medium)
-    x, mu, length = at.r, at.mu, sight.length
+    lines = lines_of_sight(at, medium)
+    x, mu, length = at.r, at.mu, lines.length
     drawn = paths.medium
     if paths.shell is not None:
         # A ray that would meet the ground is taken as the one that grazes it: CosmoScout cuts it

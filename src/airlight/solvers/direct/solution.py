@@ -33,8 +33,8 @@ from airlight.solvers.direct.orders import Orders, solve_orders
 from airlight.solvers.direct.passes import add_ground, direct_light, reflected
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import without_refraction
-from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 
 FloatArray = NDArray[np.float64]
@@ -89,11 +89,11 @@ class DirectSolution(Solution):
             note=note,
         )
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; each order up to ``highest_order``, or all together."""
-        out = np.zeros((sight.r.size, self.wavelengths.size))
+        out = np.zeros((lines.r.size, self.wavelengths.size))
         for (medium, orders), air in zip(self.parts, self._airs, strict=True):
-            out += _radiance(medium, orders, air, self.settings, sight, order)
+            out += _radiance(medium, orders, air, self.settings, lines, order)
         return out
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
@@ -119,10 +119,10 @@ class DirectSolution(Solution):
                 (self.medium.top_radius - r[k]) * (self.medium.top_radius + r[k]) + (r[k] * mu) ** 2
             )
             nu = np.clip(mu * mu_s[k] + sine * around, -1.0, 1.0)
-            sight = Sight(
+            lines = LinesOfSight(
                 same * r[k], mu, same * mu_s[k], nu, length, np.zeros(mu.size, dtype=bool)
             )
-            out[k] = (weights.ravel() * mu) @ self.relative_radiance(sight)
+            out[k] = (weights.ravel() * mu) @ self.relative_radiance(lines)
         return out
 
 
@@ -131,10 +131,10 @@ def _radiance(
     orders: Orders,
     air: LineOptics,
     settings: Settings,
-    sight: Sight,
+    lines: LinesOfSight,
     order: int | None,
 ) -> FloatArray:
-    n, wavelengths = sight.r.size, medium.wavelengths.size
+    n, wavelengths = lines.r.size, medium.wavelengths.size
     out = np.zeros((n, wavelengths))
     once = order is None or order == 1
     table, ground = orders.total, orders.ground
@@ -147,14 +147,14 @@ def _radiance(
 
     def block(index: int) -> None:
         rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
-        phase = medium.phase_function(sight.nu[rows])[:, scatterers]
+        phase = medium.phase_function(lines.nu[rows])[:, scatterers]
         _lines(
-            sight.r[rows],
-            sight.mu[rows],
-            sight.mu_s[rows],
-            sight.nu[rows],
-            sight.length[rows],
-            sight.to_ground[rows],
+            lines.r[rows],
+            lines.mu[rows],
+            lines.mu_s[rows],
+            lines.nu[rows],
+            lines.length[rows],
+            lines.to_ground[rows],
             np.ascontiguousarray(phase.reshape(phase.shape[0], -1)),
             once,
             gathered,

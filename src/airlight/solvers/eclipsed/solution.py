@@ -18,10 +18,10 @@ from airlight.solvers.eclipsed.shadow_tables import (
     new_shadow_workspace,
     shadow_axes,
 )
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.moments.march_tables import new_workspace
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import enter_shell
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -94,11 +94,11 @@ class EclipsedSolution:
         towards = np.array([self._star.star_x, self._star.star_y, self._star.star_z])
         mu = np.clip(np.einsum("nk,nk->n", up, along), -1.0, 1.0)
         sine = np.linalg.norm(np.cross(up, along), axis=-1)
-        sight = enter_shell(
+        lines = enter_shell(
             r, mu, sine, np.clip(up @ towards, -1.0, 1.0), np.clip(along @ towards, -1.0, 1.0),
             solution.medium.bottom_radius, solution.medium.top_radius,
         )  # fmt: skip
-        drawn = paths.sight(sight)
+        drawn = paths.optical_lines(lines)
         seen = paths.apparent_nu(drawn)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))
         phase = pack(paths.medium.phase_function(seen)).reshape(r.size, -1)

@@ -21,6 +21,7 @@ from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
 from airlight.optics.altitude_nodes import node_value
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.forward_peak import add_peaks, peak_fraction, peak_gain
 from airlight.solvers.moments.harmonics import (
     ELEMENTS,
@@ -36,7 +37,6 @@ from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.source import direct_beam, transmittance_columns
-from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -114,14 +114,14 @@ def _new_workspace(light: MarchTables) -> SunAngleWorkspace:
 
 
 def scattering_by_constituent(
-    solution: MomentsSolution, sight: Sight, orders: int, *, delta_scaled: bool
+    solution: MomentsSolution, lines: LinesOfSight, orders: int, *, delta_scaled: bool
 ) -> tuple[FloatArray, FloatArray]:
     """Radiance of the air, and single scattering by each constituent.
 
     Parameters
     ----------
     solution : MomentsSolution
-    sight : Sight
+    lines : LinesOfSight
         n lines of sight; neighbours with equal radius, view and length are marched together.
     orders : int
         Orders of the light as for ``MomentsSolution.radiance_per_irradiance``.
@@ -137,9 +137,9 @@ def scattering_by_constituent(
         Single scattering by each constituent, to be multiplied by its phase function. [1]
     """
     light, paths = solution.light, solution.paths
-    sight = paths.sight(sight)
-    seen = paths.apparent_nu(sight)
-    n, count, constituents = sight.r.size, solution.wavelengths.size, light.constituents
+    lines = paths.optical_lines(lines)
+    seen = paths.apparent_nu(lines)
+    n, count, constituents = lines.r.size, solution.wavelengths.size, light.constituents
     out, once = np.empty((n, count)), np.empty((n, constituents, count))
 
     def run(index: int) -> None:
@@ -148,8 +148,8 @@ def scattering_by_constituent(
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
         result = np.empty((phase.shape[0], (1 + constituents) * light.lanes), np.float32)
         _march_all(
-            sight.r[rows], sight.mu[rows], sight.mu_s[rows], sight.nu[rows], half_sine,
-            sight.length[rows], orders, delta_scaled, phase, light, new_workspace(light),
+            lines.r[rows], lines.mu[rows], lines.mu_s[rows], lines.nu[rows], half_sine,
+            lines.length[rows], orders, delta_scaled, phase, light, new_workspace(light),
             _new_workspace(light), result,
         )  # fmt: skip
         parts = result.reshape(-1, 1 + constituents, light.lanes)[:, :, :count]

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
 
@@ -43,13 +43,13 @@ class Parts:
         return np.asarray(air + self.ground_star + self.ground_sky)
 
 
-def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
+def radiance_parts(solution: MomentsSolution, lines: LinesOfSight) -> Parts:
     """Compute the parts of the radiance along lines of sight.
 
     Parameters
     ----------
     solution : MomentsSolution
-    sight : Sight
+    lines : LinesOfSight
         n lines of sight.
 
     Returns
@@ -59,14 +59,14 @@ def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
     light = solution.light
     dark_air = light._replace(field=_without_source(light.field, solution))
     single = [
-        solution.radiance_per_irradiance(sight, 1, scatterers=[c], ground=False)
+        solution.radiance_per_irradiance(lines, 1, scatterers=[c], ground=False)
         for c in range(len(solution.medium.names))
     ]
     return Parts(
         scattered_once=np.stack(single, axis=1),
-        scattered_more=solution.radiance_per_irradiance(sight, 0, ground=False),
-        ground_star=solution.radiance_per_irradiance(sight, 1, scatterers=()),
-        ground_sky=solution.radiance_per_irradiance(sight, 0, light=dark_air),
+        scattered_more=solution.radiance_per_irradiance(lines, 0, ground=False),
+        ground_star=solution.radiance_per_irradiance(lines, 1, scatterers=()),
+        ground_sky=solution.radiance_per_irradiance(lines, 0, light=dark_air),
     )
 
 

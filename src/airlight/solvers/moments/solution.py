@@ -18,6 +18,7 @@ from airlight.kernel.threads import run_blocks
 from airlight.optics.reflection import leaving_cosine
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.energy_balance import imbalance
 from airlight.solvers.moments.forward_peak import inverse_peak_fraction, peak_broadening
 from airlight.solvers.moments.irradiance import (
@@ -33,7 +34,6 @@ from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.column_ratios import column_rows, mean_density_ratios
 from airlight.tables.columns import ColumnTable, density_table
@@ -95,13 +95,13 @@ class MomentsSolution(Solution):
         """Quantities that the solve derived from the medium, made again when asked for."""
         return Setup(paths=self.paths, settings=self.settings)
 
-    def lit_by(self, source: LightSource, *, beside: bool = False) -> Self:
+    def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
         """See ``Solution``."""
         tables = self.light._replace(
             star_radius=source.angular_radius, darkening=pack(source.darkenings.T)
         )
-        other = super().lit_by(source, beside=beside)
-        other.paths = replace(self.paths, medium=self.paths.medium.lit_by(source))
+        other = super().with_light(source, secondary=secondary)
+        other.paths = replace(self.paths, medium=self.paths.medium.with_light(source))
         vars(other)["light"] = tables  # all else is that of any light
         return other
 
@@ -180,18 +180,20 @@ class MomentsSolution(Solution):
         """See ``Solution``."""
         return self.settings.polarisation
 
-    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
         orders = 2 if order is None else 1
-        return self._lines(self.paths.sight(sight), orders, self.light, None, True, stokes=True)[2]
+        return self._lines(
+            self.paths.optical_lines(lines), orders, self.light, None, True, stokes=True
+        )[2]
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
-        return self.radiance_per_irradiance(sight, 2 if order is None else 1)
+        return self.radiance_per_irradiance(lines, 2 if order is None else 1)
 
     def radiance_per_irradiance(
         self,
-        sight: Sight,
+        lines: LinesOfSight,
         orders: int,
         *,
         light: MarchTables | None = None,
@@ -202,7 +204,7 @@ class MomentsSolution(Solution):
 
         Parameters
         ----------
-        sight : Sight
+        lines : LinesOfSight
             n lines of sight.
         orders : int
             1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
@@ -218,16 +220,16 @@ class MomentsSolution(Solution):
         array, shape (n, nl)
             Radiance. [sr⁻¹]
         """
-        sight = self.paths.sight(sight)
+        lines = self.paths.optical_lines(lines)
         chosen = self.light if light is None else light
-        return self._lines(sight, orders, chosen, scatterers, ground)[0]
+        return self._lines(lines, orders, chosen, scatterers, ground)[0]
 
-    def before_the_ground(self, sight: Sight, orders: int) -> tuple[FloatArray, FloatArray]:
+    def before_the_ground(self, lines: LinesOfSight, orders: int) -> tuple[FloatArray, FloatArray]:
         """Radiance of the air alone along lines of sight, and that of all, the ground included.
 
         Parameters
         ----------
-        sight : Sight
+        lines : LinesOfSight
             n lines of sight.
         orders : int
             As for ``radiance_per_irradiance``.
@@ -237,18 +239,20 @@ class MomentsSolution(Solution):
         air, whole : array, shape (n, nl)
             Radiance per irradiance of the star. [sr⁻¹]
         """
-        whole, _, _, air = self._lines(self.paths.sight(sight), orders, self.light, None, True)
+        whole, _, _, air = self._lines(
+            self.paths.optical_lines(lines), orders, self.light, None, True
+        )
         return air, whole
 
     def stretches(
-        self, sight: Sight, length: FloatArray, *, light: MarchTables | None = None
+        self, lines: LinesOfSight, length: FloatArray, *, light: MarchTables | None = None
     ) -> tuple[FloatArray, FloatArray]:
         """Light of the air between points and what lies at a distance from them.
 
         Parameters
         ----------
-        sight : Sight
-            n lines of sight, from ``paths.sight``.
+        lines : LinesOfSight
+            n lines of sight, from ``paths.optical_lines``.
         length : array, shape (n,)
             Lengths, not beyond those of the lines, as ``paths.optical_length`` gives them. [m]
         light : MarchTables, optional
@@ -261,12 +265,12 @@ class MomentsSolution(Solution):
         transmittance : array, shape (n, nl)
             Transmittance, with light scattered into removed forward peaks as transmitted. [1]
         """
-        part = replace(sight, length=length)
+        part = replace(lines, length=length)
         return self._lines(part, 2, self.light if light is None else light, None, False)[:2]
 
     def _lines(
         self,
-        sight: Sight,
+        lines: LinesOfSight,
         orders: int,
         chosen: MarchTables,
         scatterers: Sequence[int] | None,
@@ -274,16 +278,16 @@ class MomentsSolution(Solution):
         *,
         stokes: bool = False,
     ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Light of lines from ``paths.sight``.
+        """Light of lines from ``paths.optical_lines``.
 
         Radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0 without
         ``stokes`` [sr⁻¹]; radiance of the air alone, (n, nl). [sr⁻¹]
         """
-        seen = self.paths.apparent_nu(sight)
-        n, count = sight.r.size, self.wavelengths.size
+        seen = self.paths.apparent_nu(lines)
+        n, count = lines.r.size, self.wavelengths.size
         out, transmittance, air = (np.empty((n, count)) for _ in range(3))
         polarised = np.zeros((n, 3, count))
-        ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
+        ends = lines.to_ground if ground else np.zeros_like(lines.to_ground)
         block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
 
         def run(index: int) -> None:
@@ -299,12 +303,12 @@ class MomentsSolution(Solution):
                 phase_f12 = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
             result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
             _march_all(
-                sight.r[rows],
-                sight.mu[rows],
-                sight.mu_s[rows],
-                sight.nu[rows],
+                lines.r[rows],
+                lines.mu[rows],
+                lines.mu_s[rows],
+                lines.nu[rows],
                 half_sine,
-                sight.length[rows],
+                lines.length[rows],
                 ends[rows],
                 orders,
                 stokes,

@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solvers.montecarlo.estimate import Estimate, Question
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
-from airlight.solvers.sight import Sight, enter_shell
 
 FloatArray = NDArray[np.float64]
 
@@ -72,11 +72,11 @@ def eclipsed_estimate(
         starts = np.stack([r, mu, mu_s, mu_s], axis=1)
     else:
         sine = np.linalg.norm(np.cross(up, along), axis=-1)
-        sight: Sight = paths.sight(
+        lines: LinesOfSight = paths.optical_lines(
             enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
         )
-        lengths = np.maximum(sight.length, np.where(sight.to_ground, 1e-3, 0.0))
-        starts = np.stack([sight.r, sight.mu, sight.mu_s, sight.nu], axis=1)
+        lengths = np.maximum(lines.length, np.where(lines.to_ground, 1e-3, 0.0))
+        starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
     question = Question(starts, lengths, hemisphere, None, None, frames)
     return solution.answer(question, started)
 

@@ -16,11 +16,11 @@ from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.montecarlo.bent_paths import direct_irradiance_bent
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.settings import Settings
-from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.star_light import direct_irradiance
@@ -113,22 +113,22 @@ class MonteCarloSolution(Solution):
             seconds=0.0,
         )
 
-    def trace(self, sight: Sight, *, order: int | None = None) -> Estimate:
+    def trace(self, lines: LinesOfSight, *, order: int | None = None) -> Estimate:
         """All estimates for lines of sight.
 
         Parameters
         ----------
-        sight : Sight
+        lines : LinesOfSight
         order : int, optional
             Order whose error decides when to stop; all orders together if left out.
         """
         started = perf_counter()
-        known = self.first_order(sight) if self._integrates_first_order else None
-        sight = self.paths.sight(sight)
-        lengths = sight.length
+        known = self.first_order(lines) if self._integrates_first_order else None
+        lines = self.paths.optical_lines(lines)
+        lengths = lines.length
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
-        starts = np.stack([sight.r, sight.mu, sight.mu_s, sight.nu], axis=1)
+        starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
         return self.answer(Question(starts, lengths, False, known, order), started)
 
     def answer(self, question: Question, started: float) -> Estimate:
@@ -155,28 +155,28 @@ class MonteCarloSolution(Solution):
         )
         return got
 
-    def first_order(self, sight: Sight) -> FloatArray:
+    def first_order(self, lines: LinesOfSight) -> FloatArray:
         """I, Q and U scattered or reflected once, by quadrature, per the star's, (n, 3, nl). [sr⁻¹]
 
         The star's light and the phase function are averaged over its disc separately: within the
         aureole of a sun on the horizon the mean of their product differs by up to some parts in
         1000.
         """
-        once = single_scattering(self.medium, sight, progress=self.progress, cancel=self.cancel)
-        found = np.zeros((sight.r.size, 3, self.wavelengths.size))
-        phases = disc_mean(self.medium, self.medium.phase_function, sight.nu)
-        found[:, 0] = (once * phases).sum(axis=1) + reflected_once(self.medium, sight)
+        once = single_scattering(self.medium, lines, progress=self.progress, cancel=self.cancel)
+        found = np.zeros((lines.r.size, 3, self.wavelengths.size))
+        phases = disc_mean(self.medium, self.medium.phase_function, lines.nu)
+        found[:, 0] = (once * phases).sum(axis=1) + reflected_once(self.medium, lines)
         if self.settings.polarisation:
-            across = disc_mean(self.medium, self.medium.polarising, sight.nu)
-            cosine, sine = star_planes(sight.mu, sight.mu_s, sight.nu)
+            across = disc_mean(self.medium, self.medium.polarising, lines.nu)
+            cosine, sine = star_planes(lines.mu, lines.mu_s, lines.nu)
             polarised = (once * across).sum(axis=1)
             found[:, 1] = polarised * cosine[:, None]
             found[:, 2] = polarised * sine[:, None]
         return found
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; orders up to ``highest_order`` can be requested."""
-        got = self.trace(sight, order=order)
+        got = self.trace(lines, order=order)
         return got.total if order is None else got.parts[:, order - 1]
 
     @property
@@ -184,7 +184,7 @@ class MonteCarloSolution(Solution):
         """See ``Solution``."""
         return self.settings.polarisation
 
-    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first where that is integrated.
 
         Raises
@@ -193,12 +193,12 @@ class MonteCarloSolution(Solution):
             If another order is requested: Q and U are those of all orders together.
         """
         if order is None:
-            got = self.trace(sight)
+            got = self.trace(lines)
             return np.concatenate([got.total[:, None], got.polarised], axis=1)
         if order != 1 or not self._integrates_first_order:
             allowed = "1, or all orders together" if self._integrates_first_order else "all orders"
             raise ParameterError("order", order, f"{allowed} for polarised light")
-        return self.first_order(sight)
+        return self.first_order(lines)
 
     @property
     def _integrates_first_order(self) -> bool:
@@ -226,8 +226,8 @@ class MonteCarloSolution(Solution):
         if stokes:
             self.check_polarised()
         self.check_order(order)
-        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
-        got = self.trace(sight, order=order)
+        arrays, lines, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        got = self.trace(lines, order=order)
         values, errors = got.total, got.total_error
         if order is not None:
             values, errors = got.parts[:, order - 1], got.part_errors[:, order - 1]
@@ -306,8 +306,8 @@ class MonteCarloSolution(Solution):
         """
         if stokes:
             self.check_polarised()
-        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
-        got = self.trace(sight)
+        arrays, lines, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        got = self.trace(lines)
         sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
         kept = self.settings.kept_orders

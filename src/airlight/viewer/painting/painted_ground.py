@@ -11,16 +11,16 @@ from airlight.optics import water
 from airlight.optics.clouds import under_clouds
 from airlight.optics.cox_munk import mirrored_cosine
 from airlight.optics.reflection import WATER, leaving_cosine, sky_share, star_share
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solvers.moments.radiance_parts import Parts
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight, enter_shell
 
 FloatArray = NDArray[np.float64]
 
 
 def painted_ground(
     solution: MomentsSolution,
-    sight: Sight,
+    lines: LinesOfSight,
     parts: Parts,
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
@@ -31,7 +31,7 @@ def painted_ground(
     ----------
     solution : MomentsSolution
         Solution shown.
-    sight : Sight
+    lines : LinesOfSight
         A line of sight that ends on the ground.
     parts : Parts
         Its light over ground of the solver's albedo.
@@ -50,10 +50,10 @@ def painted_ground(
     albedo = medium.ground_albedo
     if color is not None:
         albedo = np.clip(medium.map_basis @ color[:3], 0.0, 1.0)
-    r, nu = float(sight.r[0]), float(sight.nu[0])
-    mu_s = (r * float(sight.mu_s[0]) + float(sight.length[0]) * nu) / bottom
+    r, nu = float(lines.r[0]), float(lines.nu[0])
+    mu_s = (r * float(lines.mu_s[0]) + float(lines.length[0]) * nu) / bottom
     mu_s = min(max(mu_s, -1.0), 1.0)
-    leaving = leaving_cosine(r, float(sight.mu[0]), bottom)
+    leaving = leaving_cosine(r, float(lines.mu[0]), bottom)
     by_law = (
         star_share(ground.law, ground, mu_s, leaving, nu),
         sky_share(ground.law, ground, leaving),

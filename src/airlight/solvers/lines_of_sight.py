@@ -15,7 +15,7 @@ FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Sight:
+class LinesOfSight:
     """Lines of sight inside the shell, as flat arrays.
 
     Attributes
@@ -44,7 +44,7 @@ def enter_shell(
     nu: FloatArray,
     bottom: float,
     top: float,
-) -> Sight:
+) -> LinesOfSight:
     """Move observers outside the shell to the point where their line of sight enters it.
 
     Parameters
@@ -68,6 +68,6 @@ def enter_shell(
     to_ground = vectorized(meets_ground)(inside_r, inside_mu, bottom)
     length = vectorized(ray_length)(inside_r, inside_mu, bottom, top)
     missed = outside & ~meets
-    return Sight(
+    return LinesOfSight(
         inside_r, inside_mu, inside_mu_s, nu, np.where(missed, 0.0, length), to_ground & ~missed
     )
