@@ -18,7 +18,7 @@ from airlight.exports.table_errors import DIM, peaked_positions, random_position
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.mappings.scattering import lowest_sun_cosine
-from airlight.optics.reflection import LAWS, leaving_cosine, sky_factors
+from airlight.optics.reflection import LAWS, cos_reflected, diffuse_reflectances
 from airlight.planets import Constituent, Ground, Planet, Star, load_planet
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential
@@ -489,8 +489,8 @@ class UniformSky(Solution):
                         self.medium.density)  # fmt: skip
         # A uniform sky of radiance L sends π L down, of which the sky's factor times L comes back.
         ground = np.empty(depth.shape[:1] + self.wavelengths.shape)
-        leaving = vectorized(leaving_cosine)(lines.r, lines.mu, self.medium.bottom_radius)
-        sky_factors(self.medium.ground, leaving, ground)
+        mu_r = vectorized(cos_reflected)(lines.r, lines.mu, self.medium.bottom_radius)
+        diffuse_reflectances(self.medium.ground, mu_r, ground)
         back = np.exp(-(depth @ self.medium.extinction)) * ground * self.SKY
         return self.GLOW + np.where(lines.to_ground[:, None], back, 0.0)
 

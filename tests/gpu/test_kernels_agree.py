@@ -285,8 +285,8 @@ WATER = [
     Case(cox_munk.mirrored_fraction, (UNIT, WIND), rtol=40 * EPS),
     Case(cox_munk.mean_mirrored, (WIND,), rtol=8 * EPS),
     Case(cox_munk.mirrored_cosine, (UNIT, WIND), atol=8 * EPS),
-    Case(water.wet_shares, (WIND, *WET[:2], WET_NU), rtol=5e-3, atol=1e-4),
-    Case(water.foam_share, (WIND,), rtol=2 * POWER),
+    Case(water.water_reflectances, (WIND, *WET[:2], WET_NU), rtol=5e-3, atol=1e-4),
+    Case(water.foam_fraction, (WIND,), rtol=2 * POWER),
 ]  # fmt: skip
 
 #: Light and scales of a solver: positive.
@@ -426,12 +426,12 @@ def test_a_law_of_reflection_s_number_is_its_place(on_gpu: Callable[..., Any], w
     suns = np.append(MU_S, [0.0, -0.1, 1.0]).astype(np.float32)
     law = list(LAWS.values())[which]
     for number in (which, Constant(which)):
-        star = on_gpu(reflection.star_share, number, bound, suns, cosines, suns)
-        wanted = [law.star_share(ground, *each) for each in zip(suns, cosines, suns, strict=True)]
+        star = on_gpu(reflection.brdf_direct, number, bound, suns, cosines, suns)
+        wanted = [law.brdf_direct(ground, *each) for each in zip(suns, cosines, suns, strict=True)]
         assert_allclose(np.broadcast_arrays(*star), np.transpose(wanted), rtol=4 * POWER)
-        sky = on_gpu(reflection.sky_share, number, bound, cosines)
+        sky = on_gpu(reflection.brdf_diffuse, number, bound, cosines)
         # Near 1 the two terms cancel to 0.3.
-        wanted = [law.sky_share(ground, each) for each in cosines]
+        wanted = [law.brdf_diffuse(ground, each) for each in cosines]
         assert_allclose(np.broadcast_arrays(*sky), np.transpose(wanted), rtol=8 * POWER)
 
 

@@ -212,7 +212,7 @@ def through_whole_ray(first, total, extinction):
 
 
 def angle_leaving(i, a, mu, end):
-    return ray_optics.leaving_at_end(end, i, a, mu)
+    return ray_optics.mu_r_at_end(end, i, a, mu)
 
 
 def sky_on_ground(mu_s, place, ground):
@@ -335,7 +335,7 @@ CASES = [
          {"moments": lanes(THREE * (DEGREE + 1))}),
     Case(through_whole_ray, (ray_optics.transmittance_ray,), (RNG.integers(0, 20, COUNT),),
          {"total": RNG.uniform(0.0, 2.0, 24)}, SPECTRA, DEPTH),
-    Case(angle_leaving, (ray_optics.leaving_at_end,), (RNG.integers(0, 5, COUNT),
+    Case(angle_leaving, (ray_optics.mu_r_at_end,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, 3, COUNT), MU), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
          atol=4 * EPS),
     Case(sky_on_ground, (ray_optics.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
@@ -403,7 +403,7 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
-        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_shares", "ground_angles",
+        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_reflectances", "ground_angles",
         "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
@@ -442,7 +442,7 @@ WHOLE = {
         "reinhard_extended_default_color",
     ),
     "test_kernels_agree.py::test_a_law_of_reflection_s_number_is_its_place": (
-        "star_share", "sky_share",
+        "brdf_direct", "brdf_diffuse",
     ),
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
     "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_processor_s": ("panel_leg",),
@@ -472,7 +472,7 @@ WHOLE = {
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
         "refined", "row", "share", "sound", "strength", "transmittance", "ray_share",
         "depth_in_row", "direct_light", "scattered_once", "contracted", "gathered",
-        "star_factor", "sky_factor", "polarised_again", "azimuthal_once", "azimuthal_weight",
+        "direct_reflectance", "diffuse_reflectance", "polarised_again", "azimuthal_once", "azimuthal_weight",
         "coupled_moments", "fill_phase_f12", "polarised_functions", "polarised_function",
         "odd_moment", "star_plane", "first_register", "source_at_point",
         "polarised_transmittance_ratio", "bounce",

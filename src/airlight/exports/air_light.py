@@ -18,7 +18,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import vectorized
-from airlight.optics.reflection import leaving_cosine, sky_factors, star_factors
+from airlight.optics.reflection import cos_reflected, diffuse_reflectances, direct_reflectances
 from airlight.planets.medium import Medium
 from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.march_sun_angles import scattering_by_constituent
@@ -186,15 +186,15 @@ class AirLight:
         bottom, nu = medium.bottom_radius, lines.nu[rows]
         mu_s = (lines.r[rows] * lines.mu_s[rows] + lines.length[rows] * nu) / bottom
         mu_s = np.clip(mu_s, -1.0, 1.0)
-        leaving = vectorized(leaving_cosine)(lines.r[rows], lines.mu[rows], bottom)
+        mu_r = vectorized(cos_reflected)(lines.r[rows], lines.mu[rows], bottom)
         total = np.zeros((mu_s.size, medium.wavelengths.size))
         factor = np.empty_like(total)
         if order in (None, 1):
-            star_factors(medium.ground, mu_s, leaving, nu, factor)
+            direct_reflectances(medium.ground, mu_s, mu_r, nu, factor)
             r = np.full(mu_s.size, bottom)
             total += factor * self.solution.relative_direct_irradiance(r, mu_s)
         if order != 1:
-            sky_factors(medium.ground, leaving, factor)
+            diffuse_reflectances(medium.ground, mu_r, factor)
             total += factor * self._sky_at(mu_s, 0 if order is None else order - 1)
         return total / np.pi
 

@@ -42,7 +42,7 @@ def layer_distance(cosine, bottom, altitude):
 
 @kernel
 def under_clouds(
-    seen, shaded, albedo, star_matte, star_gloss, sky_matte, sky_gloss, mirrored
+    seen, shaded, albedo, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored
 ):  # fmt: skip
     r"""Shares of ground below clouds, from those of the same ground without clouds.
 
@@ -60,12 +60,12 @@ def under_clouds(
         Cover c_v of the line of sight, and c_s of the star's light. [1]
     albedo : float
         Albedo A of the clouds. [1]
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored : float
-        Results of ``pixels.ground.ground_shares`` without clouds. [1]
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
+        Results of ``pixels.ground.ground_reflectances`` without clouds. [1]
 
     Returns
     -------
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored : float
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
         The same with clouds. [1]
 
     Examples
@@ -78,9 +78,9 @@ def under_clouds(
     clear, lit, diffuse = 1.0 - seen, 1.0 - shaded, shaded * (1.0 - albedo)
     cloud = seen * albedo
     return (
-        clear * (lit * star_matte + diffuse * sky_matte),
-        clear * (lit * star_gloss + diffuse * (sky_gloss + mirrored)) + cloud,
-        clear * sky_matte,
-        clear * sky_gloss + cloud,
+        clear * (lit * star_diffuse + diffuse * sky_diffuse),
+        clear * (lit * star_specular + diffuse * (sky_specular + mirrored)) + cloud,
+        clear * sky_diffuse,
+        clear * sky_specular + cloud,
         clear * mirrored,
     )

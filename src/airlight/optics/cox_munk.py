@@ -64,7 +64,7 @@ def hidden_slopes(cosine, slope):
 
 
 @kernel
-def glint_factor(mu_s, leaving, nu, wind):
+def glint_factor(mu_s, mu_r, nu, wind):
     """Reflectance factor of the facets in the light of a star. [1]
 
     π F(ω) p S/(4 μ₀ μ cos⁴β) with the facets' tilt β, the density of slopes
@@ -72,8 +72,8 @@ def glint_factor(mu_s, leaving, nu, wind):
 
     Parameters
     ----------
-    mu_s, leaving, nu : float
-        Cosines as in ``reflection.star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
     wind : float
         Wind speed. [m s⁻¹]
 
@@ -85,7 +85,7 @@ def glint_factor(mu_s, leaving, nu, wind):
     """
     square = mean_square_slope(wind)
     slope = sqrt(square)
-    sun, eye = max(mu_s, _LEVEL), max(leaving, 0.0)
+    sun, eye = max(mu_s, _LEVEL), max(mu_r, 0.0)
     cosine = sqrt(min(max(0.5 * (1.0 - nu), 1e-8), 1.0))
     tilt = min((sun + eye) / (2.0 * cosine), 1.0)
     upright = tilt * tilt

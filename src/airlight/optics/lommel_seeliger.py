@@ -21,49 +21,49 @@ _LEVEL = 1e-4
 
 
 @kernel
-def star_share(ground, mu_s, leaving, nu):
+def brdf_direct(ground, mu_s, mu_r, nu):
     """Reflectance factor in the light of a star: c/(μ₀ + μ) of the albedo.
 
     Parameters
     ----------
     ground : Reflection
-    mu_s, leaving, nu : float
-        Cosines as in ``reflection.star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
 
     Returns
     -------
-    matte, gloss : float
+    diffuse, specular : float
         Factor of the albedo, and part without it. [1]
 
     Examples
     --------
-    >>> matte, gloss = star_share(None, 1.0, 1.0, -1.0)
-    >>> round(matte, 4), gloss  # full phase, overhead
+    >>> diffuse, specular = brdf_direct(None, 1.0, 1.0, -1.0)
+    >>> round(diffuse, 4), specular  # full phase, overhead
     (0.611, 0.0)
     """
-    return _SCALE / max(max(mu_s, 0.0) + leaving, _LEVEL), 0.0
+    return _SCALE / max(max(mu_s, 0.0) + mu_r, _LEVEL), 0.0
 
 
 @kernel
-def sky_share(ground, leaving):
+def brdf_diffuse(ground, mu_r):
     """Reflectance factor under a uniform sky: 2c (1 - μ ln((1 + μ)/μ)) of the albedo.
 
     Parameters
     ----------
     ground : Reflection
-    leaving : float
-        Cosine as in ``reflection.sky_factor``. [1]
+    mu_r : float
+        Cosine as in ``reflection.diffuse_reflectance``. [1]
 
     Returns
     -------
-    matte, gloss : float
+    diffuse, specular : float
         Factor of the albedo, and part without it. [1]
 
     Examples
     --------
-    >>> matte, gloss = sky_share(None, 0.0)
-    >>> round(matte * LARGEST_ALBEDO, 6), gloss
+    >>> diffuse, specular = brdf_diffuse(None, 0.0)
+    >>> round(diffuse * LARGEST_ALBEDO, 6), specular
     (1.0, 0.0)
     """
-    cosine = max(leaving, 1e-9)
+    cosine = max(mu_r, 1e-9)
     return 2.0 * _SCALE * (1.0 - cosine * log((1.0 + cosine) / cosine)), 0.0

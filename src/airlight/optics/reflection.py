@@ -4,13 +4,13 @@ A law of reflection gives the radiance of the ground along a line, relative to t
 Lambert surface in the same light: the reflectance factor, π times the BRDF (Nicodemus et al. 1977,
 NBS Monograph 160). It is evaluated twice, because the ground's light has two parts: the star's
 comes from one direction, the sky's from all, which counts as uniform there (0.6 % of reciprocity by
-Lommel and Seeliger's law under Rayleigh's sky). Each factor is ``matte · albedo + gloss``: light
+Lommel and Seeliger's law under Rayleigh's sky). Each factor is ``diffuse · albedo + specular``: light
 that the matter below the surface has coloured, and light that the surface itself mirrors.
 
 Clouds hide the same share of the ground everywhere from solvers, which know nothing of places; a
 picture looks their cover up.
 
-A new law is a file of its own with its two kernels, ``star_share`` and ``sky_share``, and a line in
+A new law is a file of its own with its two kernels, ``brdf_direct`` and ``brdf_diffuse``, and a line in
 ``LAWS``; its parameters other than the albedo are fields of ``Reflection``, numbers with a default,
 which every solver, table and shader passes on.
 """
@@ -87,11 +87,11 @@ NUMBERS: Final[dict[str, type]] = {
     name: kind for name, kind in get_type_hints(Reflection).items() if name != "albedo"
 }
 
-#: ``star_share(law, ground, mu_s, leaving, nu)``: factor of the albedo, and part without it, of the
+#: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: factor of the albedo, and part without it, of the
 #: light of a star, by the law of that number in ``LAWS``.
-star_share = chosen_kernel("star_share", [law.star_share for law in LAWS.values()], __name__)
-#: ``sky_share(law, ground, leaving)``: the same, of the light of a uniform sky.
-sky_share = chosen_kernel("sky_share", [law.sky_share for law in LAWS.values()], __name__)
+brdf_direct = chosen_kernel("brdf_direct", [law.brdf_direct for law in LAWS.values()], __name__)
+#: ``brdf_diffuse(law, ground, mu_r)``: the same, of the light of a uniform sky.
+brdf_diffuse = chosen_kernel("brdf_diffuse", [law.brdf_diffuse for law in LAWS.values()], __name__)
 
 
 @inlined
@@ -102,7 +102,7 @@ def _with_clouds(factor, ground):
 
 
 @inlined
-def star_factor(ground, at, mu_s, leaving, nu):
+def direct_reflectance(ground, at, mu_s, mu_r, nu):
     """Reflectance factor of the ground in the light of a star. [1]
 
     Parameters
@@ -112,7 +112,7 @@ def star_factor(ground, at, mu_s, leaving, nu):
         Index of the first lane.
     mu_s : float
         Cosine of the star's zenith angle at the ground. [1]
-    leaving : float
+    mu_r : float
         Cosine of the zenith angle of the reflected light, towards the observer. [1]
     nu : float
         Cosine between the line of sight, as it arrives at the ground, and the star. [1]
@@ -121,35 +121,39 @@ def star_factor(ground, at, mu_s, leaving, nu):
     -------
     lanes, or a float where ``ground`` is of one wavelength
     """
-    matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
-    return _with_clouds(load(ground.albedo, at) * np.float32(matte) + np.float32(gloss), ground)
+    diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
+    return _with_clouds(
+        load(ground.albedo, at) * np.float32(diffuse) + np.float32(specular), ground
+    )
 
 
 @inlined
-def sky_factor(ground, at, leaving):
+def diffuse_reflectance(ground, at, mu_r):
     """Reflectance factor of the ground under a uniform sky. [1]
 
     By reciprocity this is also the total reflected fraction of a beam from the direction
-    ``leaving``.
+    ``mu_r``.
 
     Parameters
     ----------
     ground : Reflection
     at : int
         Index of the first lane.
-    leaving : float
+    mu_r : float
         Cosine of the zenith angle of the reflected light, towards the observer. [1]
 
     Returns
     -------
     lanes, or a float where ``ground`` is of one wavelength
     """
-    matte, gloss = sky_share(ground.law, ground, leaving)
-    return _with_clouds(load(ground.albedo, at) * np.float32(matte) + np.float32(gloss), ground)
+    diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
+    return _with_clouds(
+        load(ground.albedo, at) * np.float32(diffuse) + np.float32(specular), ground
+    )
 
 
 @inlined
-def leaving_cosine(r, mu, bottom):
+def cos_reflected(r, mu, bottom):
     """Cosine of the zenith angle at which light leaves the ground along a straight line. [1]
 
     Parameters
@@ -164,32 +168,32 @@ def leaving_cosine(r, mu, bottom):
 
 
 @inlined
-def star_factor_at(ground, l, mu_s, leaving, nu):
-    """``star_factor`` at one of the wavelengths, in double precision. [1]"""
-    matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
-    clear = matte * ground.albedo[l] + gloss
+def direct_reflectance_at(ground, l, mu_s, mu_r, nu):
+    """``direct_reflectance`` at one of the wavelengths, in double precision. [1]"""
+    diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
+    clear = diffuse * ground.albedo[l] + specular
     return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
 
 
 @inlined
-def sky_factor_at(ground, l, leaving):
-    """``sky_factor`` at one of the wavelengths, in double precision. [1]"""
-    matte, gloss = sky_share(ground.law, ground, leaving)
-    clear = matte * ground.albedo[l] + gloss
+def diffuse_reflectance_at(ground, l, mu_r):
+    """``diffuse_reflectance`` at one of the wavelengths, in double precision. [1]"""
+    diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
+    clear = diffuse * ground.albedo[l] + specular
     return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
 
 
 @compiled_loop
-def star_factors(ground, mu_s, leaving, nu, out):
-    """Write ``star_factor`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
+def direct_reflectances(ground, mu_s, mu_r, nu, out):
+    """Write ``direct_reflectance`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
     for k in range(mu_s.size):
         for l in range(out.shape[1]):
-            out[k, l] = star_factor_at(ground, l, mu_s[k], leaving[k], nu[k])
+            out[k, l] = direct_reflectance_at(ground, l, mu_s[k], mu_r[k], nu[k])
 
 
 @compiled_loop
-def sky_factors(ground, leaving, out):
-    """Write ``sky_factor`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
-    for k in range(leaving.size):
+def diffuse_reflectances(ground, mu_r, out):
+    """Write ``diffuse_reflectance`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
+    for k in range(mu_r.size):
         for l in range(out.shape[1]):
-            out[k, l] = sky_factor_at(ground, l, leaving[k])
+            out[k, l] = diffuse_reflectance_at(ground, l, mu_r[k])

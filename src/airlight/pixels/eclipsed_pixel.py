@@ -16,7 +16,7 @@ from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
-from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_shares, lamp_light
+from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_reflectances, lamp_light
 from airlight.pixels.ground_angles import columns_to_ground
 from airlight.pixels.pixel import classify_ray
 from airlight.pixels.samples import sample_place, samples_per_side
@@ -83,17 +83,17 @@ def eclipsed_light(
         store(result, at, load(found, at))
     if not to_ground:
         return
-    p, q, s, leaving = end_on_ground(a, b, c, u, v, w, length, light, work)
+    p, q, s, mu_r = end_on_ground(a, b, c, u, v, w, length, light, work)
     bent = 0.0
     if light.bend > 0.0:
         bent = bend_angle(r, mu, light.bend, work.columns_total[light.constituents - 1])
     for at in range(0, lanes, LANES):
         store(work.found, lanes + at, load(found, lanes + at))
     if light.ground.wet:
-        _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found)
+        _mirrored_sky(p, q, s, u, v, w, mu_r, light, shadow, work, spare, found)
         for at in range(0, lanes, LANES):
             store(work.found, MIRRORED * lanes + at, load(found, at))
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
         x, y, z, sine, bent, observer, screen, light, work, color
     )
     eclipsed_ground_light(p, q, s, TOTAL, light, shadow, work, spare)
@@ -102,7 +102,16 @@ def eclipsed_light(
     for at in range(0, lanes, LANES):
         received = load(work.received, at) + load(work.received, lanes + at)
         factor = ground_factor(
-            color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
+            color,
+            screen,
+            star_diffuse,
+            star_specular,
+            sky_diffuse,
+            sky_specular,
+            mirrored,
+            light,
+            work,
+            at,
         )
         behind = received * INVERSE_PI * load(work.found, lanes + at)
         total = load(result, at) + behind * factor
@@ -112,25 +121,25 @@ def eclipsed_light(
 
 
 @inlined
-def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
+def _mirrored_sky(p, q, s, u, v, w, mu_r, light, shadow, work, spare, found):
     """Light of the sky that water at the end of a line mirrors, into ``found``. [sr⁻¹]
 
     Parameters
     ----------
-    p, q, s, u, v, w, leaving : float
+    p, q, s, u, v, w, mu_r : float
         Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
     light, shadow, work, spare, found :
         Arguments of ``eclipsed_light``.
     """
     a, b, c = p / light.bottom, q / light.bottom, s / light.bottom
-    mu = mirrored_cosine(leaving, light.ground.wind)
-    level = sqrt(max((1.0 - leaving) * (1.0 + leaving), 1e-12))
+    mu = mirrored_cosine(mu_r, light.ground.wind)
+    level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
     side = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / level
     # The line without its vertical part, at its new zenith angle.
     u, v, w = (
-        mu * a + side * (u + leaving * a),
-        mu * b + side * (v + leaving * b),
-        mu * c + side * (w + leaving * c),
+        mu * a + side * (u + mu_r * a),
+        mu * b + side * (v + mu_r * b),
+        mu * c + side * (w + mu_r * c),
     )
     star = shadow.star
     nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)

@@ -17,8 +17,8 @@ from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined
 from airlight.kernel.lanes import load, maximum, minimum, splat
 from airlight.optics.clouds import layer_distance, under_clouds
-from airlight.optics.reflection import WATER, sky_share, star_share
-from airlight.optics.water import wet_shares
+from airlight.optics.reflection import WATER, brdf_diffuse, brdf_direct
+from airlight.optics.water import water_reflectances
 from airlight.pixels.ground_angles import ground_angles, ground_cosine
 from airlight.scene.ground_detail import ground_detail
 from airlight.scene.ground_place import latitude_longitude, map_color, map_level, moved_on
@@ -130,7 +130,7 @@ def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, light, col
 
 
 @inlined
-def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
+def ground_reflectances(x, y, z, sine, angle, observer, screen, light, work, color):
     """Ground at the end of a line of sight: its colour, and both factors of its law.
 
     Parameters
@@ -143,7 +143,7 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
 
     Returns
     -------
-    star_matte, star_gloss, sky_matte, sky_gloss : float
+    star_diffuse, star_specular, sky_diffuse, sky_specular : float
         Factor of the albedo, and part without it, of the star's and of the sky's light. [1]
     mirrored : float
         Factor of the light of the sky that is seen mirrored. [1]
@@ -152,32 +152,34 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
         ground_color(x, y, z, sine, angle, observer, screen, light, color)
     else:
         color[8] = 1.0
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if light.ground.law != 0 or light.ground.wet or screen.clouded:
-        mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
+        mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, light)
         ground_light(mu_s, observer.orders, light, work)
         share = 0.0
         if light.ground.law == WATER:
             share = 1.0
         else:
-            star_matte, star_gloss = star_share(light.ground.law, light.ground, mu_s, leaving, nu)
-            sky_matte, sky_gloss = sky_share(light.ground.law, light.ground, leaving)
+            star_diffuse, star_specular = brdf_direct(
+                light.ground.law, light.ground, mu_s, mu_r, nu
+            )
+            sky_diffuse, sky_specular = brdf_diffuse(light.ground.law, light.ground, mu_r)
             if light.ground.wet and screen.mapped:
                 share = color[3]
         if share > 0.0:
             land = 1.0 - share
-            star, glint, sky, mirrored = wet_shares(light.ground.wind, mu_s, leaving, nu)
-            star_matte = land * star_matte + share * star
-            star_gloss = land * star_gloss + share * glint
-            sky_matte = land * sky_matte + share * sky
-            sky_gloss = land * sky_gloss
+            star, glint, sky, mirrored = water_reflectances(light.ground.wind, mu_s, mu_r, nu)
+            star_diffuse = land * star_diffuse + share * star
+            star_specular = land * star_specular + share * glint
+            sky_diffuse = land * sky_diffuse + share * sky
+            sky_specular = land * sky_specular
             mirrored = share * mirrored
     if screen.clouded:
-        star_matte, star_gloss, sky_matte, sky_gloss, mirrored = under_clouds(
+        star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
             color[9], color[10], light.ground.cloud_albedo,
-            star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
+            star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
         )  # fmt: skip
-    return star_matte, star_gloss, sky_matte, sky_gloss, mirrored
+    return star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored
 
 
 @inlined
@@ -232,7 +234,7 @@ def reflectance(color, mapped, light, at):
 
 @inlined
 def ground_factor(
-    color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
+    color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, light, work, at
 ):  # fmt: skip
     """Light of the ground relative to that of a white Lambert ground. [1]
 
@@ -242,16 +244,16 @@ def ground_factor(
         Arguments of ``reflectance``.
     screen : Screen
         Camera with its maps.
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored, work :
-        Results of ``ground_shares``, and its workspace, of which ``found`` has the light of the
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, work :
+        Results of ``ground_reflectances``, and its workspace, of which ``found`` has the light of the
         mirrored sky after those of a line of sight.
     """
     albedo = reflectance(color, screen.mapped, light, at)
     if light.ground.law == 0 and not light.ground.wet and not screen.clouded:
         return albedo
     star, sky = load(work.received, at), load(work.received, light.lanes + at)
-    by_star = star * (albedo * np.float32(star_matte) + np.float32(star_gloss))
-    by_sky = sky * (albedo * np.float32(sky_matte) + np.float32(sky_gloss))
+    by_star = star * (albedo * np.float32(star_diffuse) + np.float32(star_specular))
+    by_sky = sky * (albedo * np.float32(sky_diffuse) + np.float32(sky_specular))
     if light.ground.wet:
         by_sky = by_sky + load(work.found, MIRRORED * light.lanes + at) * np.float32(pi * mirrored)
     return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

@@ -121,19 +121,19 @@ def ground_angles(x, z, sine, angle, observer, light):
 
     Returns
     -------
-    mu_s, leaving, nu : float
-        Cosines of ``star_factor``: of the star's zenith angle there, of the zenith angle towards
+    mu_s, mu_r, nu : float
+        Cosines of ``direct_reflectance``: of the star's zenith angle there, of the zenith angle towards
         the observer, and between the arriving line and the star. [1]
     """
-    leaving = ground_cosine(z, sine, observer, light)
+    mu_r = ground_cosine(z, sine, observer, light)
     across, up = first_meeting(min(observer.r * sine, light.bottom), sine, light.bottom)
     cos_azimuth = x / sine if sine > 0.0 else 1.0
     mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
     if light.bend > 0.0:
-        mu_s, nu = turned(-leaving, mu_s, nu, angle)
+        mu_s, nu = turned(-mu_r, mu_s, nu, angle)
         mu_s = min(max(mu_s, -1.0), 1.0)
-    return mu_s, leaving, nu
+    return mu_s, mu_r, nu
 
 
 @inlined
@@ -150,9 +150,9 @@ def mirrored_line(x, z, sine, angle, observer, light):
     mu, mu_s, nu : float
         Cosines at the ground: of its zenith angle, of the star's, and between both. [1]
     """
-    mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
-    mu = mirrored_cosine(leaving, light.ground.wind)
-    level = sqrt(max((1.0 - leaving) * (1.0 + leaving), 1e-12))
-    ahead = min(max((nu + leaving * mu_s) / level, -1.0), 1.0)
+    mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, light)
+    mu = mirrored_cosine(mu_r, light.ground.wind)
+    level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
+    ahead = min(max((nu + mu_r * mu_s) / level, -1.0), 1.0)
     towards = mu * mu_s + sqrt((1.0 - mu) * (1.0 + mu)) * ahead
     return mu, mu_s, min(max(towards, -1.0), 1.0)

@@ -12,7 +12,7 @@ from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.disc_shading import darkened
-from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
+from airlight.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
 from airlight.pixels.polarising_filter import filter_shares
 from airlight.pixels.sky_table import half_sine_between, look
@@ -396,13 +396,13 @@ def pixel_light(
     """
     sine, row, through_air, to_ground = classify_ray(x, y, z, observer, light)
     through_air = through_air and screen.draws_air
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
         bent = sky_lookup(
             x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
         )
         if to_ground:
-            star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
+            star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
                 x, y, z, sine, bent, observer, screen, light, work, color
             )
             if screen.overlaid:
@@ -416,7 +416,7 @@ def pixel_light(
             total = load(work.found, at)
         if to_ground and screen.draws_air:
             factor = ground_factor(
-                color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
+                color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
                 light, work, at,
             )  # fmt: skip
             total = total + load(work.found, light.lanes + at) * factor

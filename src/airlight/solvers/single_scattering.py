@@ -32,7 +32,7 @@ from airlight.geometry.sun_disc import star_elevation
 from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
-from airlight.optics.reflection import leaving_cosine, star_factors
+from airlight.optics.reflection import cos_reflected, direct_reflectances
 from airlight.planets.medium import Medium
 from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import require_no_refraction
@@ -324,7 +324,7 @@ def reflected_once(medium: Medium, lines: LinesOfSight) -> FloatArray:
     mu_s = np.clip((r * lines.mu_s[hits] + length * lines.nu[hits]) / bottom, -1.0, 1.0)
     direct = direct_irradiance(medium, np.full(hits.size, bottom), mu_s)
     factor = np.empty_like(direct)
-    leaving = vectorized(leaving_cosine)(r, mu, bottom)
-    star_factors(medium.ground, mu_s, leaving, lines.nu[hits], factor)
+    mu_r = vectorized(cos_reflected)(r, mu, bottom)
+    direct_reflectances(medium.ground, mu_s, mu_r, lines.nu[hits], factor)
     out[hits] = factor / np.pi * np.exp(-(column @ medium.extinction)) * direct
     return out

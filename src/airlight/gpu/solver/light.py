@@ -12,11 +12,11 @@ from airlight.gpu.solver.ray_sums import fill_phase_f12, fill_phases, gathered, 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import star_factor
+from airlight.optics.reflection import direct_reflectance
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
-from airlight.solvers.moments.ray_optics import leaving_at_end, sky_at, star_at_end, star_from_ray
+from airlight.solvers.moments.ray_optics import mu_r_at_end, sky_at, star_at_end, star_from_ray
 from airlight.solvers.moments.source_function import contracted, coupled_moments, odd_moment
 from airlight.solvers.stokes_frame import star_plane
 
@@ -85,8 +85,8 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     radiance = share * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
-        factor = star_factor(
-            tables.ground, 0, at_ground, leaving_at_end(tables.end, i, a, tables.mu[i, a]), nu
+        factor = direct_reflectance(
+            tables.ground, 0, at_ground, mu_r_at_end(tables.end, i, a, tables.mu[i, a]), nu
         )
         radiance = radiance + factor * INVERSE_PI * load(throughs, LANES * ray) * direct_light(
             at_ground,

@@ -20,7 +20,7 @@ from airlight.gpu.solver.ray_sums import depth_in_row
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor
+from airlight.optics.reflection import diffuse_reflectance
 from airlight.solvers.moments.harmonics import (
     ELEMENTS,
     EVEN,
@@ -31,7 +31,7 @@ from airlight.solvers.moments.harmonics import (
 )
 from airlight.solvers.moments.opaque_culling import ray_share
 from airlight.solvers.moments.ray_optics import (
-    leaving_at_end,
+    mu_r_at_end,
     optical_depth,
     polarised_transmittance_ratio,
     strength_of,
@@ -142,7 +142,7 @@ def bounce(index, sizes, tables, throughs):
     i, a = index // sizes.angles, index % sizes.angles
     if a >= sizes.angles // 2:
         return splat(0.0)
-    factor = sky_factor(tables.ground, 0, leaving_at_end(tables.end, i, a, tables.mu[i, a]))
+    factor = diffuse_reflectance(tables.ground, 0, mu_r_at_end(tables.end, i, a, tables.mu[i, a]))
     return factor * INVERSE_PI * load(throughs, LANES * index)
 
 

@@ -11,7 +11,7 @@ from airlight.geometry.path import ray_length, shadow_edges
 from airlight.geometry.shell import meets_ground
 from airlight.geometry.sun_disc import mean_cosine
 from airlight.kernel import compiled_loop, inlined
-from airlight.optics.reflection import leaving_cosine, sky_factor_at, star_factor_at
+from airlight.optics.reflection import cos_reflected, diffuse_reflectance_at, direct_reflectance_at
 from airlight.solvers.direct.layout import radius_of, sun_cell, sun_of
 from airlight.solvers.direct.line import (
     add_gathered,
@@ -151,18 +151,18 @@ def add_ground(
     """
     mu_s_ground = min(max((r * mu_s + length * nu) / axes.bottom, -1.0), 1.0)
     s0, s1, e = sun_cell(mu_s_ground, axes)
-    leaving = leaving_cosine(r, mu, axes.bottom)
+    mu_r = cos_reflected(r, mu, axes.bottom)
     for l in range(out.size):
         low, high = lit_ground[s0, l], lit_ground[s1, l]
         if logarithmic and low > _DARK and high > _DARK:
             value = exp((1.0 - e) * log(low) + e * log(high))
         else:
             value = (1.0 - e) * low + e * high
-        out[l] += through[l] * reflected(ground, l, by_star, mu_s_ground, leaving, nu) * value
+        out[l] += through[l] * reflected(ground, l, by_star, mu_s_ground, mu_r, nu) * value
 
 
 @inlined
-def reflected(ground, l, by_star, mu_s, leaving, nu):
+def reflected(ground, l, by_star, mu_s, mu_r, nu):
     """Radiance of the ground at one wavelength, per irradiance. [sr⁻¹]
 
     Parameters
@@ -172,12 +172,12 @@ def reflected(ground, l, by_star, mu_s, leaving, nu):
         Index of the wavelength.
     by_star : bool
         Whether the star lights it; otherwise the sky.
-    mu_s, leaving, nu : float
-        Cosines of ``star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines of ``direct_reflectance``. [1]
     """
     if by_star:
-        return star_factor_at(ground, l, mu_s, leaving, nu) / pi
-    return sky_factor_at(ground, l, leaving) / pi
+        return direct_reflectance_at(ground, l, mu_s, mu_r, nu) / pi
+    return diffuse_reflectance_at(ground, l, mu_r) / pi
 
 
 @compiled_loop

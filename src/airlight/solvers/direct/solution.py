@@ -16,7 +16,7 @@ from airlight.kernel import compiled_loop, disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import DensitySegments
-from airlight.optics.reflection import leaving_cosine
+from airlight.optics.reflection import cos_reflected
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import layout_for
 from airlight.solvers.direct.line import (
@@ -197,9 +197,9 @@ def _lines(
                 mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / air.bottom
                 mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
                 direct_light(air.bottom, mu_s_ground, True, air, line, received)
-                leaving = leaving_cosine(r[k], mu[k], air.bottom)
+                mu_r = cos_reflected(r[k], mu[k], air.bottom)
                 for l in range(received.size):
-                    factor = reflected(air.ground, l, True, mu_s_ground, leaving, nu[k])
+                    factor = reflected(air.ground, l, True, mu_s_ground, mu_r, nu[k])
                     out[k, l] += line.through[l] * factor * received[l]
 
 

@@ -18,7 +18,7 @@ from airlight.geometry.occulted_star import apparent_discs, seen_lanes, table_pl
 from airlight.geometry.path import insert_edge
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, splat, store
-from airlight.optics.reflection import sky_factor, star_factor
+from airlight.optics.reflection import diffuse_reflectance, direct_reflectance
 from airlight.solvers.eclipsed.shadow_tables import (
     deviation,
     direction_functions,
@@ -307,7 +307,7 @@ def end_on_ground(x, y, z, u, v, w, length, light, work):
     -------
     px, py, pz : float
         Point in the frame of the shadow, optical. [m]
-    leaving : float
+    mu_r : float
         Cosine. [1]
     """
     r = sqrt(x * x + y * y + z * z)
@@ -339,15 +339,17 @@ def line_eclipsed(
         x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result
     )
     if to_ground:
-        px, py, pz, leaving = end_on_ground(x, y, z, u, v, w, length, light, work)
+        px, py, pz, mu_r = end_on_ground(x, y, z, u, v, w, length, light, work)
         eclipsed_ground_light(px, py, pz, kind, light, shadow, work, spare)
         star = shadow.star
         mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / light.bottom
         nu = u * star.star_x + v * star.star_y + w * star.star_z
         for at in range(0, light.lanes, LANES):
-            direct = load(work.received, at) * star_factor(
-                light.ground, at, max(mu_s, 0.0), leaving, nu
+            direct = load(work.received, at) * direct_reflectance(
+                light.ground, at, max(mu_s, 0.0), mu_r, nu
             )
-            sky = load(work.received, light.lanes + at) * sky_factor(light.ground, at, leaving)
+            sky = load(work.received, light.lanes + at) * diffuse_reflectance(
+                light.ground, at, mu_r
+            )
             behind = load(result, light.lanes + at) * (direct + sky) * INVERSE_PI
             store(result, at, load(result, at) + behind)

@@ -25,10 +25,10 @@ from airlight.kernel.lanes import (
 )
 from airlight.mappings.transmittance import direction_coordinate
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import star_factor
+from airlight.optics.reflection import direct_reflectance
 from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED, legendre_functions
 from airlight.solvers.moments.ray_optics import (
-    leaving_at_end,
+    mu_r_at_end,
     optical_depth,
     polarised_transmittance_ratio,
     project,
@@ -290,10 +290,10 @@ def _first_order(
             places[7 * k + 5] = np.float32(horizon_cosine(q, bottom))
             places[7 * k + 6] = np.float32(bottom / q)
         whole = splat(0.0)
-        leaving = 0.0
+        mu_r = 0.0
         if below:
             whole = transmittance_ray(extinction, totals[i, a], 0, constituents) * INVERSE_PI
-            leaving = leaving_at_end(ends, i, a, mu)
+            mu_r = mu_r_at_end(ends, i, a, mu)
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))
         step = 1
@@ -347,12 +347,12 @@ def _first_order(
                     scattering_q = exact * scattering_q * pair(part, part_2)
                 if below:
                     reflected = reflected_star(
-                        surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius,
+                        surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius,
                         ground_depths, directions, lift,
                     )  # fmt: skip
                     if narrow:
                         reflected_2 = reflected_star(
-                            surface, ends, i, a, mu_s, nu_2, leaving, bottom, top, star_radius,
+                            surface, ends, i, a, mu_s, nu_2, mu_r, bottom, top, star_radius,
                             ground_depths, directions, lift,
                         )  # fmt: skip
                         reflected = pair(reflected, reflected_2)
@@ -400,15 +400,15 @@ def _first_order(
 
 @inlined
 def reflected_star(
-    surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius, depths, directions, lift
+    surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions, lift
 ):  # fmt: skip
     """Irradiance of the ground at the end of a ray by the star, times the reflectance factor. [1]
 
-    Arguments as in ``_first_order``, and ``leaving`` of ``star_factor``.
+    Arguments as in ``_first_order``, and ``mu_r`` of ``direct_reflectance``.
     """
     mu_sg = star_at_end(ends, i, a, mu_s, nu)
     light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, lift)
-    return star_factor(surface, 0, mu_sg, leaving, nu) * light
+    return direct_reflectance(surface, 0, mu_sg, mu_r, nu) * light
 
 
 @compiled_loop

@@ -8,7 +8,7 @@ from airlight.geometry.bending import direct_horizontal_weights, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor, star_factor
+from airlight.optics.reflection import diffuse_reflectance, direct_reflectance
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import diffuse_horizontal, direct_beam, direct_horizontal
 from airlight.tables.column_ratios import columns_to_top
@@ -67,13 +67,13 @@ def ground_light(mu_s, orders, light, work):
 
 
 @inlined
-def ground_radiance(mu_s, leaving, nu, orders, light, work, out):
+def ground_radiance(mu_s, mu_r, nu, orders, light, work, out):
     """Compute radiance of the ground per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
-    mu_s, leaving, nu : float
-        Cosines as in ``star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines as in ``direct_reflectance``. [1]
     orders, light, work :
         Arguments of ``march``.
     out : array, shape (w,)
@@ -81,8 +81,8 @@ def ground_radiance(mu_s, leaving, nu, orders, light, work, out):
     """
     ground_light(mu_s, orders, light, work)
     for at in range(0, light.lanes, LANES):
-        star = load(work.received, at) * star_factor(light.ground, at, mu_s, leaving, nu)
-        sky = load(work.received, light.lanes + at) * sky_factor(light.ground, at, leaving)
+        star = load(work.received, at) * direct_reflectance(light.ground, at, mu_s, mu_r, nu)
+        sky = load(work.received, light.lanes + at) * diffuse_reflectance(light.ground, at, mu_r)
         store(out, at, (star + sky) * INVERSE_PI)
 
 

@@ -108,7 +108,7 @@ def transmittance_ray(extinction, totals, first, constituents):
 
 
 @inlined
-def leaving_at_end(ends, i, a, mu):
+def mu_r_at_end(ends, i, a, mu):
     """Cosine of the zenith angle at which a ray's light leaves the ground. [1]
 
     ``ends`` of ``Rays``. A star in the direction of the ray would be seen there at the opposite

@@ -15,7 +15,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import run_blocks
-from airlight.optics.reflection import leaving_cosine
+from airlight.optics.reflection import cos_reflected
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.solvers.lines_of_sight import LinesOfSight
@@ -386,8 +386,8 @@ def _march_all(
                 )
                 mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
-            leaving = leaving_cosine(r[k], mu[k], bottom)
-            ground_radiance(mu_s_ground, leaving, nu[k], orders, light, work, ground)
+            mu_r = cos_reflected(r[k], mu[k], bottom)
+            ground_radiance(mu_s_ground, mu_r, nu[k], orders, light, work, ground)
             for at in range(0, lanes, LANES):
                 behind = load(found, lanes + at) * load(ground, at)
                 store(found, at, load(found, at) + behind)

@@ -20,11 +20,11 @@ import numpy as np
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, folded, load, splat, store
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor
+from airlight.optics.reflection import diffuse_reflectance
 from airlight.solvers.moments.harmonics import POLARISED, legendre_functions
 from airlight.solvers.moments.ray_optics import (
     add_polarised,
-    leaving_at_end,
+    mu_r_at_end,
     project,
     project_polarised,
     sky_at,
@@ -169,7 +169,7 @@ def _sweep(
         reflected = splat(0.0)
         if below:
             transmittance = transmittance_ray(extinction, totals[i, a], 0, constituents)
-            factor = sky_factor(surface, 0, leaving_at_end(ends, i, a, mu))
+            factor = diffuse_reflectance(surface, 0, mu_r_at_end(ends, i, a, mu))
             reflected = factor * INVERSE_PI * transmittance
         legendre_functions(mu, expansion, functions)
         exact = load(share, LANES * (i * angles + a))

@@ -12,9 +12,9 @@ import numpy as np
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor
+from airlight.optics.reflection import diffuse_reflectance
 from airlight.solvers.moments.harmonics import legendre_functions
-from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, transmittance_ray
+from airlight.solvers.moments.ray_optics import mu_r_at_end, optical_depth, transmittance_ray
 
 
 @compiled_loop
@@ -74,8 +74,12 @@ def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order
                     high += LANES
         if a < angles // 2:
             transmittance = transmittance_ray(extinction, totals[i, a], 0, constituents)
-            leaving = leaving_at_end(rays.end, i, a, rays.mu[i, a])
-            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * transmittance)
+            mu_r = mu_r_at_end(rays.end, i, a, rays.mu[i, a])
+            store(
+                bounced,
+                LANES * a,
+                diffuse_reflectance(surface, 0, mu_r) * INVERSE_PI * transmittance,
+            )
 
 
 @compiled_loop

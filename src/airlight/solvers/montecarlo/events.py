@@ -11,7 +11,7 @@ from typing import Final
 
 from airlight.kernel import inlined
 from airlight.optics.density_profile import relative_density
-from airlight.optics.reflection import star_factor
+from airlight.optics.reflection import direct_reflectance
 from airlight.solvers.montecarlo.lit_air import density_in_light, place_in_light
 from airlight.solvers.montecarlo.rays import place_at_depth, point_at
 from airlight.solvers.montecarlo.scattering_angles import lobe_value, random_cosine
@@ -145,10 +145,10 @@ def scattered_share(turn, air, shares):
 
 
 @inlined
-def reflected_share(mu_s, leaving, turn, returned, air):
+def reflected_share(mu_s, mu_r, turn, returned, air):
     """Share of the star's light that the ground reflects back along the history. [sr⁻¹]"""
     share = max(mu_s, 0.0) * _INVERSE_PI
-    return share * (star_factor(air.ground, 0, max(mu_s, 0.0), leaving, turn) / returned)
+    return share * (direct_reflectance(air.ground, 0, max(mu_s, 0.0), mu_r, turn) / returned)
 
 
 @inlined

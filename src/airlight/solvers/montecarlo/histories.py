@@ -30,7 +30,7 @@ from math import exp, expm1, pi, sin, sqrt
 from airlight.geometry.occulted_star import seen_part
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
-from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
+from airlight.optics.reflection import cos_reflected, diffuse_reflectance, direct_reflectance
 from airlight.solvers.montecarlo.bent_paths import bent_on_way, seen_direction, turned_together
 from airlight.solvers.montecarlo.events import (
     MAX_BIASED_EVENTS,
@@ -165,10 +165,10 @@ def trace_paths(
                 to_ground = meets_ground(r, mu, bottom)
                 panels, depth = trace(r, mu, to_ground, air.extinction, next_path)
             collision_probability = -expm1(-depth)
-            leaving, returned, reflected = 0.0, 0.0, 0.0
+            mu_r, returned, reflected = 0.0, 0.0, 0.0
             if to_ground:
-                leaving = leaving_cosine(r, mu, bottom)
-                returned = sky_factor(air.ground, 0, leaving)
+                mu_r = cos_reflected(r, mu, bottom)
+                returned = diffuse_reflectance(air.ground, 0, mu_r)
                 reflected = returned * exp(-depth)
             if not collision_probability + reflected > 0.0:
                 break
@@ -227,7 +227,7 @@ def trace_paths(
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 first, second, third = 1.0, 0.0, 0.0
                 if on_ground:
-                    share = reflected_share(sun_mu, leaving, turn, returned, air)
+                    share = reflected_share(sun_mu, mu_r, turn, returned, air)
                 elif not air.polarised:
                     share = scattered_share(turn, air, shares)
                 else:
@@ -256,7 +256,7 @@ def trace_paths(
                 a, b, c = turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 # Drawn by Lambert's law; any other reflection weights the direction.
-                weight *= star_factor(air.ground, 0, cosine, leaving, turn) / returned
+                weight *= direct_reflectance(air.ground, 0, cosine, mu_r, turn) / returned
                 u, v, w = a, b, c
                 a1, a2, a3 = start_axis(u, v, w)
             else:
