@@ -437,7 +437,7 @@ def test_no_scan_finds_much_worse_than_the_errors_that_are_written(
     shell = (medium.bottom_radius, medium.top_radius)
     positions = peaked_positions(*shell, 60_000, 99)
     lines = lines_of_sight(positions, medium)
-    exact, whole = AirLight(earth).before_the_ground(lines)
+    exact, whole = AirLight(earth).path_and_total_radiance(lines)
     off = np.abs(bruneton.light.relative_radiance(positions) - exact) / np.maximum(whole, DIM)
     off = np.where(whole > DIM, off, 0.0).max(axis=-1)
     found = regions(positions, shell[0])

@@ -297,7 +297,7 @@ STEPS = [
     Case(harmonics.degree_of, (np.arange(COUNT) % 325,)),
     Case(packing.floor_below, (POSITIVE,)),
     # A power of a quotient: WGSL's log₂ and 2ˣ, as POWER; under a root.
-    Case(packing.ratio_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
+    Case(packing.rational_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
     Case(levels.cubic_bend, (UNIT, OTHER, POSITIVE, UNIT, OTHER, 3.0), atol=80 * EPS),
     # Falls by 15 times what its argument, a ratio, rises.
     Case(levels.smoothness, (UNIT, OTHER, POSITIVE, MU), atol=16 * EPS),

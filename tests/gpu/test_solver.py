@@ -274,7 +274,7 @@ def test_the_plan_can_be_run_by_another_host(name):
     assert spans[-1][1] == written["textures"]["radiances"]
     # Tables are at their recorded positions.
     air = plan.setup.optics.air(slice(None))
-    for table in ("extinction", "polarised_phase"):
+    for table in ("extinction", "polarised_moments"):
         places = written["tables"][table]
         rows = plan.tables["spectra"][places["start"] : places["start"] + places["shape"][0]]
         assert_array_equal(rows, getattr(air, table).reshape(-1, 8)[:, :4])

@@ -112,7 +112,7 @@ def some_directed(mu, cosine, start, ahead, back):
 
 
 def multiple_scattering_of_four(
-    a, b, c, mu, f, e, start, ahead, back, moments, polarised_phase, field
+    a, b, c, mu, f, e, start, ahead, back, moments, polarised_moments, field
 ):
     here = np.empty(THREE, np.float32)
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
@@ -122,7 +122,7 @@ def multiple_scattering_of_four(
     g, h = np.float32(1.0 - f), np.float32(1.0 - e)
     f, e = np.float32(f), np.float32(e)
     return source.multiple_scattering_source(
-        here, moments, polarised_phase, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e,
+        here, moments, polarised_moments, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e,
         DEGREE, THREE, LANES, 0,
     )  # fmt: skip
 
@@ -291,7 +291,7 @@ CASES = [
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
     Case(multiple_scattering_of_four, (source.multiple_scattering_source,),
          (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
-         {"moments": lanes(THREE * (DEGREE + 1)), "polarised_phase": lanes(4 * THREE),
+         {"moments": lanes(THREE * (DEGREE + 1)), "polarised_moments": lanes(4 * THREE),
           "field": FIELD},
          rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.

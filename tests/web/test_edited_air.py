@@ -87,7 +87,7 @@ def test_edited_air_is_that_of_an_edited_medium(
     # float32, to which both are rounded, after sums in different orders
     tables = {
         "extinction": air.extinction, "moments": air.moments,
-        "polarised_phase": air.polarised_phase, "albedo": air.ground.albedo,
+        "polarised_moments": air.polarised_moments, "albedo": air.ground.albedo,
         "true_extinction": pack(paths.medium.extinction),
     }  # fmt: skip
     for name, table in tables.items():

@@ -133,7 +133,7 @@ class AirLight:
         through = self._through(lines)
         return np.asarray(sum(self._of_order(lines, order, through) for order in self.orders))
 
-    def under_many_stars(self, lines: LinesOfSight) -> FloatArray:
+    def at_sun_angles(self, lines: LinesOfSight) -> FloatArray:
         """Same as a call, faster where neighbours differ in the place of the star alone. [sr⁻¹]"""
         if not self.apart:
             return self(lines)
@@ -141,11 +141,13 @@ class AirLight:
         orders = 2 if None in self.orders else 1
         return scattering_by_constituent(self.solution, lines, orders, delta_scaled=True)[0]
 
-    def before_the_ground(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
+    def path_and_total_radiance(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
         """Air's light, and all light of the same orders, the ground's included, (n, nl). [sr⁻¹]"""
         if self.apart:
             assert isinstance(self.solution, MomentsSolution)
-            own, whole = self.solution.before_the_ground(lines, 2 if None in self.orders else 1)
+            own, whole = self.solution.path_and_total_radiance(
+                lines, 2 if None in self.orders else 1
+            )
             return own, np.maximum(whole, own)
         own, rows = self(lines), lines.to_ground
         whole = own.copy()

@@ -243,7 +243,7 @@ def fit_azimuths(
     around = [at_azimuth(positions, azimuth) for azimuth in azimuths]
     fields = ("r", "mu", "mu_s", "nu", "to_ground")
     each = (np.stack([getattr(one, name) for one in around], axis=-1).ravel() for name in fields)
-    light = air.under_many_stars(lines_of_sight(Positions(*each), medium))
+    light = air.at_sun_angles(lines_of_sight(Positions(*each), medium))
     light = np.moveaxis(light.reshape(len(positions), FIT_AZIMUTHS, -1), 1, 0)
     p_gas = np.stack([parts.phases.at("gas", one.nu) for one in around])
     weight = 1.0 / np.maximum(light, _DIM * light.max(axis=0) + _TINY) ** 2

@@ -13,8 +13,8 @@ import numpy as np
 from airlight.geometry.bending import bend_angle
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
+from airlight.kernel.refcounts import without_refcount
 from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
 from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_reflectances, lamp_light
 from airlight.pixels.ground_angles import columns_to_ground
@@ -34,7 +34,7 @@ from airlight.solvers.moments.source import read_phase
 
 @inlined
 def eclipsed_light(
-    x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+    x, y, z, turn, observer, screen, light, shadow, work, scratch, color, found, result
 ):  # fmt: skip
     """Spectral light of a line of sight, per irradiance of the unshadowed star. [sr⁻¹]
 
@@ -46,7 +46,7 @@ def eclipsed_light(
         Axes of the shadow's frame in the observer's, as rows. [1]
     observer, screen, light, work, color :
         Arguments of ``pixel_light``.
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
     found : array, shape (2·w,)
         Workspace.
@@ -77,7 +77,7 @@ def eclipsed_light(
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
     read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, work.phase)
     march_eclipsed(
-        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, spare, found
+        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, scratch, found
     )
     for at in range(0, lanes, LANES):
         store(result, at, load(found, at))
@@ -90,13 +90,13 @@ def eclipsed_light(
     for at in range(0, lanes, LANES):
         store(work.found, lanes + at, load(found, lanes + at))
     if light.ground.wet:
-        _mirrored_sky(p, q, s, u, v, w, mu_r, light, shadow, work, spare, found)
+        _mirrored_sky(p, q, s, u, v, w, mu_r, light, shadow, work, scratch, found)
         for at in range(0, lanes, LANES):
             store(work.found, MIRRORED * lanes + at, load(found, at))
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
         x, y, z, sine, bent, observer, screen, light, work, color
     )
-    eclipsed_ground_light(p, q, s, TOTAL, light, shadow, work, spare)
+    eclipsed_ground_light(p, q, s, TOTAL, light, shadow, work, scratch)
     if screen.overlaid:
         columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
     for at in range(0, lanes, LANES):
@@ -121,14 +121,14 @@ def eclipsed_light(
 
 
 @inlined
-def _mirrored_sky(p, q, s, u, v, w, mu_r, light, shadow, work, spare, found):
+def _mirrored_sky(p, q, s, u, v, w, mu_r, light, shadow, work, scratch, found):
     """Light of the sky that water at the end of a line mirrors, into ``found``. [sr⁻¹]
 
     Parameters
     ----------
     p, q, s, u, v, w, mu_r : float
         Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
-    light, shadow, work, spare, found :
+    light, shadow, work, scratch, found :
         Arguments of ``eclipsed_light``.
     """
     a, b, c = p / light.bottom, q / light.bottom, s / light.bottom
@@ -151,24 +151,24 @@ def _mirrored_sky(p, q, s, u, v, w, mu_r, light, shadow, work, spare, found):
     )
     length = distance_to_top(light.bottom, mu, light.top)
     march_eclipsed(
-        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, spare, found
+        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, scratch, found
     )
 
 
 @compiled_loop
-def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, out):
+def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, scratch, out):
     """Draw pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Centres of the pixels, from the picture's left and top edge. [pixel]
-    turn, observer, screen, light, shadow, work, spare :
+    turn, observer, screen, light, shadow, work, scratch :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
         Receives the radiance per irradiance of the unshadowed star. [sr⁻¹]
     """
-    screen, light, shadow, work, spare = borrowed((screen, light, shadow, work, spare))
+    screen, light, shadow, work, scratch = without_refcount((screen, light, shadow, work, scratch))
     lanes = light.lanes
     found, result = np.empty(2 * lanes, np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
@@ -182,7 +182,7 @@ def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, ou
                 sx, sy = sample_place(px[k], py[k], sample, side, screen)
                 x, y, z = camera_direction(sx, sy, screen)
             eclipsed_light(
-                x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+                x, y, z, turn, observer, screen, light, shadow, work, scratch, color, found, result
             )
             for at in range(lanes):
                 out[k, at] += result[at] / (side * side)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.refcounts import without_refcount
 from airlight.pixels.ground import GROUND_VALUES
 from airlight.pixels.samples import sampled_light
 
@@ -33,7 +33,7 @@ def _as_color(light, lanes, weights, sums, out):
 @inlined
 def _pixels(exact, px, py, window, observer, screen, light, work, weights, reach, out):
     """Draw pixels, see ``draw_pixels``; ``exact`` as in ``pixel_light``."""
-    screen, light, work, weights, out = borrowed((screen, light, work, weights, out))
+    screen, light, work, weights, out = without_refcount((screen, light, work, weights, out))
     found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     sums = np.empty(3 * LANES, np.float32)

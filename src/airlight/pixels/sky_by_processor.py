@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, store
+from airlight.kernel.refcounts import without_refcount
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.sky_table import Observer, sky_texel
 from airlight.pixels.sky_window import SkyWindow
@@ -58,7 +58,7 @@ class SkyLayers(NamedTuple):
 @compiled_loop
 def fill_texels(begin, end, window, observer, light, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
-    light, work, layers = borrowed((light, work, layers))
+    light, work, layers = without_refcount((light, work, layers))
     found, lanes = work.found, light.lanes
     peaks, polarised = light.separated_1 >= 0, layers.stokes_q.size > 1
     stride = window.column_count

@@ -264,7 +264,7 @@ class Constituent(Record):
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
             return np.zeros((*np.shape(nu), len(nm)))
-        return self.phase_function_at(nm).polarising(nu, nm)
+        return self.phase_function_at(nm).phase_f12(nu, nm)
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Elements that polarise, see ``PhaseFunction``, shape (nl, 4). [1]"""

@@ -341,7 +341,7 @@ class Medium:
             [one.phase_values(nu, self.wavelengths) for one in self.constituents], axis=-2
         )
 
-    def polarising(self, nu: npt.ArrayLike) -> FloatArray:
+    def phase_f12(self, nu: npt.ArrayLike) -> FloatArray:
         """Elements F₁₂ of the phase matrices.
 
         Parameters

@@ -23,7 +23,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii, layer_ends
 from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import require_no_refraction
-from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, columns_to_top, rational_mean_density
 from airlight.tables.columns import (
     TABLE_SHAPE,
     ColumnTable,
@@ -104,7 +104,7 @@ def scattered_once(
     if ends.size:
         ends = np.union1d(ends, medium.density.corners)
     nodes = medium.density.first_nodes, density_table(medium.density)
-    tables = (nodes, column_rows(columns, medium.density), mean_density_ratios(columns))
+    tables = (nodes, column_rows(columns, medium.density), rational_mean_density(columns))
     rule = gauss_legendre(_NODES).as_tuple()
     optics = (medium.scattering, medium.extinction, medium.extinction.max(axis=1))
     constituents = len(medium.names)

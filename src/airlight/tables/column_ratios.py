@@ -21,7 +21,7 @@ FloatArray = NDArray[np.float64]
 _LEAST: Final = 1e-30
 
 
-def mean_density_ratios(table: ColumnTable) -> FloatArray:
+def rational_mean_density(table: ColumnTable) -> FloatArray:
     """Convert a column table for interpolation as ratios: (s, m·s), m the mean density on the ray.
 
     With m = column/distance and s = 1/sqrt(m), the ratio of the two interpolated numbers is exact
@@ -62,7 +62,7 @@ def column_rows(table: ColumnTable, density: DensitySegments) -> FloatArray:
 
 
 @inlined
-def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, here):
+def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, out):
     """Columns from a point to the top of the shell, for a ray that misses the ground.
 
     Parameters
@@ -74,8 +74,8 @@ def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, here):
     first_nodes, rows : array
         First altitude node of each cell, and rows from ``column_rows``. [1]
     ratios : array, shape (radii, directions, nc, 2)
-        Table from ``mean_density_ratios``. [1]
-    here : array, shape (nc,)
+        Table from ``rational_mean_density``. [1]
+    out : array, shape (nc,)
         Receives the columns. [m]
     """
     x = node_value(r, bottom, top, first_nodes, rows)
@@ -100,4 +100,4 @@ def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, here):
             + w10 * ratios[row + 1, cell_index, c, 1]
             + w11 * ratios[row + 1, cell_index + 1, c, 1]
         )
-        here[c] = distance * scaled / scale
+        out[c] = distance * scaled / scale

@@ -1,7 +1,7 @@
 """Columns: the integral of each constituent's relative density along a ray. [m]
 
 An optical depth is a sum of columns times extinction coefficients, so columns serve every
-wavelength. ``columns`` integrates the profiles themselves; ``trace`` reads densities from a table
+wavelength. ``columns`` integrates the profiles themselves; ``trace_ray`` reads densities from a table
 over the altitude nodes and gives marches their points, densities and columns up to each point
 (relative error below 1e-4). ``ColumnTable`` holds the columns to the top of the shell, its
 directions on Bruneton's 2017 mapping, for look-ups accurate to 1e-3.
@@ -40,7 +40,7 @@ def density_table(density: DensitySegments) -> FloatArray:
 
 
 @compiled_loop
-def accumulate(count, rule, bottom_radius, thickness, nodes, path):
+def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
     """Densities at the points of a ray, and the columns up to each.
 
     Parameters
@@ -48,9 +48,9 @@ def accumulate(count, rule, bottom_radius, thickness, nodes, path):
     count : int
         Number of points, those of one rule for each panel.
     rule, bottom_radius, thickness, nodes :
-        Arguments of ``trace``.
+        Arguments of ``trace_ray``.
     path : tuple of arrays
-        Arrays of ``trace``, in which distance, radius and weight are already filled.
+        Arrays of ``trace_ray``, in which distance, radius and weight are already filled.
     """
     _, weights, running = rule
     first_nodes, table = nodes
@@ -83,7 +83,7 @@ def accumulate(count, rule, bottom_radius, thickness, nodes, path):
 
 
 @compiled_loop
-def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path):
+def trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path):
     """Find points along a ray, with the air's densities there and the columns up to them.
 
     Parameters
@@ -109,7 +109,7 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     """
     points, weights, _ = rule
     count = place_nodes(r, mu, edges, edge_count, points, weights, path[0], path[1], path[2])
-    accumulate(count, rule, bottom_radius, thickness, nodes, path)
+    accumulate_columns(count, rule, bottom_radius, thickness, nodes, path)
     return count
 
 
@@ -117,7 +117,7 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
 def trace_resolved(
     r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, strongest, path
 ):
-    """As ``trace``, with more panels where the start of a thick ray would fall between points.
+    """As ``trace_ray``, with more panels where the start of a thick ray would fall between points.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
     whole ray is thicker, panels end at optical depths 0.5, 3 and 12, found from a first trace and
@@ -128,14 +128,14 @@ def trace_resolved(
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
     r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path :
-        Arguments of ``trace``; six more edges and panels must fit.
+        Arguments of ``trace_ray``; six more edges and panels must fit.
 
     Returns
     -------
     int
         Number of points.
     """
-    count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
+    count = trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     for _ in range(2):
         tau = 0.0
         for i in range(strongest.size):
@@ -149,7 +149,7 @@ def trace_resolved(
         )
         for cut in cuts:
             edge_count = insert_edge(edges, edge_count, cut)
-        count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
+        count = trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     return count
 
 
@@ -168,7 +168,7 @@ def _distance_at_depth(depth, count, strongest, path):
 
 
 def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
-    """Workspace of ``trace`` for one ray of at most ``points`` points."""
+    """Workspace of ``trace_ray`` for one ray of at most ``points`` points."""
     return (
         np.empty(points),
         np.empty(points),

@@ -84,7 +84,7 @@ def sky_errors(
     positions = sky_positions(medium, count)
     irradiance = medium.lights[0].irradiance
     lines = lines_of_sight(positions, medium)
-    own, whole = air.before_the_ground(lines)
+    own, whole = air.path_and_total_radiance(lines)
     error = (radiance(positions) / irradiance - own) / np.maximum(whole, 1e-300)
     bright = (whole > DARK).all(axis=-1)
     day = positions.mu_s > DAY

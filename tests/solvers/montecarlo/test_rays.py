@@ -22,7 +22,12 @@ from airlight.solvers.montecarlo.lit_air import (
     place_in_light,
     sun_sampling_integral,
 )
-from airlight.solvers.montecarlo.rays import new_trace, place_at_depth, point_at, trace
+from airlight.solvers.montecarlo.rays import (
+    new_trace,
+    place_at_depth,
+    point_at,
+    trace_optical_depth,
+)
 from airlight.solvers.montecarlo.streams import stream, uniform
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
@@ -73,7 +78,7 @@ def traced(medium: Medium, air: HistoryOptics, altitude: float, angle: float) ->
     ground = bool(meets_ground(r, mu, medium.bottom_radius))
     length = ray_length(r, mu, medium.bottom_radius, medium.top_radius)
     path = new_trace(air.extinction)
-    count, depth = trace(r, mu, ground, air.extinction, path)
+    count, depth = trace_optical_depth(r, mu, ground, air.extinction, path)
     return r, mu, length, path, count, depth
 
 

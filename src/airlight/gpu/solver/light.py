@@ -60,7 +60,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     phases = lane_array(MOST_CONSTITUENTS)
     phase_f12 = lane_array(MOST_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
-    fill_phase_f12(tables.polarised_phase, nu, sizes.constituents, phase_f12)
+    fill_phase_f12(tables.polarised_moments, nu, sizes.constituents, phase_f12)
     radiance, scattering_q = scattered_once(
         tables.turn,
         tables.radius,

@@ -11,7 +11,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.moments.levels import between_levels, cubic_bend, smoothness
-from airlight.solvers.moments.packing import floor_below, ratio_scale
+from airlight.solvers.moments.packing import floor_below, rational_scale
 
 
 @inlined
@@ -170,11 +170,11 @@ def node_scale(index, sizes, tables, fine, heights):
     nodes = sizes.levels * sizes.sun_angles
     if node >= nodes:
         received = fine[(nodes * sizes.terms + node - nodes) * WAVELENGTHS + lane]
-        return ratio_scale(received, received, 0.0)
+        return rational_scale(received, received, 0.0)
     j = node % sizes.sun_angles
     value = fine[node * sizes.terms * WAVELENGTHS + lane]
     above = max(heights[j * WAVELENGTHS + lane], value)
-    return ratio_scale(value, above, tables.level[j * WAVELENGTHS + lane])
+    return rational_scale(value, above, tables.level[j * WAVELENGTHS + lane])
 
 
 @inlined

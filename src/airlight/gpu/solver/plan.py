@@ -198,7 +198,7 @@ class SolverPlan:
         3. runs ``pack`` at the end: ``packed`` is the input of a march.
 
         A change of coefficients alone changes only ``extinction``, ``moments``,
-        ``polarised_phase``, ``albedo`` and ``level`` in their textures, at the positions in
+        ``polarised_moments``, ``albedo`` and ``level`` in their textures, at the positions in
         ``tables``.
         """
 

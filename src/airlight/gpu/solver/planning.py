@@ -67,7 +67,7 @@ def plan_for(
         "column_rows": setup.column_rows, "ratios": setup.ratios, "lift": paths.lift,
         "level": batch.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
-        "polarised_phase": _lanes(air.polarised_phase),
+        "polarised_moments": _lanes(air.polarised_moments),
         "albedo": _lanes(air.ground.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {

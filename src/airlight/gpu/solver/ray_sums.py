@@ -44,7 +44,7 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
     Parameters
     ----------
     ratios : array, shape (radii, directions, nc, 2)
-        Ratios of a ``ColumnTable``, from ``mean_density_ratios``.
+        Ratios of a ``ColumnTable``, from ``rational_mean_density``.
     row, f : int, float
         Index of the radius below the point, and the point's fraction of the step above it.
     place : int
@@ -93,11 +93,11 @@ def fill_phases(moments, nu, degree, constituents, phases):
 
 
 @inlined
-def fill_phase_f12(polarised_phase, nu, constituents, phases):
+def fill_phase_f12(polarised_moments, nu, constituents, phases):
     """Compute F₁₂ of degree 2 times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
     part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
     for c in range(constituents):
-        store(phases, LANES * c, load(polarised_phase, LANES * ELEMENTS * c) * part)
+        store(phases, LANES * c, load(polarised_moments, LANES * ELEMENTS * c) * part)
 
 
 @inlined

@@ -48,7 +48,7 @@ def strength(index, sizes, tables):
     point, c = index // (sizes.constituents + 1), index % (sizes.constituents + 1)
     if c == sizes.constituents:
         return polarised_transmittance_ratio(
-            tables.column, point * sizes.constituents, tables.polarised_phase, sizes.constituents
+            tables.column, point * sizes.constituents, tables.polarised_moments, sizes.constituents
         )
     depth = optical_depth(
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
@@ -72,10 +72,10 @@ def factor(index, sizes, tables):
     transmittance = exponential(0.0 - depth)
     if part >= coupled:  # β₁, α₂ and α₃
         transmittance = transmittance * polarised_transmittance_ratio(
-            tables.column, point * sizes.constituents, tables.polarised_phase, sizes.constituents
+            tables.column, point * sizes.constituents, tables.polarised_moments, sizes.constituents
         )
         return transmittance * strength_of(
-            tables.polarised_phase, tables.amount, point, part - coupled, ELEMENTS - 1,
+            tables.polarised_moments, tables.amount, point, part - coupled, ELEMENTS - 1,
             sizes.constituents,
         )  # fmt: skip
     l, m = 2, part - harmonics
@@ -87,7 +87,7 @@ def factor(index, sizes, tables):
         )
     else:
         transmittance = transmittance * strength_of(
-            tables.polarised_phase, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
+            tables.polarised_moments, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
         )
     function = legendre_function(
         tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back

@@ -64,12 +64,12 @@ class Tables(NamedTuple):
     column_rows :
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``.
     ratios :
-        Table from ``mean_density_ratios``.
+        Table from ``rational_mean_density``.
     lift :
         Table from ``refraction_table``.
     level : array, shape (s·4,)
         Weights from ``level_weights``, of four wavelengths.
-    extinction, moments, polarised_phase :
+    extinction, moments, polarised_moments :
         Fields of ``ScaledOptics``; four wavelengths a texel.
     ground : Reflection
         Field of ``ScaledOptics``.
@@ -102,7 +102,7 @@ class Tables(NamedTuple):
     level: Annotated[Any, scalars()]
     extinction: Annotated[Any, SPECTRA]
     moments: Annotated[Any, SPECTRA]
-    polarised_phase: Annotated[Any, SPECTRA]
+    polarised_moments: Annotated[Any, SPECTRA]
     ground: Reflection
 
 

@@ -18,11 +18,11 @@ from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import graded, uniform
 from airlight.solvers.layered_columns import column_radii
-from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, columns_to_top, rational_mean_density
 from airlight.tables.columns import (
     TABLE_SHAPE,
     ColumnTable,
-    accumulate,
+    accumulate_columns,
     density_table,
     new_path,
     split_at_profile_edges,
@@ -55,7 +55,7 @@ class LineOptics(NamedTuple):
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes. [1]
     ratios : array, shape (radii, directions, nc, 2)
-        Table from ``mean_density_ratios``: columns to the star for the orders that are gathered.
+        Table from ``rational_mean_density``: columns to the star for the orders that are gathered.
         [1]
     rule : tuple of arrays
         Nodes, weights and running integrals of the trapezoid.
@@ -99,7 +99,7 @@ def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
         (medium.density.first_nodes, density_table(medium.density)),
         medium.density.corners,
         column_rows(table, medium.density),
-        mean_density_ratios(table),
+        rational_mean_density(table),
         rule.as_tuple(),
         medium.ground,
         settings.graded,
@@ -112,7 +112,7 @@ class Line(NamedTuple):
     Attributes
     ----------
     path : tuple of arrays
-        See ``airlight.tables.columns.trace``.
+        See ``airlight.tables.columns.trace_ray``.
     source : array, shape (p, ns·nl)
         Scattering coefficient times transmittance to the start times weight. [1]
     through : array, shape (nl,)
@@ -183,7 +183,7 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
         path[0][k] = length * nodes[k]
         path[1][k] = radius_along(r, mu, path[0][k])
         path[2][k] = length * weights[k]
-    accumulate(nodes.size, air.rule, air.bottom, thickness, air.nodes, path)
+    accumulate_columns(nodes.size, air.rule, air.bottom, thickness, air.nodes, path)
     return nodes.size
 
 
@@ -297,7 +297,7 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
     distance, radius = line.path[0], line.path[1]
-    source, here = line.source, line.columns
+    source, sun_columns = line.source, line.columns
     extinction = air.extinction
     wavelengths = out.size
     for k in range(count):
@@ -306,27 +306,27 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
         seen = visible_fraction(sun_elevation(q, mu_sk, air.bottom), air.star_radius)
         if seen <= 0.0:
             continue
-        star_columns(q, mu_sk, nested, air, line.edges, line.sun, here)
+        star_columns(q, mu_sk, nested, air, line.edges, line.sun, sun_columns)
         for l in range(wavelengths):
             tau = 0.0
             for c in range(extinction.shape[0]):
-                tau += extinction[c, l] * here[c]
+                tau += extinction[c, l] * sun_columns[c]
             light = seen * exp(-tau)
             for at in range(l, phase.size, wavelengths):
                 out[l] += source[k, at] * phase[at] * light
 
 
 @compiled_loop
-def star_columns(r, mu_s, nested, air, edges, path, here):
+def star_columns(r, mu_s, nested, air, edges, path, out):
     """Columns from a point to the star, or past the horizon if that hides its centre. [m]"""
     mu = max(mu_s, horizon_cosine(r, air.bottom))
     if not nested:
-        columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, here)
+        columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, out)
         return
     length = -r * mu + ((air.top - r) * (air.top + r) + r * r * mu * mu) ** 0.5
     follow(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)
-    for c in range(here.size):
-        here[c] = path[5][c]
+    for c in range(out.size):
+        out[c] = path[5][c]
 
 
 def axes_shape(axes: Layout, channels: int) -> tuple[int, int, int, int]:

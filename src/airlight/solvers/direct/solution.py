@@ -230,7 +230,7 @@ def solve(
         If the orders do not fall.
     """
     medium, note = without_refraction(medium)
-    if medium.polarising(np.zeros(())).any():  # at right angles to the star
+    if medium.phase_f12(np.zeros(())).any():  # at right angles to the star
         note = f"{note}; {SCALAR}" if note else SCALAR
     started = perf_counter()
     media = [medium]

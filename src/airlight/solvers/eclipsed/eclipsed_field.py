@@ -22,9 +22,9 @@ from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, horizon_cosine
 from airlight.kernel import compiled_loop, disk
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES, load, store
+from airlight.kernel.refcounts import without_refcount
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.eclipsed.eclipsed_march import (
     LOCAL_SHADOW,
@@ -290,17 +290,17 @@ def _local_part(shadow: ShadowTables, light: MarchTables) -> Float32Array:
 
 
 @compiled_loop
-def _fill_local(bottom, top, shadow, spare, out):
+def _fill_local(bottom, top, shadow, scratch, out):
     for row in range(out.shape[0]):
         for column in range(out.shape[1]):
             for angle in range(out.shape[2]):
                 x, y, z = node_point(row, column, angle, bottom, top, shadow)
-                seen_star_part(x, y, z, shadow, spare)
-                out[row, column, angle] = spare.seen
+                seen_star_part(x, y, z, shadow, scratch)
+                out[row, column, angle] = scratch.seen
 
 
 @compiled_loop
-def _gather(row, column, count, kind, light, shadow, work, spare, directions, field, sky):
+def _gather(row, column, count, kind, light, shadow, work, scratch, directions, field, sky):
     """Gather the light of all directions at the nodes of a distance, into field and sky.
 
     Parameters
@@ -309,7 +309,7 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
         Indices of altitude and distance, and number of position angles.
     kind : int
         ``LOCAL_SHADOW`` or ``SCATTERING_CORRECTION``.
-    light, shadow, work, spare :
+    light, shadow, work, scratch :
         Arguments of ``march_eclipsed``.
     directions : tuple of arrays
         Result of ``_directions``.
@@ -318,7 +318,7 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
     sky : array, shape (angles, w)
         Receives that of the sky's irradiance, at the lowest nodes.
     """
-    light, shadow, work, spare = borrowed((light, shadow, work, spare))
+    light, shadow, work, scratch = without_refcount((light, shadow, work, scratch))
     lanes, star = light.lanes, shadow.star
     up_nodes, up_weights, down_nodes, down_weights, azimuths = directions
     result = np.empty(2 * lanes, np.float32)
@@ -328,10 +328,10 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
         x, y, z = node_point(row, column, angle, light.bottom, light.top, shadow)
         q = min(max(sqrt(x * x + y * y + z * z), light.bottom), light.top)
         for at in range(lanes):
-            spare.offset[at] = 0.0
-        seen_star_part(x, y, z, shadow, spare)
+            scratch.offset[at] = 0.0
+        seen_star_part(x, y, z, shadow, scratch)
         for at in range(lanes):
-            spare.offset[at] = spare.seen[at]
+            scratch.offset[at] = scratch.seen[at]
         a, b, c = x / q, y / q, z / q
         mu_s = min(max(a * star.star_x + b * star.star_y + c * star.star_z, -1.0), 1.0)
         # Horizontal directions: any, if the quadrature is even in azimuth.
@@ -374,15 +374,15 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
                     )
                     line_eclipsed(
                         x, y, z, u, v, w, half, length, side == 1, kind, work.phase, light, shadow,
-                        work, spare, result,
+                        work, scratch, result,
                     )  # fmt: skip
-                    direction_functions(u, v, w, shadow, spare)
+                    direction_functions(u, v, w, shadow, scratch)
                     for at in range(0, lanes, LANES):
                         value = load(result, at) * np.float32(solid)
                         for index in range(terms):
                             store(
                                 field[angle, index], at,
-                                load(field[angle, index], at) + value * spare.functions[index],
+                                load(field[angle, index], at) + value * scratch.functions[index],
                             )  # fmt: skip
                         if row == 0 and side == 0:
                             store(sky[angle], at, load(sky[angle], at) + value * np.float32(mu))

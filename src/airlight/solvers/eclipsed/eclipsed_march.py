@@ -83,14 +83,14 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
 
 
 @inlined
-def seen_star_part(x, y, z, shadow, spare):
-    """Part of the star's light at a point, less the offset, into ``spare.seen``. [1]
+def seen_star_part(x, y, z, shadow, scratch):
+    """Part of the star's light at a point, less the offset, into ``scratch.seen``. [1]
 
     Parameters
     ----------
     x, y, z : float
         Point in the frame of the shadow, optical. [m]
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
     """
     separation, size = apparent_discs(x, y, z, shadow.star)
     near, e, f = table_place(separation, size, shadow.star)
@@ -100,7 +100,7 @@ def seen_star_part(x, y, z, shadow, spare):
             part = splat(0.0)
         elif near >= 0:
             part = seen_lanes(near, e, f, shadow.star, at)
-        store(spare.seen, at, part - load(spare.offset, at))
+        store(scratch.seen, at, part - load(scratch.offset, at))
 
 
 @inlined
@@ -128,7 +128,7 @@ def turned_point(x, y, z, u, v, w, q, mu, angle):
 
 @compiled_loop
 def march_eclipsed(
-    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result
+    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, scratch, result
 ):  # fmt: skip
     """Light of a stretch of air towards its start, per irradiance of the unshadowed star.
 
@@ -143,14 +143,14 @@ def march_eclipsed(
     length : float
         Length, to the ground or to the top. [m]
     kind : int
-        ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. Of the first, ``spare.offset`` is
+        ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. Of the first, ``scratch.offset`` is
         subtracted from the star's light.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
     light, work : MarchTables, MarchWorkspace
         Tables of the unshadowed solution; workspace, whose totals receive the columns of the
         stretch [m].
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
     result : array, shape (2·w,)
         Receives the air's radiance [sr⁻¹] and its transmittance [1].
@@ -164,7 +164,7 @@ def march_eclipsed(
     count = split_at_umbra(x, y, u, v, length, shadow, work.edges, count)
     n = int(light.rules[rule])
     if kind != LOCAL_SHADOW:
-        direction_functions(u, v, w, shadow, spare)
+        direction_functions(u, v, w, shadow, scratch)
     for c in range(light.constituents):
         work.columns_so_far[c] = 0.0
     for at in range(0, light.lanes, LANES):
@@ -175,7 +175,7 @@ def march_eclipsed(
         panel_columns(rule, light, work)
         for k in range(n):
             _add_point(
-                x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, spare,
+                x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, scratch,
                 result,
             )  # fmt: skip
     for c in range(light.constituents):
@@ -192,7 +192,7 @@ def march_eclipsed(
 
 @inlined
 def _add_point(
-    x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, spare, result
+    x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, scratch, result
 ):  # fmt: skip
     """Add the light of one point of a panel; arguments as in ``march_eclipsed``."""
     q = min(max(work.radius[k], light.bottom), light.top)
@@ -215,11 +215,11 @@ def _add_point(
         across = (nu - mu_q * straight) / sine
         nu_q = mu_q * mu_sq + sine * (cos(angle) * across - sin(angle) * straight)
     inside = kind != LOCAL_SHADOW and place_in_shadow(
-        px, py, pz, q, light.bottom, light.top, shadow, spare
+        px, py, pz, q, light.bottom, light.top, shadow, scratch
     )
     seen, spread = 0.0, False
     if kind != SCATTERING_CORRECTION:
-        seen_star_part(px, py, pz, shadow, spare)
+        seen_star_part(px, py, pz, shadow, scratch)
         seen, spread = star_columns(q, mu_sq, light, work)
     if kind == SCATTERING_CORRECTION and not inside:
         return
@@ -234,7 +234,7 @@ def _add_point(
         source = splat(0.0)
         total = load(result, at)
         if kind != SCATTERING_CORRECTION:
-            part = load(spare.seen, at)
+            part = load(scratch.seen, at)
             source = multiple_scattering_at(near, block, f, e, light, work, at) * part
             if seen > 0.0:
                 arriving = direct_beam(
@@ -254,7 +254,7 @@ def _add_point(
             mean = maximum(mean / scale * work.functions[0], splat(0.0))
             source = source + mean * deviation(
                 work.point_density, light.moments, light.constituents, light.degree + 1, shadow,
-                spare, light.lanes, at,
+                scratch, light.lanes, at,
             )  # fmt: skip
             if kind == TOTAL:
                 source = maximum(source, splat(0.0))
@@ -262,14 +262,14 @@ def _add_point(
 
 
 @compiled_loop
-def eclipsed_ground_light(x, y, z, kind, light, shadow, work, spare):
+def eclipsed_ground_light(x, y, z, kind, light, shadow, work, scratch):
     """Irradiance of level ground per irradiance of the unshadowed star, in ``work.received``. [1]
 
     Parameters
     ----------
     x, y, z : float
         Point of the ground in the frame of the shadow, optical. [m]
-    kind, light, shadow, work, spare :
+    kind, light, shadow, work, scratch :
         Arguments of ``march_eclipsed``; the workspace receives the irradiances by the star and by
         the sky.
     """
@@ -277,17 +277,17 @@ def eclipsed_ground_light(x, y, z, kind, light, shadow, work, spare):
     q = sqrt(x * x + y * y + z * z)
     mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / q, -1.0), 1.0)
     ground_light(mu_s, 2, light, work)
-    seen_star_part(x, y, z, shadow, spare)
+    seen_star_part(x, y, z, shadow, scratch)
     inside = kind != LOCAL_SHADOW and place_in_shadow(
-        x, y, z, light.bottom, light.bottom, light.top, shadow, spare
+        x, y, z, light.bottom, light.bottom, light.top, shadow, scratch
     )
     for at in range(0, light.lanes, LANES):
         part = splat(0.0)
         if kind != SCATTERING_CORRECTION:
-            part = load(spare.seen, at)
+            part = load(scratch.seen, at)
         store(work.received, at, load(work.received, at) * part)
         if inside:
-            part = part + sky_deviation(shadow, spare, light.lanes, at)
+            part = part + sky_deviation(shadow, scratch, light.lanes, at)
             if kind == TOTAL:
                 part = maximum(part, splat(0.0))
         sky = load(work.received, light.lanes + at) * part
@@ -324,23 +324,23 @@ def end_on_ground(x, y, z, u, v, w, length, light, work):
 
 @inlined
 def line_eclipsed(
-    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, light, shadow, work, spare, result
+    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, light, shadow, work, scratch, result
 ):  # fmt: skip
     """Radiance of a whole line of sight, the ground at its end included.
 
     Parameters
     ----------
-    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result :
+    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, scratch, result :
         Arguments of ``march_eclipsed``.
     to_ground : bool
         Whether the line ends on the ground.
     """
     march_eclipsed(
-        x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result
+        x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, scratch, result
     )
     if to_ground:
         px, py, pz, mu_r = end_on_ground(x, y, z, u, v, w, length, light, work)
-        eclipsed_ground_light(px, py, pz, kind, light, shadow, work, spare)
+        eclipsed_ground_light(px, py, pz, kind, light, shadow, work, scratch)
         star = shadow.star
         mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / light.bottom
         nu = u * star.star_x + v * star.star_y + w * star.star_z

@@ -148,17 +148,19 @@ def grid_distances(middle: float, width: float, count: int) -> FloatArray:
 
 
 @inlined
-def direction_functions(u, v, w, shadow, spare):
+def direction_functions(u, v, w, shadow, scratch):
     """Real harmonics of a direction, (l, m) at l(l + 1) + m, sines at negative m.
 
     Parameters
     ----------
     u, v, w : float
         Direction in the frame of the shadow. [1]
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         The workspace receives the functions.
     """
-    legendre_functions(w, (shadow.degree, shadow.start, shadow.ahead, shadow.back), spare.legendre)
+    legendre_functions(
+        w, (shadow.degree, shadow.start, shadow.ahead, shadow.back), scratch.legendre
+    )
     level = sqrt(u * u + v * v)
     cosine, sine = 1.0, 0.0
     if level > 1e-12:
@@ -166,15 +168,15 @@ def direction_functions(u, v, w, shadow, spare):
     even, odd = 1.0, 0.0
     for m in range(shadow.degree + 1):
         for l in range(m, shadow.degree + 1):
-            value = spare.legendre[l * (l + 1) // 2 + m]
-            spare.functions[l * (l + 1) + m] = value * even
+            value = scratch.legendre[l * (l + 1) // 2 + m]
+            scratch.functions[l * (l + 1) + m] = value * even
             if m > 0:
-                spare.functions[l * (l + 1) - m] = value * odd
+                scratch.functions[l * (l + 1) - m] = value * odd
         even, odd = even * cosine - odd * sine, odd * cosine + even * sine
 
 
 @inlined
-def place_in_shadow(x, y, z, q, bottom, top, shadow, spare):
+def place_in_shadow(x, y, z, q, bottom, top, shadow, scratch):
     """Find the nodes around a point, and their weights.
 
     Parameters
@@ -183,7 +185,7 @@ def place_in_shadow(x, y, z, q, bottom, top, shadow, spare):
         Point in the frame of the shadow, and its radius, both optical. [m]
     bottom, top : float
         Optical radii of the ground and of the shell's top. [m]
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         The workspace receives nodes, of altitude, distance and angle, and parts.
 
     Returns
@@ -208,13 +210,15 @@ def place_in_shadow(x, y, z, q, bottom, top, shadow, spare):
     for k in range(8):
         up, out, on = k // 4, (k // 2) % 2, k % 2
         part = (f if up else 1.0 - f) * (g if out else 1.0 - g) * (h if on else 1.0 - h)
-        spare.parts[k] = part
-        spare.nodes[k] = ((row + up) * shadow.distances + column + out) * shadow.angles + angle + on
+        scratch.parts[k] = part
+        scratch.nodes[k] = (
+            ((row + up) * shadow.distances + column + out) * shadow.angles + angle + on
+        )
     return True
 
 
 @inlined
-def deviation(density, moments, constituents, width, shadow, spare, lanes, at):
+def deviation(density, moments, constituents, width, shadow, scratch, lanes, at):
     """Deviation of light scattered before, scattered into a line, over the mean radiance. [m⁻¹]
 
     Parameters
@@ -225,7 +229,7 @@ def deviation(density, moments, constituents, width, shadow, spare, lanes, at):
         Scattering coefficient times Legendre moment. [m⁻¹]
     constituents, width : int
         Number of constituents, and of Legendre moments of each.
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         Field, and workspace after ``place_in_shadow`` and ``direction_functions``.
     lanes, at : int
         Number of lanes, and index of the first.
@@ -240,28 +244,28 @@ def deviation(density, moments, constituents, width, shadow, spare, lanes, at):
         for index in range(l * l, (l + 1) * (l + 1)):
             value = splat(0.0)
             for k in range(8):
-                value = value + spare.parts[k] * load(
-                    shadow.field, lanes * (spare.nodes[k] * terms + index) + at
+                value = value + scratch.parts[k] * load(
+                    shadow.field, lanes * (scratch.nodes[k] * terms + index) + at
                 )
-            part = part + spare.functions[index] * value
+            part = part + scratch.functions[index] * value
         total = total + strength * part
     return total
 
 
 @inlined
-def sky_deviation(shadow, spare, lanes, at):
+def sky_deviation(shadow, scratch, lanes, at):
     """Deviation of the sky's irradiance of the ground, over the unshadowed one. [1]
 
     Parameters
     ----------
-    shadow, spare, lanes, at :
+    shadow, scratch, lanes, at :
         Arguments of ``deviation``, the point on the ground.
     """
     value = splat(0.0)
     for k in range(8):
-        node = spare.nodes[k]
+        node = scratch.nodes[k]
         if node < shadow.distances * shadow.angles:
-            value = value + spare.parts[k] * load(shadow.sky, lanes * node + at)
+            value = value + scratch.parts[k] * load(shadow.sky, lanes * node + at)
     return value
 
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel import compiled_loop
-from airlight.kernel.borrowing import borrowed
+from airlight.kernel.refcounts import without_refcount
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.eclipsed.eclipsed_field import eclipsed_field
 from airlight.solvers.eclipsed.eclipsed_march import TOTAL, eclipsed_ground_light, line_eclipsed
@@ -152,25 +152,25 @@ def _way(r: FloatArray, mu: FloatArray, sine: FloatArray, solution: MomentsSolut
 
 
 @compiled_loop
-def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, work, spare, out):
-    light, shadow, work, spare = borrowed((light, shadow, work, spare))
+def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, work, scratch, out):
+    light, shadow, work, scratch = without_refcount((light, shadow, work, scratch))
     result = np.empty(2 * light.lanes, np.float32)
     for k in range(length.size):
         if length[k] <= 0.0 and not to_ground[k]:
             continue
         line_eclipsed(
             start[k, 0], start[k, 1], start[k, 2], along[k, 0], along[k, 1], along[k, 2],
-            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], light, shadow, work, spare,
+            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], light, shadow, work, scratch,
             result,
         )  # fmt: skip
         out[k] = result[: light.lanes]
 
 
 @compiled_loop
-def _ground(at, light, shadow, work, spare, out):
-    light, shadow, work, spare = borrowed((light, shadow, work, spare))
+def _ground(at, light, shadow, work, scratch, out):
+    light, shadow, work, scratch = without_refcount((light, shadow, work, scratch))
     for k in range(at.shape[0]):
-        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, light, shadow, work, spare)
+        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, light, shadow, work, scratch)
         for at_lane in range(light.lanes):
             out[k, 0, at_lane] = work.received[at_lane]
             out[k, 1, at_lane] = work.received[light.lanes + at_lane]

@@ -95,7 +95,7 @@ def polarised_truncated_fraction(forward, part):
 @compiled_loop
 def delta_m_scaling(
     scattering, absorption, phases, polarised_elements, columns, degree, extinction, moments,
-    polarised_phase, depths,
+    polarised_moments, depths,
 ):  # fmt: skip
     """Delta-M scaling of a medium, at each of its wavelengths.
 
@@ -116,7 +116,7 @@ def delta_m_scaling(
         Receives the scaled extinction coefficients. [m⁻¹]
     moments : array, shape (nc·(degree + 1)·nl,)
         Receives scattering coefficient times Legendre moment, both scaled. [m⁻¹]
-    polarised_phase : array, shape (nc·4·nl,)
+    polarised_moments : array, shape (nc·4·nl,)
         Receives scattering coefficient times the scaled elements of degree 2: β₁ between moments of
         the radiance and even polarised ones, α₂ and α₃ between even and between odd polarised
         ones; then the extinction of I less that of Q and U. [m⁻¹]
@@ -148,14 +148,14 @@ def delta_m_scaling(
                 moments[(c * (degree + 1) + l) * wavelengths + w] = moment
             polarised_part = polarised_truncated_fraction(polarised_elements[c, w, 3], part)
             first = ELEMENTS * c * wavelengths + w
-            polarised_phase[first] = scattered * polarised_elements[c, w, 0]
-            polarised_phase[first + wavelengths] = scattered * (
+            polarised_moments[first] = scattered * polarised_elements[c, w, 0]
+            polarised_moments[first + wavelengths] = scattered * (
                 polarised_elements[c, w, 1] - polarised_part
             )
-            polarised_phase[first + 2 * wavelengths] = scattered * (
+            polarised_moments[first + 2 * wavelengths] = scattered * (
                 polarised_elements[c, w, 2] - polarised_part
             )
-            polarised_phase[first + 3 * wavelengths] = scattered * (polarised_part - part)
+            polarised_moments[first + 3 * wavelengths] = scattered * (polarised_part - part)
         depths[w] = weight
         depths[wavelengths + w] = smooth
         depths[2 * wavelengths + w] = transport
@@ -223,7 +223,7 @@ class Optics:
         medium, (constituents, wavelengths) = self.medium, self.medium.scattering.shape
         extinction = np.empty((constituents, wavelengths))
         moments = np.empty((constituents, self.degree + 1, wavelengths))
-        polarised_phase = np.empty((constituents, ELEMENTS, wavelengths))
+        polarised_moments = np.empty((constituents, ELEMENTS, wavelengths))
         depths = np.empty((3, wavelengths))
         # Copies, which can be written to: a medium's arrays cannot, and need not be in one piece.
         given = (
@@ -232,9 +232,9 @@ class Optics:
         )  # fmt: skip
         delta_m_scaling(
             *(np.array(one, float) for one in given), self.degree, extinction.reshape(-1),
-            moments.reshape(-1), polarised_phase.reshape(-1), depths.reshape(-1),
+            moments.reshape(-1), polarised_moments.reshape(-1), depths.reshape(-1),
         )  # fmt: skip
-        return extinction, moments, polarised_phase, depths
+        return extinction, moments, polarised_moments, depths
 
     @property
     def extinction(self) -> FloatArray:
@@ -293,13 +293,13 @@ class Optics:
         block : slice
             Indices of the wavelengths.
         """
-        medium, (extinction, moments, polarised_phase, _) = self.medium, self._reduced
+        medium, (extinction, moments, polarised_moments, _) = self.medium, self._reduced
         return ScaledOptics(
             extinction=pack(extinction[:, block]),
             moments=pack(moments[..., block]),
             ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
             star_radius=medium.lights[0].angular_radius,
-            polarised_phase=pack(polarised_phase[..., block]),
+            polarised_moments=pack(polarised_moments[..., block]),
         )
 
 

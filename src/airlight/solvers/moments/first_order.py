@@ -203,7 +203,7 @@ def _first_order(
         depths,
     ) = rays
     cosines, multiples, sines = azimuths
-    extinction, moments, surface, star_radius, polarised_phase = air
+    extinction, moments, surface, star_radius, polarised_moments = air
     sun_angles = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
@@ -271,9 +271,9 @@ def _first_order(
             for c in range(count):
                 amount = transmittance * np.float32(amounts[first + k, scatterers[c]])
                 store(strength, LANES * (k * count + c), amount)
-                beta_1 = beta_1 + load(polarised_phase, LANES * ELEMENTS * scatterers[c]) * amount
+                beta_1 = beta_1 + load(polarised_moments, LANES * ELEMENTS * scatterers[c]) * amount
             polarised_ratio = polarised_transmittance_ratio(
-                depths[first + k], 0, polarised_phase, constituents
+                depths[first + k], 0, polarised_moments, constituents
             )
             store(phase_f12, LANES * k, polarised_ratio * beta_1)
             turned[2 * k] = np.float32(turns_along[first + k, 0] + turns_along[first + k, 1] * mu)

@@ -183,7 +183,7 @@ def add_point(
         polarised_ratio = splat(1.0)
         if polarised and orders != 1:
             polarised_ratio = polarised_ratio_columns(
-                work.depths, light.polarised_phase, light.constituents, light.lanes, at
+                work.depths, light.polarised_moments, light.constituents, light.lanes, at
             )
         if seen > 0.0:
             star = transmittance * direct_beam(
@@ -318,7 +318,7 @@ def add_polarised_light(transmittance, mu, near, block, f, e, light, work, at, r
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     stokes_q, stokes_u = polarised_scattering_source(
-        work.point_density, light.polarised_phase, light.field, mu, work.azimuth[0], near,
+        work.point_density, light.polarised_moments, light.field, mu, work.azimuth[0], near,
         near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip
@@ -402,7 +402,7 @@ def multiple_scattering_at(near, block, f, e, light, work, at):
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(
-        work.point_density, light.moments, light.polarised_phase, light.field, work.functions, near,
+        work.point_density, light.moments, light.polarised_moments, light.field, work.functions, near,
         near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import MAX_EDGES
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
+from airlight.kernel.refcounts import without_refcount
 from airlight.kernel.threads import run_blocks
 from airlight.optics.altitude_nodes import node_value
 from airlight.solvers.lines_of_sight import LinesOfSight
@@ -163,7 +163,7 @@ def scattering_by_constituent(
 def _march_all(
     r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, light, work, stars, out
 ):  # fmt: skip
-    light, work, stars = borrowed((light, work, stars))
+    light, work, stars = without_refcount((light, work, stars))
     apart = False
     if not delta_scaled:
         for k in range(light.scaled_extinction.size):
@@ -417,7 +417,7 @@ def _place_direction(mu, light, work, stars):
         for c in range(light.constituents):
             beta_1 = (
                 beta_1
-                + load(light.polarised_phase, lanes * ELEMENTS * c + at) * work.point_density[c]
+                + load(light.polarised_moments, lanes * ELEMENTS * c + at) * work.point_density[c]
             )
         last = (degree + 1) * (degree + 2) // 2
         for m in range(EVEN):

@@ -54,7 +54,7 @@ class MarchTables(NamedTuple):
     column_rows : array, shape (n,)
         Rows of ``columns`` at the altitude nodes. [1]
     columns : array, shape (radii, directions, nc, 2)
-        Ratios of a ``ColumnTable``, from ``mean_density_ratios``. [1]
+        Ratios of a ``ColumnTable``, from ``rational_mean_density``. [1]
     density : array, shape (n, nc)
         Densities from ``density_table``. [1]
     strongest, brightest : array, shape (nc,)
@@ -77,7 +77,7 @@ class MarchTables(NamedTuple):
         True scattering coefficients. [m⁻¹]
     moments : array, shape (nc·(N + 1)·w,)
         Scattering coefficient times Legendre moment, both scaled. [m⁻¹]
-    polarised_phase : array, shape (nc·4·w,)
+    polarised_moments : array, shape (nc·4·w,)
         Scattering coefficient times elements of the phase matrix, from ``ScaledOptics``. [m⁻¹]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
@@ -133,7 +133,7 @@ class MarchTables(NamedTuple):
     extinction: Annotated[Float32Array, SPECTRA]
     scattering: Annotated[Float32Array, SPECTRA]
     moments: Annotated[Float32Array, SPECTRA]
-    polarised_phase: Annotated[Float32Array, SPECTRA]
+    polarised_moments: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
     phase_f12: Annotated[Float32Array, SPECTRA]
     inverse_peak_fraction: Annotated[Float32Array, SPECTRA]

@@ -44,7 +44,7 @@ def pack(values: FloatArray) -> Float32Array:
     return np.ascontiguousarray(filled(values), dtype=np.float32).reshape(-1)
 
 
-def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
+def pack_rational(values: Float32Array, scale_from: Float32Array) -> Float32Array:
     """Pack (..., k, 8) values for interpolation as ratios: (s, value·s) with s = 1/sqrt(scale).
 
     See the head of ``sweep``; ``scale_from`` has shape (..., 8) and is positive.
@@ -55,7 +55,7 @@ def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
 
 
 @kernel
-def ratio_scale(mean, highest, level):
+def rational_scale(mean, highest, level):
     """Factor s of a node, by which its moments are multiplied for interpolation.
 
     Parameters
@@ -121,7 +121,7 @@ def pack_light(
         _pack_sun(field[:, sun], mean[:, sun], level[sun], parts, order, packed[:, sun])
 
     run_blocks(under, sun_angles)
-    return packed.reshape(-1), as_ratios(received[..., None, :], received)
+    return packed.reshape(-1), pack_rational(received[..., None, :], received)
 
 
 @compiled_loop
@@ -159,7 +159,7 @@ def _pack_sun(field, mean, level, parts, order, out):
             highest[w] = max(highest[w], whole[i, 0, w])
     for i in range(levels):
         for w in range(width):
-            scale[w] = ratio_scale(whole[i, 0, w], highest[w], level[w])
+            scale[w] = rational_scale(whole[i, 0, w], highest[w], level[w])
         for n in range(order.size):
             moment = order[n] - 1
             if moment < 0:

@@ -29,7 +29,7 @@ class ScaledOptics(NamedTuple):
         Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
-    polarised_phase : array, shape (nc·4·8,)
+    polarised_moments : array, shape (nc·4·8,)
         Scattering coefficient times the elements β₁, α₂ and α₃ of degree 2; extinction of I less
         that of Q and U; see ``delta_m.delta_m_scaling``. [m⁻¹]
     """
@@ -38,7 +38,7 @@ class ScaledOptics(NamedTuple):
     moments: Float32Array
     ground: Reflection
     star_radius: float
-    polarised_phase: Float32Array
+    polarised_moments: Float32Array
 
 
 class Azimuths(NamedTuple):
@@ -77,14 +77,14 @@ def optical_depth(columns, first, extinction, constituents):
 
 
 @inlined
-def polarised_transmittance_ratio(columns, first, polarised_phase, constituents):
+def polarised_transmittance_ratio(columns, first, polarised_moments, constituents):
     """Transmittance of Q and U over that of I, of eight wavelengths. [1]
 
-    ``columns[first:]`` holds one row of columns; ``polarised_phase`` of ``ScaledOptics``.
+    ``columns[first:]`` holds one row of columns; ``polarised_moments`` of ``ScaledOptics``.
     """
     more = splat(0.0)
     for c in range(constituents):
-        more = more + load(polarised_phase, LANES * (ELEMENTS * c + 3)) * np.float32(
+        more = more + load(polarised_moments, LANES * (ELEMENTS * c + 3)) * np.float32(
             columns[first + c]
         )
     return exponential(more)

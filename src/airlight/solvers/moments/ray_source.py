@@ -69,7 +69,7 @@ def fill_factors(
     ----------
     point : int
         Index of the point among all.
-    rays, air, expansion : arrays and tuples of ``sweep_radius``, borrowed
+    rays, air, expansion : arrays and tuples of ``sweep_radius``, without_refcount
     degree, highest : int
         Highest degree, and the highest that counts at this point.
     functions : array
@@ -82,7 +82,7 @@ def fill_factors(
     narrow : bool
         See ``first_register``; a constant.
     """
-    extinction, moments, polarised_phase = air
+    extinction, moments, polarised_moments = air
     mu_along, amounts, depths = rays
     constituents = amounts.shape[1]
     legendre_functions(mu_along[point], expansion, functions)
@@ -102,17 +102,19 @@ def fill_factors(
             for m in range(l + 1):
                 store(factors, at + LANES * m, strength * np.float32(functions[index + m]))
     last = ELEMENTS - 1
-    beta_1 = transmittance * strength_of(polarised_phase, amounts, point, 0, last, constituents)
-    polarised_ratio = polarised_transmittance_ratio(depths[point], 0, polarised_phase, constituents)
+    beta_1 = transmittance * strength_of(polarised_moments, amounts, point, 0, last, constituents)
+    polarised_ratio = polarised_transmittance_ratio(
+        depths[point], 0, polarised_moments, constituents
+    )
     alpha_2 = (
         polarised_ratio
         * transmittance
-        * strength_of(polarised_phase, amounts, point, 1, last, constituents)
+        * strength_of(polarised_moments, amounts, point, 1, last, constituents)
     )
     alpha_3 = (
         polarised_ratio
         * transmittance
-        * strength_of(polarised_phase, amounts, point, 2, last, constituents)
+        * strength_of(polarised_moments, amounts, point, 2, last, constituents)
     )
     turned = polarised_ratio * beta_1
     # The Legendre functions of degree 2.

@@ -37,7 +37,7 @@ from airlight.solvers.moments.ray_optics import Azimuths, ScaledOptics
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.tables.column_ratios import column_rows, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, rational_mean_density
 from airlight.tables.columns import ColumnTable
 
 FloatArray = NDArray[np.float64]
@@ -240,7 +240,7 @@ class Setup:
 
     @property
     def ratios(self) -> FloatArray:
-        """``mean_density_ratios`` of that table. [1]"""
+        """``rational_mean_density`` of that table. [1]"""
         return self._columns[1]
 
     @cached_property
@@ -367,7 +367,7 @@ def _columns(
             _tables.move_to_end(key)
             return _tables[key]
     table = ColumnTable.build(bottom, top, density, (radii.size, directions), radii)
-    made = table, mean_density_ratios(table)
+    made = table, rational_mean_density(table)
     with _lock:
         _tables[key] = made
         while len(_tables) > _KEPT:

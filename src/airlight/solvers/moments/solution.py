@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from airlight.geometry.bending import bend_angle, turned
 from airlight.kernel import compiled_loop
-from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, store
+from airlight.kernel.refcounts import without_refcount
 from airlight.kernel.threads import run_blocks
 from airlight.optics.reflection import cos_reflected
 from airlight.planets.light_source import LightSource
@@ -35,7 +35,7 @@ from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.solvers.solution import Report, Solution
-from airlight.tables.column_ratios import column_rows, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, rational_mean_density
 from airlight.tables.columns import ColumnTable, density_table
 
 FloatArray = NDArray[np.float64]
@@ -136,7 +136,7 @@ class MomentsSolution(Solution):
             widened=widening is not None,
             first_nodes=medium.density.first_nodes,
             column_rows=column_rows(table, medium.density),
-            columns=mean_density_ratios(table),
+            columns=rational_mean_density(table),
             density=density_table(medium.density),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
@@ -152,7 +152,7 @@ class MomentsSolution(Solution):
             extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
             moments=air.moments,
-            polarised_phase=air.polarised_phase,
+            polarised_moments=air.polarised_moments,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
             phase_f12=pack(self._phase_f12(medium)),
             inverse_peak_fraction=pack(inverse_peak_fraction(optics)),
@@ -173,7 +173,7 @@ class MomentsSolution(Solution):
         )
         if not self.polarised:
             return np.zeros((nodes, constituents, count.size))
-        return medium.polarising(1.0 - 2.0 * np.linspace(0.0, 1.0, nodes) ** 2)
+        return medium.phase_f12(1.0 - 2.0 * np.linspace(0.0, 1.0, nodes) ** 2)
 
     @property
     def polarised(self) -> bool:
@@ -224,7 +224,9 @@ class MomentsSolution(Solution):
         chosen = self.light if light is None else light
         return self._lines(lines, orders, chosen, scatterers, ground)[0]
 
-    def before_the_ground(self, lines: LinesOfSight, orders: int) -> tuple[FloatArray, FloatArray]:
+    def path_and_total_radiance(
+        self, lines: LinesOfSight, orders: int
+    ) -> tuple[FloatArray, FloatArray]:
         """Radiance of the air alone along lines of sight, and that of all, the ground included.
 
         Parameters
@@ -300,7 +302,7 @@ class MomentsSolution(Solution):
             half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
             phase_f12 = phase[:, :0]
             if stokes:
-                phase_f12 = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
+                phase_f12 = pack(self.paths.medium.phase_f12(seen[rows])).reshape(phase.shape)
             result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
             _march_all(
                 lines.r[rows],
@@ -367,7 +369,7 @@ def _march_all(
     r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, light, work,
     out,
 ):  # fmt: skip
-    light, work = borrowed((light, work))
+    light, work = without_refcount((light, work))
     lanes, bottom = light.lanes, light.bottom
     found, ground = work.found, np.empty(lanes, np.float32)
     for k in range(r.size):

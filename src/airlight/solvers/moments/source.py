@@ -24,14 +24,14 @@ def transmittance_columns(columns, extinction, constituents, lanes, at):
 
 
 @inlined
-def polarised_ratio_columns(columns, polarised_phase, constituents, lanes, at):
+def polarised_ratio_columns(columns, polarised_moments, constituents, lanes, at):
     """Transmittance of Q and U over that of I through columns (nc,). [1]
 
-    ``polarised_phase`` as in ``ScaledOptics``; other arguments as in ``transmittance_columns``.
+    ``polarised_moments`` as in ``ScaledOptics``; other arguments as in ``transmittance_columns``.
     """
     more = splat(0.0)
     for c in range(constituents):
-        more = more + load(polarised_phase, lanes * (ELEMENTS * c + 3) + at) * np.float32(
+        more = more + load(polarised_moments, lanes * (ELEMENTS * c + 3) + at) * np.float32(
             columns[c]
         )
     return exponential(more)
@@ -95,7 +95,7 @@ def between(field, near, far, block, w00, w01, w10, w11):
 
 @inlined
 def multiple_scattering_source(
-    density, moments, polarised_phase, field, functions, near, far, block, w00, w01, w10, w11,
+    density, moments, polarised_moments, field, functions, near, far, block, w00, w01, w10, w11,
     degree, constituents, lanes, at,
 ):  # fmt: skip
     """Source of multiple scattering, from the moments of the radiance. [m⁻¹ sr⁻¹]
@@ -106,7 +106,7 @@ def multiple_scattering_source(
         Relative densities. [1]
     moments : array, shape (nc·(N + 1)·w,)
         Moments of ``ScaledOptics``. [m⁻¹]
-    polarised_phase : array, shape (nc·4·w,)
+    polarised_moments : array, shape (nc·4·w,)
         Elements of the phase matrix, of ``ScaledOptics``. [m⁻¹]
     field : array
         Field of ``Light``.
@@ -133,7 +133,7 @@ def multiple_scattering_source(
         source = source + strength * part
     beta_1 = splat(0.0)
     for c in range(constituents):
-        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
+        beta_1 = beta_1 + load(polarised_moments, lanes * ELEMENTS * c + at) * density[c]
     part = splat(0.0)
     for m in range(EVEN):
         here = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
@@ -148,7 +148,7 @@ def multiple_scattering_source(
 
 @inlined
 def polarised_scattering_source(
-    density, polarised_phase, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
+    density, polarised_moments, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
     constituents, lanes, at,
 ):  # fmt: skip
     """Q and U of the source of multiple scattering.
@@ -157,7 +157,7 @@ def polarised_scattering_source(
     ----------
     mu, cosine : float
         Cosines of the line's zenith angle and of its azimuth. [1]
-    density, polarising, field, near, far, block, w00, w01, w10, w11, degree, constituents, lanes, \
+    density, polarised_moments, field, near, far, block, w00, w01, w10, w11, degree, constituents, lanes, \
     at :
         As in ``multiple_scattering_source``.
 
@@ -168,9 +168,9 @@ def polarised_scattering_source(
     """
     beta_1, alpha_2, alpha_3 = splat(0.0), splat(0.0), splat(0.0)
     for c in range(constituents):
-        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
-        alpha_2 = alpha_2 + load(polarised_phase, lanes * (ELEMENTS * c + 1) + at) * density[c]
-        alpha_3 = alpha_3 + load(polarised_phase, lanes * (ELEMENTS * c + 2) + at) * density[c]
+        beta_1 = beta_1 + load(polarised_moments, lanes * ELEMENTS * c + at) * density[c]
+        alpha_2 = alpha_2 + load(polarised_moments, lanes * (ELEMENTS * c + 1) + at) * density[c]
+        alpha_3 = alpha_3 + load(polarised_moments, lanes * (ELEMENTS * c + 2) + at) * density[c]
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     first = lanes * (1 + (degree + 1) * (degree + 2) // 2) + at  # E_20; M_20 has index 3
     stokes_q, stokes_u = splat(0.0), splat(0.0)

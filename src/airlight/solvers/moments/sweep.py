@@ -72,7 +72,7 @@ def _sweep(
         depths,
     ) = rays
     cosines, multiples, sines = azimuths
-    extinction, moments, surface, _, polarised_phase = air
+    extinction, moments, surface, _, polarised_moments = air
     sun_angles = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
@@ -119,7 +119,7 @@ def _sweep(
     star_cosines = np.empty(longest * LANES, np.float32)
     star_sines = np.empty(longest * LANES, np.float32)
     along_rays = (mu_along, amounts, depths)
-    optics = (extinction, moments, polarised_phase)
+    optics = (extinction, moments, polarised_moments)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):

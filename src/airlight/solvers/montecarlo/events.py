@@ -71,7 +71,7 @@ def draw_in_air(
     r, mu : float
         Start of the ray. [m], [1]
     panels, depth : int, float
-        Result of ``trace``.
+        Result of ``trace_optical_depth``.
     collision_probability : float
         Probability of a scattering or absorption on the ray, 1 - exp(-depth). [1]
     total, sun_sampling_fraction : float

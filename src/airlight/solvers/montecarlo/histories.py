@@ -45,7 +45,7 @@ from airlight.solvers.montecarlo.events import (
     turned,
 )
 from airlight.solvers.montecarlo.lit_air import sun_sampling_integral
-from airlight.solvers.montecarlo.rays import trace
+from airlight.solvers.montecarlo.rays import trace_optical_depth
 from airlight.solvers.montecarlo.stokes import (
     arriving,
     begin,
@@ -65,7 +65,7 @@ def _from_star(r, mu, air, path):
     """Transmittance from a point to space; 0 if the planet blocks the ray. [1]"""
     if meets_ground(r, mu, air.extinction.bottom):
         return 0.0
-    _, depth = trace(r, mu, False, air.extinction, path)
+    _, depth = trace_optical_depth(r, mu, False, air.extinction, path)
     return exp(-depth)
 
 
@@ -136,7 +136,9 @@ def trace_paths(
     grounded = meets_ground(start_r, start_mu, bottom)
     first_count, first_depth, first_total = 0, 0.0, 0.0
     if not hemisphere:
-        first_count, first_depth = trace(start_r, start_mu, grounded, air.extinction, first_path)
+        first_count, first_depth = trace_optical_depth(
+            start_r, start_mu, grounded, air.extinction, first_path
+        )
         if sun_sampling_fraction > 0.0:
             first_total = sun_sampling_integral(
                 start_r, start_mu, mu_s, nu, first_count, air.extinction, air.light, first_path,
@@ -163,7 +165,7 @@ def trace_paths(
                 to_ground, panels, depth = grounded, first_count, first_depth
             else:
                 to_ground = meets_ground(r, mu, bottom)
-                panels, depth = trace(r, mu, to_ground, air.extinction, next_path)
+                panels, depth = trace_optical_depth(r, mu, to_ground, air.extinction, next_path)
             collision_probability = -expm1(-depth)
             mu_r, returned, reflected = 0.0, 0.0, 0.0
             if to_ground:

@@ -20,7 +20,7 @@ from airlight.solvers.montecarlo.rays import (
     most_panels,
     new_trace,
     point_at,
-    trace,
+    trace_optical_depth,
 )
 from airlight.solvers.montecarlo.scattering_angles import Lobes, lobes
 from airlight.solvers.refracted_geometry import RefractedGeometry
@@ -195,7 +195,7 @@ def running_depths(r, mu, extinction, path, distances, out):
     """
     nodes, running = extinction.nodes, extinction.running
     for k in range(r.size):
-        count, _ = trace(r[k], mu[k], False, extinction, path)
+        count, _ = trace_optical_depth(r[k], mu[k], False, extinction, path)
         before, at = 0.0, 0
         for panel in range(count):
             for j in range(nodes.size + 1):

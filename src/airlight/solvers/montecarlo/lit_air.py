@@ -23,7 +23,7 @@ from airlight.solvers.montecarlo.rays import (
     depth_within,
     most_panels,
     new_trace,
-    trace,
+    trace_optical_depth,
 )
 
 FloatArray = NDArray[np.float64]
@@ -91,7 +91,7 @@ def _fill(extinction, path, values):
         for j in range(values.shape[1]):
             e = j / (values.shape[1] - 1.0)
             mu = min(horizon + (1.0 - horizon) * e * e, 1.0)
-            values[i, j] = exp(-trace(r, mu, False, extinction, path)[1])
+            values[i, j] = exp(-trace_optical_depth(r, mu, False, extinction, path)[1])
 
 
 @inlined
@@ -119,7 +119,7 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
         Radius of the ray's start, and cosines of its zenith angle, of the star's, and of the angle
         between them. [m], [1]
     count : int
-        Number of panels, from ``trace``.
+        Number of panels, from ``trace_optical_depth``.
     extinction, light, path : Extinction, Starlight, Trace
     lit : Lit
         Receives the pieces.

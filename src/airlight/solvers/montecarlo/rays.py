@@ -166,7 +166,7 @@ def _leg(
 
 
 @compiled_loop
-def trace(r, mu, to_ground, extinction, path):
+def trace_optical_depth(r, mu, to_ground, extinction, path):
     """Cut a ray into panels and integrate the optical depth of each.
 
     Parameters
@@ -215,9 +215,9 @@ def place_at_depth(depth, count, extinction, path):
     depth : float
         Depth, below that of the whole ray. [1]
     extinction : Extinction
-        Extinction of ``trace``.
+        Extinction of ``trace_optical_depth``.
     count, path : int, Trace
-        Result and output of ``trace``.
+        Result and output of ``trace_optical_depth``.
 
     Returns
     -------
@@ -305,7 +305,7 @@ def point_at(panel, t, r, mu, extinction):
     t : float
         Position on its own variable, 0 to 1.
     r, mu, extinction : float, float, Extinction
-        Arguments of ``trace``.
+        Arguments of ``trace_optical_depth``.
 
     Returns
     -------

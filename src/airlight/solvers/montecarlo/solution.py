@@ -167,7 +167,7 @@ class MonteCarloSolution(Solution):
         phases = disc_mean(self.medium, self.medium.phase_function, lines.nu)
         found[:, 0] = (once * phases).sum(axis=1) + reflected_once(self.medium, lines)
         if self.settings.polarisation:
-            across = disc_mean(self.medium, self.medium.polarising, lines.nu)
+            across = disc_mean(self.medium, self.medium.phase_f12, lines.nu)
             cosine, sine = star_planes(lines.mu, lines.mu_s, lines.nu)
             polarised = (once * across).sum(axis=1)
             found[:, 1] = polarised * cosine[:, None]
@@ -374,7 +374,7 @@ def disc_mean(
     ----------
     medium : Medium
     element : callable
-        Function of cosines of scattering angles: ``medium.phase_function`` or ``.polarising``.
+        Function of cosines of scattering angles: ``medium.phase_function`` or ``.phase_f12``.
     nu : array, shape (n,)
         Cosine between the view and the centre of the disc. [1]
 

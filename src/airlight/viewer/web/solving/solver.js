@@ -229,7 +229,7 @@ export class Solver {
   /** Replace the tables of the atmosphere. */
   load(air) {
     const { plan, scalars } = this;
-    const lanes = ["extinction", "moments", "polarised_phase", "albedo"].sort(
+    const lanes = ["extinction", "moments", "polarised_moments", "albedo"].sort(
       (a, b) => plan.tables[a].start - plan.tables[b].start,
     );
     const spectra = Float32Array.from(lanes.flatMap((name) => [...air[name]]));

@@ -15,7 +15,7 @@ from numba.extending import intrinsic
 
 
 @intrinsic
-def borrowed(typing_context: Any, value: Any) -> Any:
+def without_refcount(typing_context: Any, value: Any) -> Any:
     """Return the same array, or tuple of arrays, without an owner: valid only within the call.
 
     Parameters
