@@ -148,7 +148,7 @@ def test_a_moon_seen_through_the_air_is_dimmed_by_its_transmittance() -> None:
                                    view=view), np.array(NM), {})  # fmt: skip
     colors = lights_at.seen_from(lights[0], moon).colors() * moon.albedos(NM)[:, None]
     expected = (dimmed @ colors) / colors.sum(axis=0)
-    assert_allclose((through / bare).mean(axis=(0, 1)), expected, rtol=0.01)
+    assert_allclose((transmittance / bare).mean(axis=(0, 1)), expected, rtol=0.01)
 
 
 def test_a_stars_disc_has_its_irradiance_and_its_dark_rim() -> None:

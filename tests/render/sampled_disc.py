@@ -166,9 +166,9 @@ def _through(directions: FloatArray, solution: MomentsSolution, altitude: float)
     depth = columns(
         lines.r, lines.mu, lines.length, medium.bottom_radius, medium.density, nodes=32, panels=12
     )
-    through = np.exp(-(depth @ medium.extinction))
-    through[lines.to_ground] = 0.0
-    return np.asarray(through)
+    transmittance = np.exp(-(depth @ medium.extinction))
+    transmittance[lines.to_ground] = 0.0
+    return np.asarray(transmittance)
 
 
 def seen_direction(direction: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:

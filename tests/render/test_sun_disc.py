@@ -53,8 +53,8 @@ def solid_angles(camera: Camera, rows: slice = slice(None)) -> np.ndarray:
 
 def starlight(solution: MomentsSolution, scene: Scene) -> np.ndarray:
     """Law for the total: irradiance at the planet times transmittance, as linear sRGB."""
-    through = solution.transmittance(altitude=scene.altitude, view_zenith=scene.sun_zenith)
-    received = np.asarray(through) * solution.medium.solar_irradiance
+    transmittance = solution.transmittance(altitude=scene.altitude, view_zenith=scene.sun_zenith)
+    received = np.asarray(transmittance) * solution.medium.solar_irradiance
     return np.asarray(
         received @ rgb_weights(solution.wavelengths, solution.planet.star.irradiances)
     )

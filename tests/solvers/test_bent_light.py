@@ -138,8 +138,8 @@ def once_scattered(altitude: float, view: float, sun: float, azimuth: float) -> 
             rayleigh = 3.0 / (16.0 * pi) * (1.0 + nu * nu)
             lobe = (1 - ASYMMETRY**2) / (4 * pi * (1 + ASYMMETRY**2 - 2 * ASYMMETRY * nu) ** 1.5)
             source = GAS * rho[0] * rayleigh + PARTICLES * rho[1] * lobe
-            through = exp(-float(COEFFICIENTS @ np.asarray(column)))
-            total += 0.5 * (high - low) * w * source * through * light
+            transmittance = exp(-float(COEFFICIENTS @ np.asarray(column)))
+            total += 0.5 * (high - low) * w * source * transmittance * light
     return total
 
 

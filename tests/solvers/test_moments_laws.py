@@ -227,8 +227,8 @@ def test_nothing_is_negative_or_nan_anywhere(
     assert np.isfinite(radiance.values).all()
     assert (radiance.values >= 0.0).all()
     inside = np.minimum(altitude, solution.medium.thickness)
-    through = solution.transmittance(altitude=altitude, view_zenith=view).values
-    assert ((through >= 0.0) & (through <= 1.0)).all()
+    transmittance = solution.transmittance(altitude=altitude, view_zenith=view).values
+    assert ((transmittance >= 0.0) & (transmittance <= 1.0)).all()
     light = solution.irradiance(altitude=inside, sun_zenith=sun)
     for part in ("direct", "diffuse"):
         assert np.isfinite(light[part].values).all()

@@ -155,8 +155,8 @@ def test_illuminance_and_sunlight_are_the_solutions(written):
     sky = solution.relative_sky_irradiance(ground, mu_s) @ weights
     assert_allclose(tables.sky_illuminance(ground, mu_s), sky, rtol=0.02)
     angles = np.array([0.0, 60.0, 85.0])
-    through = solution.transmittance(altitude=0.0, view_zenith=angles).values
-    assert_allclose(tables.through(ground, np.cos(np.radians(angles))), through, atol=2e-3)
+    transmittance = solution.transmittance(altitude=0.0, view_zenith=angles).values
+    assert_allclose(tables.through(ground, np.cos(np.radians(angles))), transmittance, atol=2e-3)
 
 
 def test_bending_is_that_of_the_horizon_and_of_a_setting_star(written):

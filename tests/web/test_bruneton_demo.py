@@ -146,13 +146,13 @@ def ground_light(
     spot = Positions(level, cosine, mu_s, views.nu, np.zeros(count, bool))
     back = Positions(views.r, -views.mu, mu_s, views.nu, np.zeros(count, bool))
     sunward = Positions(level, mu_s, mu_s, views.nu, np.zeros(count, bool))
-    through = tables.transmittance_at(spot) / np.maximum(tables.transmittance_at(back), 1e-30)
+    transmittance = tables.transmittance_at(spot) / np.maximum(tables.transmittance_at(back), 1e-30)
     x = np.clip(0.5 + 0.5 * mu_s / said["SUN_ANGULAR_RADIUS"], 0.0, 1.0)
     seen = (x * x * (3.0 - 2.0 * x) * np.maximum(mu_s, 0.0))[:, None]
     sun = said["SOLAR_IRRADIANCE"] * tables.transmittance_at(sunward) * seen
     lit = sun * said["SUN_SPECTRAL_RADIANCE_TO_LUMINANCE"]
     lit += tables.irradiance_at(spot) * said["SKY_SPECTRAL_RADIANCE_TO_LUMINANCE"]
-    return np.asarray(np.minimum(through, 1.0) * said["GROUND_ALBEDO"] * lit / np.pi)
+    return np.asarray(np.minimum(transmittance, 1.0) * said["GROUND_ALBEDO"] * lit / np.pi)
 
 
 @pytest.fixture(scope="module", params=["earth", "mars"])

@@ -95,10 +95,11 @@ class AirLight:
 
     def with_first(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
         """Air's light of all the orders together, and of the first, shape (n, nl). [sr⁻¹]"""
-        through = self._through(lines)
-        first = self._of_order(lines, 1, through)
+        transmittance = self._ground_transmittance(lines)
+        first = self._of_order(lines, 1, transmittance)
         rest = [
-            first if order == 1 else self._of_order(lines, order, through) for order in self.orders
+            first if order == 1 else self._of_order(lines, order, transmittance)
+            for order in self.orders
         ]
         return np.asarray(sum(rest)), first
 
@@ -130,8 +131,8 @@ class AirLight:
 
     def __call__(self, lines: LinesOfSight) -> FloatArray:
         """Air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
-        through = self._through(lines)
-        return np.asarray(sum(self._of_order(lines, order, through) for order in self.orders))
+        transmittance = self._ground_transmittance(lines)
+        return np.asarray(sum(self._of_order(lines, order, transmittance) for order in self.orders))
 
     def at_sun_angles(self, lines: LinesOfSight) -> FloatArray:
         """Same as a call, faster where neighbours differ in the place of the star alone. [sr⁻¹]"""
@@ -157,7 +158,7 @@ class AirLight:
             whole[rows] = np.maximum(np.asarray(light), own[rows])
         return own, whole
 
-    def _through(self, lines: LinesOfSight) -> FloatArray:
+    def _ground_transmittance(self, lines: LinesOfSight) -> FloatArray:
         """Transmittance of the lines that end on the ground, one row for each, (rows, nl). [1]"""
         medium = self.solution.medium
         rows = lines.to_ground
@@ -176,7 +177,7 @@ class AirLight:
         light = self.solution.relative_radiance(lines, order=order)
         if rows.any() and not self.apart:
             light = np.array(light)
-            light[rows] -= through * self._ground(lines, order)
+            light[rows] -= transmittance * self._ground(lines, order)
         return np.maximum(light, 0.0)
 
     def _ground(self, lines: LinesOfSight, order: int | None) -> FloatArray:

@@ -81,10 +81,10 @@ def _effective_radius(solution: Solution, lowest: float, top: float, points: int
     width = np.diff(edges)
     b = (edges[:-1, None] + width[:, None] * rule.nodes).ravel()
     weights = (width[:, None] * rule.weights).ravel()
-    through = solution.transmittance(
+    transmittance = solution.transmittance(
         altitude=solution.medium.thickness, view_zenith=180.0 - np.degrees(np.arcsin(b / top))
     ).to_numpy()
-    return np.asarray(np.sqrt(lowest**2 + 2.0 * (weights * b) @ (1.0 - through)))
+    return np.asarray(np.sqrt(lowest**2 + 2.0 * (weights * b) @ (1.0 - transmittance)))
 
 
 def _lowest_ray(solution: Solution, edge: float) -> float:

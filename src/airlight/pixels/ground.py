@@ -202,10 +202,10 @@ def lamp_light(color, screen, light, columns, at):
     blue = np.float32(color[6] * screen.lamp_blue)
     total = load(light.basis, at) * red + load(light.basis, light.lanes + at) * green
     total = total + load(light.basis, 2 * light.lanes + at) * blue
-    through = transmittance_columns(
+    transmittance = transmittance_columns(
         columns, light.scaled_extinction, light.constituents, light.lanes, at
     )
-    return total * through
+    return total * transmittance
 
 
 @inlined

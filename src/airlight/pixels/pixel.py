@@ -437,8 +437,8 @@ def pixel_light(
             )
         if p0 > 0.0:
             for at in range(0, light.lanes, LANES):
-                through = transmittance_columns(
+                transmittance = transmittance_columns(
                     work.columns_total, light.extinction, light.constituents, light.lanes, at
                 )
                 disc = darkened(p0, p1, p2, p3, p4, p5, light, at)
-                store(result, at, load(result, at) + through * disc * np.float32(whole))
+                store(result, at, load(result, at) + transmittance * disc * np.float32(whole))

@@ -42,7 +42,7 @@ def through_air(
     lines = paths.optical_lines(
         enter_shell(r, mu, sine, zero, zero, medium.bottom_radius, medium.top_radius)
     )
-    through = np.ones((len(mu), solution.wavelengths.size))
+    transmittance = np.ones((len(mu), solution.wavelengths.size))
     crossing = np.flatnonzero((lines.length > 0.0) & ~lines.to_ground)
     drawn = paths.medium
     if crossing.size:
@@ -50,6 +50,6 @@ def through_air(
             lines.r[crossing], lines.mu[crossing], lines.length[crossing], drawn.bottom_radius,
             drawn.density,
         )  # fmt: skip
-        through[crossing] = np.exp(-(depth @ drawn.extinction))
-    through[lines.to_ground] = 0.0
-    return through, leaving_direction(directions, solution, altitude)
+        transmittance[crossing] = np.exp(-(depth @ drawn.extinction))
+    transmittance[lines.to_ground] = 0.0
+    return transmittance, leaving_direction(directions, solution, altitude)

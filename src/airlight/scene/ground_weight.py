@@ -116,7 +116,7 @@ def _even_air(medium: Medium) -> tuple[FloatArray, FloatArray]:
     return even, even + medium.absorption[:, 0]
 
 
-def _through(medium: Medium, r: ArrayLike, mu: ArrayLike, length: ArrayLike) -> FloatArray:
+def _transmittance(medium: Medium, r: ArrayLike, mu: ArrayLike, length: ArrayLike) -> FloatArray:
     """Transmittance of stretches of rays. [1]"""
     _, extinction = _even_air(medium)
     column = columns(r, mu, length, medium.bottom_radius, medium.density, nodes=_NODES, panels=2)
@@ -142,11 +142,13 @@ def _lit_air(medium: Medium, altitude: float) -> tuple[FloatArray, FloatArray, F
     step = 2.0 * radius / root * (last - first) * rule.weights
     along = legs.side * y * root
     start = np.hypot(legs.impact, legs.entry)
-    through = _through(medium, start, legs.entry / start, np.maximum(along - legs.entry, 0.0))
+    transmittance = _transmittance(
+        medium, start, legs.entry / start, np.maximum(along - legs.entry, 0.0)
+    )
     scattering, _ = _even_air(medium)
     density = (scattering @ medium.density.at((radius - bottom).ravel())).reshape(radius.shape)
     angle = np.arctan2(along, legs.impact) - np.arctan2(legs.observer, legs.impact)
-    weight = legs.solid * step * through * density
+    weight = legs.solid * step * transmittance * density
     return angle.ravel(), radius.ravel(), weight.ravel()
 
 
@@ -205,4 +207,4 @@ def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, Float
     leaving = np.sqrt(np.maximum(1.0 - (r / bottom * sine) ** 2, 0.0))
     length = np.maximum(r * down - bottom * leaving, 0.0)
     angle = np.arctan2(length * sine, r - length * down)
-    return angle, solid * _through(medium, r, -down, length)
+    return angle, solid * _transmittance(medium, r, -down, length)

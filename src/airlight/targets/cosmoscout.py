@@ -225,8 +225,10 @@ def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
         write_texture(folder / DEVIATION, texels.reshape(*layout.shape, 3))
     depth = columns(x, mu, length, drawn.bottom_radius, drawn.density)
     share = np.maximum(weights, 0.0)
-    through = np.exp(-(depth @ drawn.extinction)) @ (share / share.sum(axis=0))
-    write_texture(folder / TRANSMITTANCE, np.maximum(through, _LEAST).reshape(*layout.shape, 3))
+    transmittance = np.exp(-(depth @ drawn.extinction)) @ (share / share.sum(axis=0))
+    write_texture(
+        folder / TRANSMITTANCE, np.maximum(transmittance, _LEAST).reshape(*layout.shape, 3)
+    )
 
 
 def _scene(planet: Planet) -> dict[str, Any]:

@@ -162,8 +162,8 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
     for i in (0, 5, 11):
         for a in range(12):
             here = slice(near.start[i, a], near.start[i, a + 1])
-            through = np.exp(-extinction * near.column[here, 0])
-            total = (through * near.amount[here, 0]).sum() * extinction
+            transmittance = np.exp(-extinction * near.column[here, 0])
+            total = (transmittance * near.amount[here, 0]).sum() * extinction
             whole = -np.expm1(-extinction * rays.total[i, a, 0])
             assert_allclose(share.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
 
@@ -225,9 +225,9 @@ def test_a_cloud_with_edges_lets_through_what_doubling_says() -> None:
     light = solve(planet, [680.0], cache=False).irradiance(altitude=0.0, sun_zenith=[30.0, 75.0])
     cosines = np.cos(np.radians([30.0, 75.0]))
     found = (light["direct"] + light["diffuse"]).values[:, 0] / cosines
-    mu, through = doubled(depth, asymmetry, albedo)
-    assert_allclose(found, np.interp(cosines, mu, through), rtol=0.015)
-    assert_allclose(found[0], np.interp(cosines[0], mu, through), rtol=0.005)
+    mu, transmittance = doubled(depth, asymmetry, albedo)
+    assert_allclose(found, np.interp(cosines, mu, transmittance), rtol=0.015)
+    assert_allclose(found[0], np.interp(cosines[0], mu, transmittance), rtol=0.005)
 
 
 def test_the_dusk_of_deep_air_does_not_take_the_light_of_the_day() -> None:

@@ -129,7 +129,7 @@ class Line(NamedTuple):
 
     path: tuple[FloatArray, ...]
     source: FloatArray
-    through: FloatArray
+    transmittance: FloatArray
     corners: IntArray
     shares: FloatArray
     edges: FloatArray
@@ -192,14 +192,14 @@ def prepare(r, mu, length, first_cut, second_cut, air, line):
     """Follow a line and find the weights of its points at its start; return their number."""
     count = follow(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
     _, _, weight, density, column, total, _ = line.path
-    source, through = line.source, line.through
+    source, transmittance = line.source, line.transmittance
     scattering, extinction, scatterers = air.scattering, air.extinction, air.scatterers
     wavelengths = extinction.shape[1]
     for l in range(wavelengths):
         tau = 0.0
         for c in range(extinction.shape[0]):
             tau += extinction[c, l] * total[c]
-        through[l] = exp(-tau)
+        transmittance[l] = exp(-tau)
         for k in range(count):
             tau = 0.0
             for c in range(extinction.shape[0]):

@@ -67,11 +67,11 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
                         here[q] = low + (x - node) * (high - low)
                     add_once(r, mu_s, nu, count, here, False, air, line, light)
                 else:
-                    line.through[:] = 1.0
+                    line.transmittance[:] = 1.0
                 if meets_ground(r, mu, axes.bottom):
                     add_ground(
                         r, mu, mu_s, nu, length, axes, lit_ground, True, False, air.ground,
-                        line.through, light,
+                        line.transmittance, light,
                     )  # fmt: skip
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
@@ -103,7 +103,7 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
         mu, sine = cos(zenith[z]), sin(zenith[z])
         length = ray_length(r, mu, axes.bottom, axes.top)
         count = 0
-        line.through[:] = 1.0
+        line.transmittance[:] = 1.0
         if length > 0.0:
             count = prepare(r, mu, length, 0.0, 0.0, air, line)
             place_rows(r, mu, count, axes, line)
@@ -118,7 +118,7 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
                 if to_ground:
                     add_ground(
                         r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic,
-                        air.ground, line.through, light,
+                        air.ground, line.transmittance, light,
                     )  # fmt: skip
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
@@ -126,7 +126,7 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
 
 @compiled_loop
 def add_ground(
-    r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, through, out
+    r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, transmittance, out
 ):  # fmt: skip
     """Add the ground's light at the end of a line of sight.
 
@@ -158,7 +158,7 @@ def add_ground(
             value = exp((1.0 - e) * log(low) + e * log(high))
         else:
             value = (1.0 - e) * low + e * high
-        out[l] += through[l] * reflected(ground, l, by_star, mu_s_ground, mu_r, nu) * value
+        out[l] += transmittance[l] * reflected(ground, l, by_star, mu_s_ground, mu_r, nu) * value
 
 
 @inlined

@@ -178,7 +178,7 @@ def _lines(
 ):  # fmt: skip
     received = np.empty(out.shape[1])
     for k in range(r.size):
-        line.through[:] = 1.0
+        line.transmittance[:] = 1.0
         if length[k] > 0.0:
             dark, dawn = shadow_edges(r[k], mu[k], mu_s[k], nu[k], air.bottom)
             count = prepare(r[k], mu[k], length[k], dark, dawn, air, line)
@@ -191,7 +191,7 @@ def _lines(
             if gathered:
                 add_ground(
                     r[k], mu[k], mu_s[k], nu[k], length[k], axes, ground, False, logarithmic,
-                    air.ground, line.through, out[k],
+                    air.ground, line.transmittance, out[k],
                 )  # fmt: skip
             if once:
                 mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / air.bottom
@@ -200,7 +200,7 @@ def _lines(
                 mu_r = cos_reflected(r[k], mu[k], air.bottom)
                 for l in range(received.size):
                     factor = reflected(air.ground, l, True, mu_s_ground, mu_r, nu[k])
-                    out[k, l] += line.through[l] * factor * received[l]
+                    out[k, l] += line.transmittance[l] * factor * received[l]
 
 
 def solve(

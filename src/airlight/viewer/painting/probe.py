@@ -207,7 +207,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     ]  # fmt: skip
     drawn = solution.paths.optical_lines(by_light[0])
     depth = _depths(solution, drawn)
-    through = np.exp(-depth.sum(axis=0))
+    transmittance = np.exp(-depth.sum(axis=0))
     seen = _ground(solution, scene, direction, drawn)
     spectra: list[tuple[str, FloatArray]] = []
     stokes = np.zeros(2)
@@ -215,7 +215,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     for lines, (_, lit, air, light) in zip(by_light, pictures, strict=True):
         source = lit.lights[0]
         weights = color_weights(lit) / source.irradiance[:, None]
-        star = _star(lit, scene.altitude, light, direction, through, bool(drawn.to_ground[0]))
+        star = _star(lit, scene.altitude, light, direction, transmittance, bool(drawn.to_ground[0]))
         clouds = probed_clouds(solution, scene, direction, seen[0], light)
         parts = _spectra(lit, lines, seen[3], clouds) if air else []
         if parts and solution.polarised:
@@ -243,7 +243,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         polarised=_polarised(stokes, float(xyz[1])) if solution.polarised else None,
         names=medium.names,
         optical_depth=tuple(tuple(row) for row in depth.tolist()),
-        transmittance=tuple(through.tolist()),
+        transmittance=tuple(transmittance.tolist()),
         distance=seen[0],
         latitude=seen[1],
         longitude=seen[2],
@@ -298,13 +298,13 @@ def _star(
     altitude: float,
     position: LightPosition,
     direction: FloatArray,
-    through: FloatArray,
+    transmittance: FloatArray,
     to_ground: bool,
 ) -> FloatArray:
     """Radiance of the light's disc, 0 outside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
     star = solution.lights[0]
     alpha = star.angular_radius
-    nothing = np.zeros_like(through)
+    nothing = np.zeros_like(transmittance)
     if alpha <= 0.0 or to_ground:
         return nothing
     outside = leaving_direction(direction[np.newaxis], solution, altitude)[0]
@@ -330,7 +330,7 @@ def _star(
         1.0 / (left * sun_solid_angle(alpha)), apart, alpha, 0.0, along, star.phase is not None,
         numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"],
     )  # fmt: skip
-    return np.asarray(through * star.irradiance * (star.darkenings @ powers))
+    return np.asarray(transmittance * star.irradiance * (star.darkenings @ powers))
 
 
 def _ground(
