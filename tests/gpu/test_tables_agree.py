@@ -122,8 +122,8 @@ def multiple_scattering_of_four(
     g, h = np.float32(1.0 - f), np.float32(1.0 - e)
     f, e = np.float32(f), np.float32(e)
     return source.multiple_scattering_source(
-        here, moments, polarised_moments, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e,
-        DEGREE, THREE, LANES, 0,
+        here, moments, polarised_moments, field, out, 0, 2 * block, block, g * h, g * e, f * h,
+        f * e, DEGREE, THREE, LANES, 0,
     )  # fmt: skip
 
 
@@ -403,8 +403,8 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
-        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_reflectances", "ground_angles",
-        "ground_factor", "mirrored_line", "look", "line_of_sight",
+        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_reflectances",
+        "ground_angles", "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
@@ -472,8 +472,8 @@ WHOLE = {
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
         "refined", "row", "share", "sound", "strength", "transmittance", "ray_share",
         "depth_in_row", "direct_light", "scattered_once", "contracted", "gathered",
-        "direct_reflectance", "diffuse_reflectance", "polarised_again", "azimuthal_once", "azimuthal_weight",
-        "coupled_moments", "fill_phase_f12", "polarised_functions", "polarised_function",
+        "direct_reflectance", "diffuse_reflectance", "polarised_again", "azimuthal_once",
+        "azimuthal_weight", "coupled_moments", "fill_phase_f12", "polarised_functions", "polarised_function",
         "odd_moment", "star_plane", "first_register", "source_at_point",
         "polarised_transmittance_ratio", "bounce",
     ),

@@ -144,8 +144,9 @@ def test_lanes_are_paired_folded_and_looked_up() -> None:
     a, b = x[:LANES], y[:LANES]
     halves = a[:HALF_LANES] + a[HALF_LANES:]
     expected = [
-        np.concatenate([a[:HALF_LANES], b[HALF_LANES:]]), [2.0] * HALF_LANES + [3.0] * HALF_LANES, np.tile(halves, 2),
-        np.concatenate([x[1 : 1 + HALF_LANES], x[4 : 4 + HALF_LANES]]), np.floor(a), np.sqrt(b), y[which],
+        np.concatenate([a[:HALF_LANES], b[HALF_LANES:]]), np.repeat([2.0, 3.0], HALF_LANES),
+        np.tile(halves, 2), np.concatenate([x[1 : 1 + HALF_LANES], x[4 : 4 + HALF_LANES]]),
+        np.floor(a), np.sqrt(b), y[which],
         [a.max()] * LANES, np.where(a > 0.0, b, 7.0),
     ]  # fmt: skip
     assert_allclose(out.reshape(9, LANES), np.array(expected), rtol=2e-7)

@@ -135,7 +135,7 @@ class AirLight:
         return np.asarray(sum(self._of_order(lines, order, transmittance) for order in self.orders))
 
     def at_sun_angles(self, lines: LinesOfSight) -> FloatArray:
-        """Same as a call, faster where neighbours differ in the place of the star alone. [sr⁻¹]"""
+        """Same as a call; faster where neighbouring lines differ only in the sun angle. [sr⁻¹]"""
         if not self.apart:
             return self(lines)
         assert isinstance(self.solution, MomentsSolution)
@@ -143,7 +143,7 @@ class AirLight:
         return scattering_by_constituent(self.solution, lines, orders, delta_scaled=True)[0]
 
     def path_and_total_radiance(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
-        """Air's light, and all light of the same orders, the ground's included, (n, nl). [sr⁻¹]"""
+        """Path radiance and total radiance (ground included) of the same orders, (n, nl). [sr⁻¹]"""
         if self.apart:
             assert isinstance(self.solution, MomentsSolution)
             own, whole = self.solution.path_and_total_radiance(
@@ -159,7 +159,7 @@ class AirLight:
         return own, whole
 
     def _ground_transmittance(self, lines: LinesOfSight) -> FloatArray:
-        """Transmittance of the lines that end on the ground, one row for each, (rows, nl). [1]"""
+        """Transmittance of the lines that end on the ground, shape (rows, nl). [1]"""
         medium = self.solution.medium
         rows = lines.to_ground
         if self.apart:
@@ -170,7 +170,9 @@ class AirLight:
         )  # fmt: skip
         return np.exp(-(depth @ medium.extinction))
 
-    def _of_order(self, lines: LinesOfSight, order: int | None, through: FloatArray) -> FloatArray:
+    def _of_order(
+        self, lines: LinesOfSight, order: int | None, transmittance: FloatArray
+    ) -> FloatArray:
         rows = lines.to_ground
         if self.apart:
             lines = replace(lines, to_ground=np.zeros_like(rows))

@@ -1,18 +1,17 @@
-"""Reflection by the ground: one object for every solver, sweep, march and pixel.
+"""Reflectance of the ground: parameters and laws for all solvers and renderers.
 
-A law of reflection gives the radiance of the ground along a line, relative to that of a white
-Lambert surface in the same light: the reflectance factor, π times the BRDF (Nicodemus et al. 1977,
-NBS Monograph 160). It is evaluated twice, because the ground's light has two parts: the star's
-comes from one direction, the sky's from all, which counts as uniform there (0.6 % of reciprocity by
-Lommel and Seeliger's law under Rayleigh's sky). Each factor is ``diffuse · albedo + specular``: light
-that the matter below the surface has coloured, and light that the surface itself mirrors.
+A reflection law gives the reflectance factor: the radiance of the ground relative to that of a
+white Lambertian surface under the same illumination, π times the BRDF (Nicodemus et al. 1977,
+NBS Monograph 160). It has two forms: direct (bidirectional) for the star's beam, and diffuse
+(hemispherical-directional) for sky light, which is taken as isotropic (reciprocity error 0.6 % for
+Lommel-Seeliger under a Rayleigh sky). Each is ``diffuse · albedo + specular``: volume scattering
+below the surface, which has the ground's colour, and Fresnel reflection by the surface.
 
-Clouds hide the same share of the ground everywhere from solvers, which know nothing of places; a
-picture looks their cover up.
+Solvers use a uniform cloud cover; a renderer looks up the local one.
 
-A new law is a file of its own with its two kernels, ``brdf_direct`` and ``brdf_diffuse``, and a line in
-``LAWS``; its parameters other than the albedo are fields of ``Reflection``, numbers with a default,
-which every solver, table and shader passes on.
+A law is a module with two kernels, ``brdf_direct`` and ``brdf_diffuse``, and an entry in ``LAWS``;
+its parameters other than the albedo are numeric fields of ``Reflection`` with a default, passed to
+every solver, table and shader.
 """
 
 from __future__ import annotations
@@ -87,10 +86,10 @@ NUMBERS: Final[dict[str, type]] = {
     name: kind for name, kind in get_type_hints(Reflection).items() if name != "albedo"
 }
 
-#: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: factor of the albedo, and part without it, of the
-#: light of a star, by the law of that number in ``LAWS``.
+#: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: diffuse (factor of the albedo) and specular parts of
+#: π times the BRDF, by the law of that number in ``LAWS``.
 brdf_direct = chosen_kernel("brdf_direct", [law.brdf_direct for law in LAWS.values()], __name__)
-#: ``brdf_diffuse(law, ground, mu_r)``: the same, of the light of a uniform sky.
+#: ``brdf_diffuse(law, ground, mu_r)``: the same under isotropic illumination.
 brdf_diffuse = chosen_kernel("brdf_diffuse", [law.brdf_diffuse for law in LAWS.values()], __name__)
 
 

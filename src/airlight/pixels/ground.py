@@ -245,8 +245,8 @@ def ground_factor(
     screen : Screen
         Camera with its maps.
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, work :
-        Results of ``ground_reflectances``, and its workspace, of which ``found`` has the light of the
-        mirrored sky after those of a line of sight.
+        Results of ``ground_reflectances``, and its workspace, whose ``found`` holds the light of
+        the mirrored sky after those of a line of sight.
     """
     albedo = reflectance(color, screen.mapped, light, at)
     if light.ground.law == 0 and not light.ground.wet and not screen.clouded:

@@ -122,8 +122,8 @@ def ground_angles(x, z, sine, angle, observer, light):
     Returns
     -------
     mu_s, mu_r, nu : float
-        Cosines of ``direct_reflectance``: of the star's zenith angle there, of the zenith angle towards
-        the observer, and between the arriving line and the star. [1]
+        Cosines of ``direct_reflectance``: of the star's zenith angle, of the zenith angle of
+        reflection, and between the incoming line of sight and the star. [1]
     """
     mu_r = ground_cosine(z, sine, observer, light)
     across, up = first_meeting(min(observer.r * sine, light.bottom), sine, light.bottom)

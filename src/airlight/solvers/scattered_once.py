@@ -122,8 +122,8 @@ def scattered_once(
             x[rows] for x in (lines.r, lines.mu, lines.mu_s, lines.nu, lines.length)
         )
         _scattered(
-            block_lines, _PANELS, rule, ends, (bottom, top), medium.lights[0].angular_radius, optics,
-            tables, workspace, out[rows],
+            block_lines, _PANELS, rule, ends, (bottom, top), medium.lights[0].angular_radius,
+            optics, tables, workspace, out[rows],
         )  # fmt: skip
 
     run_blocks(block, -(-n // _BLOCK), cancel=cancel)

@@ -1,10 +1,10 @@
 """Columns: the integral of each constituent's relative density along a ray. [m]
 
 An optical depth is a sum of columns times extinction coefficients, so columns serve every
-wavelength. ``columns`` integrates the profiles themselves; ``trace_ray`` reads densities from a table
-over the altitude nodes and gives marches their points, densities and columns up to each point
-(relative error below 1e-4). ``ColumnTable`` holds the columns to the top of the shell, its
-directions on Bruneton's 2017 mapping, for look-ups accurate to 1e-3.
+wavelength. ``columns`` integrates the profiles themselves; ``trace_ray`` reads densities tabulated
+at the altitude nodes and yields the points, densities and running columns of a ray march
+(relative error below 1e-4). ``ColumnTable`` holds columns to the top of the shell, its directions
+by Bruneton's 2017 mapping, accurate to 1e-3.
 """
 
 from __future__ import annotations

@@ -117,8 +117,8 @@ class Settings:
 
 QUALITIES: Final = {
     "preview": Settings(
-        radii=16, views=20, sun_angles=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20, steps=12,
-        pass_steps=8, tolerance=2e-2,
+        radii=16, views=20, sun_angles=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20,
+        steps=12, pass_steps=8, tolerance=2e-2,
     ),
     "default": Settings(),
     "fine": Settings(

@@ -143,8 +143,8 @@ def march_eclipsed(
     length : float
         Length, to the ground or to the top. [m]
     kind : int
-        ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. Of the first, ``scratch.offset`` is
-        subtracted from the star's light.
+        ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. For the first, ``scratch.offset``
+        is subtracted from the star's light.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
     light, work : MarchTables, MarchWorkspace
@@ -324,7 +324,8 @@ def end_on_ground(x, y, z, u, v, w, length, light, work):
 
 @inlined
 def line_eclipsed(
-    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, light, shadow, work, scratch, result
+    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, light, shadow, work, scratch,
+    result,
 ):  # fmt: skip
     """Radiance of a whole line of sight, the ground at its end included.
 

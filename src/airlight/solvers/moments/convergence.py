@@ -1,7 +1,8 @@
-"""Convergence of the iteration: weights of acceleration, remaining error, next guess.
+"""Convergence of the iteration: acceleration weights, remaining error, Anderson step.
 
-These functions take the light at all radii and sun angles, some wavelengths at a time. Formulas of one
-node or one wavelength are kernels, so that a page runs the same; when to stop is in ``stopping``.
+These functions take the field at all radii and sun angles, for one batch of wavelengths. Formulas
+of a single node or wavelength are kernels, which the browser shares; ``stopping`` has the stopping
+rule.
 """
 
 from __future__ import annotations

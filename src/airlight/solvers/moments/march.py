@@ -402,7 +402,7 @@ def multiple_scattering_at(near, block, f, e, light, work, at):
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(
-        work.point_density, light.moments, light.polarised_moments, light.field, work.functions, near,
-        near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
+        work.point_density, light.moments, light.polarised_moments, light.field, work.functions,
+        near, near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
         light.constituents, light.lanes, at,
     )  # fmt: skip

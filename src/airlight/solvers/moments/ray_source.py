@@ -69,7 +69,8 @@ def fill_factors(
     ----------
     point : int
         Index of the point among all.
-    rays, air, expansion : arrays and tuples of ``sweep_radius``, without_refcount
+    rays, air, expansion :
+        Arrays of ``sweep_radius``, without reference counts.
     degree, highest : int
         Highest degree, and the highest that counts at this point.
     functions : array

@@ -1,8 +1,6 @@
-"""Quantities that a solve derives from a medium beforehand: once, for every processor.
+"""Grid, rays and optics that a solve derives from a medium, shared by CPU, GPU and browser.
 
-``Setup`` is shared by all wavelengths, ``WavelengthBatch`` adds the wavelengths that run together. The sweeps
-of the CPU, the passes of the GPU, the plan of a page and the march of a solution read them, so that
-none of them derives its own grid, rays or depths.
+``Setup`` is shared by all wavelengths; ``WavelengthBatch`` adds those that are solved together.
 """
 
 from __future__ import annotations
@@ -259,7 +257,7 @@ class Setup:
         return np.asarray(filled(level_weights(self.grid.sun_cosines, self.dip, depth)))
 
     def batch(self, which: slice) -> WavelengthBatch:
-        """Set-up of wavelengths that run together.
+        """Batch of wavelengths.
 
         Parameters
         ----------
@@ -293,7 +291,7 @@ class Setup:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class WavelengthBatch:
-    """Wavelengths that run together, in whole groups of eight lanes.
+    """Wavelengths that are solved together, one per lane.
 
     Attributes
     ----------
@@ -344,7 +342,7 @@ class WavelengthBatch:
 
     @property
     def narrow(self) -> bool:
-        """Whether either half of the lanes has all the wavelengths."""
+        """Whether half of the lanes holds all wavelengths, so that a register has two moments."""
         return self.used <= HALF_LANES
 
 

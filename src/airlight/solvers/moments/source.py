@@ -157,8 +157,8 @@ def polarised_scattering_source(
     ----------
     mu, cosine : float
         Cosines of the line's zenith angle and of its azimuth. [1]
-    density, polarised_moments, field, near, far, block, w00, w01, w10, w11, degree, constituents, lanes, \
-    at :
+    density, polarised_moments, field, near, far, block, w00, w01, w10, w11, degree, constituents, \
+    lanes, at :
         As in ``multiple_scattering_source``.
 
     Returns

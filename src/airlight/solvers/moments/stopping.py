@@ -106,7 +106,7 @@ class Iteration:
     stopping : Stopping
         Stopping rule.
     thick : array, shape (w,)
-        Exponent of ``count_at``, from ``WavelengthBatch``: where the tolerance becomes absolute. [1]
+        Exponent of ``count_at``, from ``WavelengthBatch``: 1 where the tolerance is absolute. [1]
     used : int
         Number of lanes that have their own wavelength; the others follow and do not count.
     least : int

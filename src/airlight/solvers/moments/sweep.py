@@ -156,8 +156,8 @@ def _sweep(
                 for index in range(count):
                     k = order[index]
                     source_four_suns(
-                        k, levels[k], fractions[k], k * registers * LANES, factors, sun_angles, field,
-                        start, wide_at[k], degrees_at[k], degree, rows, narrow,
+                        k, levels[k], fractions[k], k * registers * LANES, factors, sun_angles,
+                        field, start, wide_at[k], degrees_at[k], degree, rows, narrow,
                     )  # fmt: skip
         first = starts[i, a] - head
         points = starts[i, a + 1] - starts[i, a]
@@ -182,8 +182,8 @@ def _sweep(
                 lane = b % LANES
                 if lane == 0:
                     place_stars(
-                        turned, first, points, around, b, sine_s, np.float32(mu_s), table, sun_angles,
-                        columns, shares, star_cosines, star_sines,
+                        turned, first, points, around, b, sine_s, np.float32(mu_s), table,
+                        sun_angles, columns, shares, star_cosines, star_sines,
                     )  # fmt: skip
                 radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
                 for k in range(points):
@@ -260,7 +260,7 @@ def sweep_radius_narrow(
     """``sweep_radius`` for at most four wavelengths, two moments in a register.
 
     Both halves of ``share`` and of ``air`` have the same wavelengths; ``field`` has pairs of
-    moments, see ``packing.narrow``.
+    moments, see ``packing.pair_order``.
     """
     _sweep(
         i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, True
