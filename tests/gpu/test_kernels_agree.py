@@ -20,7 +20,7 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.floating import physical_light
 from airlight.color.gamut import in_gamut
 from airlight.color.tone_maps import TONE_MAPS
-from airlight.geometry import bending, path, shell, sun_disc
+from airlight.geometry import path, refraction, shell, sun_disc
 from airlight.gpu.emit.shader_types import Bundle, Constant, Table
 from airlight.gpu.solver import ray_sums
 from airlight.mappings import sky_view, transmittance
@@ -119,9 +119,9 @@ GEOMETRY = [
     Case(path.panel_point, (LENGTH, UNIT < 0.5, R, LENGTH, 100.0 * UNIT, 300.0 * UNIT,
          uniform(0.0, 1.0, 12)), atol=METRES),
     # Over the sine, at least 0.14 here.
-    Case(bending.turned, (uniform(-0.99, 0.99, 13), MU_S, MU, uniform(0.0, 0.02, 14)),
+    Case(refraction.turned, (uniform(-0.99, 0.99, 13), MU_S, MU, uniform(0.0, 0.02, 14)),
          atol=ANGLE / 0.14),
-    Case(bending.bend_angle, (R, MU, 1e-11, uniform(0.0, 1e6, 15))),
+    Case(refraction.refraction_angle, (R, MU, 1e-11, uniform(0.0, 1e6, 15))),
     Case(sun_disc.sun_elevation, (R, uniform(-0.1, 0.1, 16), BOTTOM), atol=ANGLE),
     Case(sun_disc.sun_elevation, (LOW, uniform(-0.1, 0.1, 16), BOTTOM), atol=ANGLE),
     Case(sun_disc.star_elevation, (R, MU_S, BOTTOM), atol=ANGLE),
@@ -360,7 +360,16 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
               "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
               "insert_edge", "place_edges",
               "place_nodes", "map_color", "add_texel", "encoded"}  # fmt: skip
-    rooms = [shell, path, bending, sun_disc, transmittance, sky_view, phase_functions, ground_place]
+    rooms = [
+        shell,
+        path,
+        refraction,
+        sun_disc,
+        transmittance,
+        sky_view,
+        phase_functions,
+        ground_place,
+    ]
     for room in rooms:
         for name, one in vars(room).items():
             plain = getattr(one, "py_func", None)

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.geometry import bending, path
+from airlight.geometry import path, refraction
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import Table
 from airlight.gpu.picture.display_shaders import all_shaders
@@ -173,15 +173,15 @@ def edge_inserted(cut):
 
 
 def star_lifted(x, mu_s, lift):
-    return bending.apparent_sun(x, mu_s, BOTTOM, TOP, lift)
+    return refraction.apparent_sun(x, mu_s, BOTTOM, TOP, lift)
 
 
 def star_in_two(x, mu_s, lift):
-    return bending.star_points(x, mu_s, BOTTOM, TOP, STAR, lift)
+    return refraction.star_points(x, mu_s, BOTTOM, TOP, STAR, lift)
 
 
 def star_on_level(x, mu_s, lift):
-    return bending.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, lift)
+    return refraction.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, lift)
 
 
 def sky_between(row, sky, azimuth, table):
@@ -312,12 +312,12 @@ CASES = [
          atol=8 * METRES / 0.2),
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
     # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
-    Case(star_lifted, (bending.apparent_sun, bending.refraction_table_index),
+    Case(star_lifted, (refraction.apparent_sun, refraction.refraction_table_index),
          (R, uniform(0.02, 1.0)), {"lift": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
-    Case(star_in_two, (bending.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
+    Case(star_in_two, (refraction.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
          atol=32 * 12 * EPS),
-    Case(star_on_level, (bending.direct_horizontal_weights,),
+    Case(star_on_level, (refraction.direct_horizontal_weights,),
          (R, uniform(0.02, 0.2)), {"lift": LIFT}, atol=32 * 12 * EPS),
     # Fourth power of the value between texels.
     Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
@@ -412,7 +412,7 @@ WHOLE = {
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
-        "bent_to_ground", "place_in_sky", "sky_lookup",
+        "refraction_to_ground", "place_in_sky", "sky_lookup",
     ),
     "test_pictures.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import apparent_sun
+from airlight.geometry.refraction import apparent_sun
 from airlight.render.sun_disc import leaving_direction, straight_lines, sun_solid_angle
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
@@ -50,7 +50,7 @@ def add_sun_disc(
     sun = scene.sun_direction
     seen = seen_direction(sun, solution, scene.altitude)
     pixel = scene.camera.pixel_angle
-    reach = 2.0 * (alpha + pixel) + solution.paths.largest_bend
+    reach = 2.0 * (alpha + pixel) + solution.paths.max_refraction
     # The cheap test first: most rows are far from the star.
     rows = [
         row

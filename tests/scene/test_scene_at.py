@@ -113,13 +113,13 @@ def test_a_body_behind_the_limb_is_seen_where_its_ray_leads(altitude: float) -> 
     x = float(paths.optical_radius(np.array(r)))
     horizon = 180.0 - np.degrees(np.arcsin(paths.shell.bottom / x))
     if altitude > earth.thickness:
-        lift = np.degrees(paths.largest_bend)
+        lift = np.degrees(paths.max_refraction)
         above = 180.0 - np.degrees(np.arcsin(earth.top_radius / r))
         assert_allclose(apparent_zenith(earth, altitude, above), above, atol=1e-4)
     else:
         lift = np.degrees(
             float(
-                paths.bent(
+                paths.refraction_angle(
                     np.array([x]), np.array([-np.sqrt(1.0 - (paths.shell.bottom / x) ** 2) + 1e-12])
                 )[0]
             )

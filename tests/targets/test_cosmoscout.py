@@ -165,16 +165,16 @@ def test_bending_is_that_of_the_horizon_and_of_a_setting_star(written):
     paths = RefractedGeometry.of(solution.medium)
     ground = np.array([tables.bottom_radius])
     # 34 arc minutes on the horizon: the refraction of almanacs, for 10 deg C and 1010 hPa.
-    bent, lowest = tables.bent(ground, np.array([1e-4]))
+    bent, lowest = tables.refraction_angle(ground, np.array([1e-4]))
     assert_allclose(np.degrees(bent) * 60.0, 34.0, atol=2.0)
     assert lowest[0] >= 0.0
     # From 60 km a ray that grazes the ground bends twice as far, less what is above.
     high = np.array([tables.bottom_radius + 60e3])
     horizon = -math.sqrt(1.0 - (tables.bottom_radius / high[0]) ** 2)
-    above, _ = tables.bent(high, np.array([horizon + 0.005]))
+    above, _ = tables.refraction_angle(high, np.array([horizon + 0.005]))
     optical = paths.optical_radius(high)
-    assert_allclose(above, paths.bent(optical, np.array([horizon + 0.005])), rtol=0.05)
-    _, below = tables.bent(high, np.array([horizon - 0.02]))
+    assert_allclose(above, paths.refraction_angle(optical, np.array([horizon + 0.005])), rtol=0.05)
+    _, below = tables.refraction_angle(high, np.array([horizon - 0.02]))
     assert below[0] < 0.0  # meets the ground
 
 

@@ -97,7 +97,7 @@ def _lowest_ray(solution: Solution, edge: float) -> float:
     radius = solution.lights[0].angular_radius
 
     def shows(b: float) -> bool:
-        bend = 2.0 * float(paths.bent(np.array([b]), np.zeros(1))[0])
+        bend = 2.0 * float(paths.refraction_angle(np.array([b]), np.zeros(1))[0])
         return abs(bend - b / distance) < radius
 
     low, high = edge, paths.medium.top_radius

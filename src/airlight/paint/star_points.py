@@ -12,7 +12,7 @@ from airlight.ephemeris.instant import days_of
 from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun
 from airlight.ephemeris.world import WORLDS
 from airlight.errors import ParameterError
-from airlight.geometry.bending import apparent_sun_cosine
+from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.render.through_air import through_air
 from airlight.scene import Scene
 from airlight.scene.pixel_position import pixel_positions

@@ -10,7 +10,7 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle
+from airlight.geometry.refraction import refraction_angle
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
@@ -84,9 +84,11 @@ def eclipsed_light(
     if not to_ground:
         return
     p, q, s, mu_r = end_on_ground(a, b, c, u, v, w, length, light, work)
-    bent = 0.0
-    if light.bend > 0.0:
-        bent = bend_angle(r, mu, light.bend, work.columns_total[light.constituents - 1])
+    refraction = 0.0
+    if light.refraction_strength > 0.0:
+        refraction = refraction_angle(
+            r, mu, light.refraction_strength, work.columns_total[light.constituents - 1]
+        )
     for at in range(0, lanes, LANES):
         store(work.found, lanes + at, load(found, lanes + at))
     if light.ground.wet:
@@ -94,7 +96,7 @@ def eclipsed_light(
         for at in range(0, lanes, LANES):
             store(work.found, MIRRORED * lanes + at, load(found, at))
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
-        x, y, z, sine, bent, observer, screen, light, work, color
+        x, y, z, sine, refraction, observer, screen, light, work, color
     )
     eclipsed_ground_light(p, q, s, TOTAL, light, shadow, work, scratch)
     if screen.overlaid:

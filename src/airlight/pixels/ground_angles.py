@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import sqrt
 
-from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined, kernel
 from airlight.optics.cox_munk import mirrored_cosine
@@ -46,7 +46,7 @@ def ground_cosine(z, sine, observer, light):
 
 
 @inlined
-def bent_to_ground(z, sine, observer, light, columns):
+def refraction_to_ground(z, sine, observer, light, columns):
     """Angle of refraction of a line of sight that ends on the ground. [rad]
 
     Parameters
@@ -76,7 +76,7 @@ def bent_to_ground(z, sine, observer, light, columns):
             columns,
         )
         column = max(column - columns[light.constituents - 1], 0.0)
-    return bend_angle(bottom, slant, light.bend, column)
+    return refraction_angle(bottom, slant, light.refraction_strength, column)
 
 
 @inlined
@@ -86,7 +86,7 @@ def columns_to_ground(z, sine, observer, light, columns, beyond):
     Parameters
     ----------
     z, sine, observer, light :
-        Arguments of ``bent_to_ground``.
+        Arguments of ``refraction_to_ground``.
     columns : array, shape (nc,)
         Receives the columns. [m]
     beyond : array, shape (nc,)
@@ -130,7 +130,7 @@ def ground_angles(x, z, sine, angle, observer, light):
     cos_azimuth = x / sine if sine > 0.0 else 1.0
     mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
-    if light.bend > 0.0:
+    if light.refraction_strength > 0.0:
         mu_s, nu = turned(-mu_r, mu_s, nu, angle)
         mu_s = min(max(mu_s, -1.0), 1.0)
     return mu_s, mu_r, nu

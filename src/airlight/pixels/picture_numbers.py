@@ -14,7 +14,7 @@ from airlight.color.texels import CHANNELS
 from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.geometry.bending import apparent_sun
+from airlight.geometry.refraction import apparent_sun
 from airlight.pixels.disc_shading import OCCULTER, shading_numbers
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.pixels.occulted_light import disc_factor

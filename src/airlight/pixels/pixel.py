@@ -13,7 +13,7 @@ from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.disc_shading import darkened
 from airlight.pixels.ground import ground_factor, ground_reflectances, lamp_light
-from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
+from airlight.pixels.ground_angles import columns_to_ground, refraction_to_ground
 from airlight.pixels.polarising_filter import filter_shares
 from airlight.pixels.sky_table import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
@@ -317,7 +317,7 @@ def sky_lookup(
         Angle of refraction of a line that ends on the ground. [rad]
     """
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-    bent = 0.0
+    refraction = 0.0
     wet = to_ground and light.ground.wet
     if exact:
         cos_azimuth = x / sine if sine > 0.0 else 1.0
@@ -325,7 +325,7 @@ def sky_lookup(
         for part in range(2):
             mirrored = part == 0
             if not mirrored or (wet and observer.orders != 1):
-                bent = look(
+                refraction = look(
                     z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
                     screen.filter > 0, observer, light, work, work.found,
                 )  # fmt: skip
@@ -364,8 +364,8 @@ def sky_lookup(
                     window.column_count, right, down, light.lanes, at,
                 )  # fmt: skip
                 store(work.found, MIRRORED * light.lanes + at, value)
-        if to_ground and light.bend > 0.0:
-            bent = bent_to_ground(z, sine, observer, light, work.columns_total)
+        if to_ground and light.refraction_strength > 0.0:
+            refraction = refraction_to_ground(z, sine, observer, light, work.columns_total)
     return bent
 
 
@@ -398,12 +398,12 @@ def pixel_light(
     through_air = through_air and screen.draws_air
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
-        bent = sky_lookup(
+        refraction = sky_lookup(
             x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
         )
         if to_ground:
             star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
-                x, y, z, sine, bent, observer, screen, light, work, color
+                x, y, z, sine, refraction, observer, screen, light, work, color
             )
             if screen.overlaid:
                 columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)

@@ -17,7 +17,7 @@ Float32Array = NDArray[np.float32]
 
 #: Number of wavelengths in a texel.
 WAVELENGTHS: Final = 4
-#: Largest number of constituents in a shader, including "bending", of points of a panel there, and
+#: Largest number of constituents in a shader, including "refraction", of points of a panel there, and
 #: number of harmonics up to degree 24.
 MOST_CONSTITUENTS: Final = 8
 MOST_POINTS: Final = 24

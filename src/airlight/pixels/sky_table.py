@@ -10,13 +10,13 @@ from __future__ import annotations
 from math import cos, pi, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, maximum, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.optics.cox_munk import mean_square_slope
-from airlight.pixels.ground_angles import bent_to_ground, mirrored_line, star_from
+from airlight.pixels.ground_angles import mirrored_line, refraction_to_ground, star_from
 from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.source import read_phase
@@ -129,8 +129,8 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
     across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
     mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, start_mu, light.bend, column)
+    if light.refraction_strength > 0.0:
+        angle = refraction_angle(r, start_mu, light.refraction_strength, column)
         slant = (r * start_mu + length) / light.bottom
         mu_s, _ = turned(slant, mu_s, nu, angle)
         mu_s = min(max(mu_s, -1.0), 1.0)
@@ -176,8 +176,8 @@ def look(
     )
     angle, orders = 0.0, observer.orders
     if mirrored:
-        if light.bend > 0.0:
-            angle = bent_to_ground(mu, sine, observer, light, work.columns_total)
+        if light.refraction_strength > 0.0:
+            angle = refraction_to_ground(mu, sine, observer, light, work.columns_total)
         r, orders = light.bottom, 2
         start_mu, start_mu_s, nu = mirrored_line(
             sine * cos_azimuth, mu, sine, angle, observer, light

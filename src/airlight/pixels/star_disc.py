@@ -11,7 +11,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle
+from airlight.geometry.refraction import refraction_angle
 from airlight.kernel import inlined, kernel
 from airlight.mappings.sky_view import angle_above_horizon
 from airlight.pixels.disc_shading import disc_powers, whole_powers
@@ -98,8 +98,10 @@ def leaving_air(x, y, z, observer, light, columns):
             light.columns,
             columns,
         )
-        if light.bend > 0.0:
-            angle = bend_angle(start_r, start_mu, light.bend, columns[light.constituents - 1])
+        if light.refraction_strength > 0.0:
+            angle = refraction_angle(
+                start_r, start_mu, light.refraction_strength, columns[light.constituents - 1]
+            )
             turn, keep = sin(angle), cos(angle)
             scale = (level * keep + z * turn) / max(level, 1e-30)
             return x * scale, y * scale, z * keep - level * turn, free

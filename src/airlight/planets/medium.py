@@ -17,11 +17,11 @@ import numpy.typing as npt
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.optics.bent_density import RefractingShell
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.effective_top import effective_top
 from airlight.optics.layer_edges import ThinLayer, thin_layers
 from airlight.optics.reflection import WHITE, Reflection
+from airlight.optics.refracting_shell import RefractingShell
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
@@ -38,9 +38,9 @@ PHASE_NODES: Final = 4097
 #: Largest vertical optical depth of one constituent.
 LARGEST_OPTICAL_DEPTH: Final = 1e4
 #: Name of the constituent whose column is the bending of light.
-BENDING: Final = "bending"
+REFRACTION_COLUMN: Final = "refraction"
 #: Wavelength whose bending is used for all. [nm]
-BENDING_WAVELENGTH: Final = 550.0
+REFRACTION_WAVELENGTH: Final = 550.0
 #: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
 #: Number of media that a planet keeps, since reader, solver and pictures request the same, and
@@ -285,8 +285,8 @@ class Medium:
     def in_optical_radius(self) -> Medium:
         """Medium in which rays are straight: by optical radius if light is bent, otherwise itself.
 
-        It has one more constituent, "bending", which neither scatters nor absorbs; see
-        ``optics.bent_density``.
+        It has one more constituent, "refraction", which neither scatters nor absorbs; see
+        ``optics.refracting_shell``.
         """
         shell = self.refracting_shell
         if shell is None:
@@ -297,13 +297,16 @@ class Medium:
             self,
             bottom_radius=shell.bottom,
             top_radius=shell.top,
-            names=(*self.names, BENDING),
+            names=(*self.names, REFRACTION_COLUMN),
             scattering=np.concatenate([self.scattering, nothing]),
             absorption=np.concatenate([self.absorption, nothing]),
             density=shell.density,
             phase_table=np.concatenate([self.phase_table, phases]),
             refractivity=np.zeros(len(self.names) + 1),
-            constituents=(*self.constituents, Constituent(name=BENDING, profile=Uniform())),
+            constituents=(
+                *self.constituents,
+                Constituent(name=REFRACTION_COLUMN, profile=Uniform()),
+            ),
         )
 
     @property
@@ -451,7 +454,7 @@ def _refractivity(planet: Planet) -> FloatArray:
     if planet.refraction == "none":
         return result
     low, high = planet.wavelength_limits
-    nm = [min(max(BENDING_WAVELENGTH, low), high)]
+    nm = [min(max(REFRACTION_WAVELENGTH, low), high)]
     for i, one in enumerate(planet.constituents):
         result[i] = one.refractivities(nm, planet.thickness)[0]
     if not result.any():

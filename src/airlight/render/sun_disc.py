@@ -64,7 +64,7 @@ def leaving_direction(
     lines = straight_lines(directions, solution, altitude)
     free = ~lines.to_ground & (lines.length > 0.0)
     angle = np.zeros(len(directions))
-    angle[free] = solution.paths.bent(lines.r[free], lines.mu[free])
+    angle[free] = solution.paths.refraction_angle(lines.r[free], lines.mu[free])
     level = np.hypot(directions[:, 0], directions[:, 1])
     height = np.arctan2(directions[:, 2], level) - angle
     scale = np.divide(np.cos(height), level, out=np.ones_like(level), where=level > 0.0)

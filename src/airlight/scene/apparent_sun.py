@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from airlight.geometry.bending import apparent_sun_cosine
+from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.refracted_geometry import RefractedGeometry
 
@@ -96,7 +96,7 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
             if mu >= 0.0 or sine >= 1.0:
                 return seen
             at, mu = shell.top, -math.sqrt(1.0 - sine * sine)
-        return seen + math.degrees(float(paths.bent(np.array([at]), np.array([mu]))[0]))
+        return seen + math.degrees(float(paths.refraction_angle(np.array([at]), np.array([mu]))[0]))
 
     # slightly above the horizon, so that rounding does not send the ray into the ground
     horizon = 180.0 - math.degrees(math.asin(min(shell.bottom / x * (1.0 + 1e-12), 1.0)))

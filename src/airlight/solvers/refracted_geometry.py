@@ -11,16 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.geometry.bending import apparent_sun
 from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes
 from airlight.geometry.path import ray_length
+from airlight.geometry.refraction import apparent_sun
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, vectorized
-from airlight.optics.bent_density import RefractingShell
+from airlight.optics.refracting_shell import RefractingShell
 from airlight.planets.medium import Medium
 from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.tables.columns import columns
-from airlight.tables.refraction_table import NONE, bending, refraction_table
+from airlight.tables.refraction_table import NONE, refraction_angles, refraction_table
 
 FloatArray = NDArray[np.float64]
 
@@ -40,7 +40,7 @@ class RefractedGeometry:
     Attributes
     ----------
     medium : Medium
-        Medium by optical radius, with "bending" as its last constituent; the planet's own where
+        Medium by optical radius, with "refraction" as its last constituent; the planet's own where
         light goes straight.
     shell : RefractingShell or None
         Shell by optical radius, or None where light goes straight.
@@ -61,9 +61,9 @@ class RefractedGeometry:
         return cls(drawn, shell, _refraction_table_of(shell))
 
     @property
-    def bend(self) -> float:
+    def refraction_strength(self) -> float:
         """Bending over impact parameter and column of the last constituent. [m⁻²]"""
-        return 0.0 if self.shell is None else self.shell.bend
+        return 0.0 if self.shell is None else self.shell.refraction_strength
 
     def optical_radius(self, r: FloatArray) -> FloatArray:
         """Optical radius at true radii, which may lie outside the shell. [m]"""
@@ -97,19 +97,21 @@ class RefractedGeometry:
         return out
 
     @property
-    def largest_bend(self) -> float:
+    def max_refraction(self) -> float:
         """Angle by which a ray from space that grazes the ground is bent. [rad]"""
         if self.shell is None:
             return 0.0
         x, mu = np.array([self.shell.bottom]), np.zeros(1)
-        return 2.0 * float(self.bent(x, mu)[0])
+        return 2.0 * float(self.refraction_angle(x, mu)[0])
 
-    def bent(self, x: FloatArray, mu: FloatArray) -> FloatArray:
+    def refraction_angle(self, x: FloatArray, mu: FloatArray) -> FloatArray:
         """Angle by which rays that miss the ground are bent from points to space, (n,). [rad]"""
         if self.shell is None:
             return np.zeros(np.shape(x))
         shell = self.shell
-        return bending(x, mu, shell.bottom, shell.top, shell.density, shell.bend)
+        return refraction_angles(
+            x, mu, shell.bottom, shell.top, shell.density, shell.refraction_strength
+        )
 
     def optical_length(
         self,
@@ -149,13 +151,13 @@ class RefractedGeometry:
 
 def _refraction_table_of(shell: RefractingShell) -> FloatArray:
     """Table of the apparent star, from the last few that were made; haze does not change it."""
-    bending_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
-    key = (shell.bottom, shell.top, shell.bend, *bending_row)
+    refraction_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
+    key = (shell.bottom, shell.top, shell.refraction_strength, *refraction_row)
     with _lock:
         if key in _lifts:
             _lifts.move_to_end(key)
             return _lifts[key]
-    made = refraction_table(shell.bottom, shell.top, shell.density, shell.bend)
+    made = refraction_table(shell.bottom, shell.top, shell.density, shell.refraction_strength)
     with _lock:
         _lifts[key] = made
         while len(_lifts) > _KEPT:

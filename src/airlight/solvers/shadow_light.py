@@ -79,7 +79,7 @@ class ShadowLight:
         #: Sines of the angles between the rays and the planet's centre, and their weights.
         self._sine = impact / distance
         self._weight = self._sine * step / distance
-        self._turned = np.arcsin(self._sine) - 2.0 * paths.bent(impact, straight)
+        self._turned = np.arcsin(self._sine) - 2.0 * paths.refraction_angle(impact, straight)
         self._through = np.exp(-depth)
         #: Angular radii of the planet and of its air. [rad]
         self.planet_radius = float(np.arcsin(bottom / distance))

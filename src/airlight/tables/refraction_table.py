@@ -1,4 +1,4 @@
-"""Apparent direction of a star through air that bends its light: table for ``geometry.bending``."""
+"""Apparent direction of a star through air that bends its light: table for ``geometry.refraction``."""
 
 from __future__ import annotations
 
@@ -21,12 +21,17 @@ FloatArray = NDArray[np.float64]
 SHAPE: Final = (97, 129)
 #: Directions at which the bending is integrated, for each radius.
 _DIRECTIONS: Final = 257
-#: Table for air that does not bend light: empty.
+#: Table for air that does not refract light: empty.
 NONE: Final[FloatArray] = np.zeros((0, 0, 2))
 
 
-def bending(
-    x: FloatArray, mu: FloatArray, bottom: float, top: float, density: DensitySegments, bend: float
+def refraction_angles(
+    x: FloatArray,
+    mu: FloatArray,
+    bottom: float,
+    top: float,
+    density: DensitySegments,
+    refraction_strength: float,
 ) -> FloatArray:
     """Angle by which a ray is bent from a point to space.
 
@@ -38,8 +43,8 @@ def bending(
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     density : DensitySegments
-        Profiles over optical altitude, "bending" last.
-    bend : float
+        Profiles over optical altitude, "refraction" last.
+    refraction_strength : float
         See ``RefractingShell``. [m⁻²]
 
     Returns
@@ -51,18 +56,20 @@ def bending(
     length = vectorized(distance_to_top)(x, mu, top)
     last = DensitySegments(density.edges[-1:], density.coefficients[-1:])
     column = columns(x, mu, length, bottom, last)[..., 0]
-    return np.asarray(bend * x * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)) * column)
+    return np.asarray(
+        refraction_strength * x * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)) * column
+    )
 
 
 def refraction_table(
-    bottom: float, top: float, density: DensitySegments, bend: float
+    bottom: float, top: float, density: DensitySegments, refraction_strength: float
 ) -> FloatArray:
     """Raise of the cosine of a star's zenith angle, and flattening of the star.
 
     Parameters
     ----------
-    bottom, top, density, bend :
-        Arguments of ``bending``.
+    bottom, top, density, refraction_strength :
+        Arguments of ``refraction_angles``.
 
     Returns
     -------
@@ -81,7 +88,7 @@ def refraction_table(
     steps = np.maximum(np.linspace(0.0, 1.0, _DIRECTIONS) ** 2, 1e-12)
     lowest = vectorized(horizon_cosine)(x, bottom)[:, None]
     seen = lowest + (1.0 - lowest) * steps
-    angle = bending(x[:, None], seen, bottom, top, density, bend)
+    angle = refraction_angles(x[:, None], seen, bottom, top, density, refraction_strength)
     true = np.cos(np.arccos(seen) + angle)
     sunken = np.diff(true, axis=1).min(axis=1) <= 0.0
     if sunken.any():

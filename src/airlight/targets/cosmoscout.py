@@ -216,7 +216,7 @@ def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
         length = lines_of_sight(
             changed(at, r=x, mu=seen, to_ground=np.zeros_like(hits)), drawn
         ).length
-        angle = paths.bent(x, seen)
+        angle = paths.refraction_angle(x, seen)
         optical = np.where(mu < 0.0, sine, x)
         altitude = np.interp(optical, paths.shell.optical, paths.shell.altitude)
         altitude = np.where(optical < paths.shell.bottom, optical - paths.shell.bottom, altitude)

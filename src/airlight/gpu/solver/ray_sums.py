@@ -10,7 +10,7 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import star_points
+from airlight.geometry.refraction import star_points
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate

@@ -13,9 +13,9 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle
 from airlight.geometry.occulted_star import apparent_discs, seen_lanes, table_place
 from airlight.geometry.path import insert_edge
+from airlight.geometry.refraction import refraction_angle
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, splat, store
 from airlight.optics.reflection import diffuse_reflectance, direct_reflectance
@@ -203,11 +203,13 @@ def _add_point(
         work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.columns[(light.constituents - 1) * n + k])
+    if light.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, light.refraction_strength, work.columns[(light.constituents - 1) * n + k]
+        )
     px, py, pz = turned_point(x + t * u, y + t * v, z + t * w, u, v, w, q, mu_q, angle)
     mu_sq = min(max((px * star.star_x + py * star.star_y + pz * star.star_z) / q, -1.0), 1.0)
-    # The line is turned with its point: the cosine to the star, as ``bending.turned`` has it.
+    # The line is turned with its point: the cosine to the star, as ``refraction.turned`` has it.
     nu_q = nu
     if angle != 0.0:
         sine = sqrt(max((1.0 - mu_q) * (1.0 + mu_q), 1e-18))
@@ -314,8 +316,10 @@ def end_on_ground(x, y, z, u, v, w, length, light, work):
     mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
     slant = min(max((r * mu + length) / light.bottom, -1.0), 1.0)
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.columns_total[light.constituents - 1])
+    if light.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, light.refraction_strength, work.columns_total[light.constituents - 1]
+        )
     px, py, pz = turned_point(
         x + length * u, y + length * v, z + length * w, u, v, w, light.bottom, slant, angle
     )

@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import direct_horizontal_weights
+from airlight.geometry.refraction import direct_horizontal_weights
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from airlight.geometry.bending import direct_horizontal_weights, star_points
+from airlight.geometry.refraction import direct_horizontal_weights, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value

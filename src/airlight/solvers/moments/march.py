@@ -15,7 +15,7 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle, star_points, turned
+from airlight.geometry.refraction import refraction_angle, star_points, turned
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
@@ -165,8 +165,10 @@ def add_point(
         work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
         scatters += light.brightest[c] * work.density[c * n + k]
-    if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.columns[(light.constituents - 1) * n + k])
+    if light.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, light.refraction_strength, work.columns[(light.constituents - 1) * n + k]
+        )
         mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
         mu_sq = min(max(mu_sq, -1.0), 1.0)
     seen, spread = 0.0, False

@@ -14,8 +14,8 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import MAX_EDGES
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
 from airlight.kernel.refcounts import without_refcount
@@ -305,8 +305,10 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
         work.depths[c] = work.columns[c * n + k]
         scatters += light.brightest[c] * work.density[c * n + k]
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.columns[(constituents - 1) * n + k])
+    if light.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, light.refraction_strength, work.columns[(constituents - 1) * n + k]
+        )
     weight = np.float32(work.weight[k])
     for at in range(0, lanes, LANES):
         transmittance = transmittance_columns(
@@ -329,7 +331,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, ligh
         index = stars.together[member]
         star, sums = first + index, index * width
         mu_sq, nu_q = min(max((r * mu_s[star] + t * nu[star]) / q, -1.0), 1.0), nu[star]
-        if light.bend > 0.0:
+        if light.refraction_strength > 0.0:
             mu_sq, nu_q = turned(mu_q, mu_sq, nu_q, angle)
             mu_sq = min(max(mu_sq, -1.0), 1.0)
         seen, spread = star_columns(q, mu_sq, light, work)

@@ -34,7 +34,7 @@ class MarchTables(NamedTuple):
         Radii of the ground and of the shell's top, optical where light is bent. [m]
     star_radius : float
         Angular radius of the star. [rad]
-    bend : float
+    refraction_strength : float
         Bending over impact parameter and column of the last constituent. [m⁻²]
     lanes : int
         Number of lanes w: a multiple of ``LANES``; in a shader one texel is one group of lanes.
@@ -103,7 +103,7 @@ class MarchTables(NamedTuple):
     bottom: float
     top: float
     star_radius: float
-    bend: float
+    refraction_strength: float
     lanes: Annotated[int, Always(1)]
     panels: Annotated[int, Always(1)]
     hides: Annotated[int, Always(0)]

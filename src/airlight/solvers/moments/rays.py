@@ -7,9 +7,9 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, ray_length
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
@@ -77,7 +77,9 @@ def _turn(r, mu, distance, radius, angle, out):
 
 
 @compiled_loop
-def trace_into(grid, mu, panels, rule, nodes, strongest, bend, ends, edges, path, rays):
+def trace_into(
+    grid, mu, panels, rule, nodes, strongest, refraction_strength, ends, edges, path, rays
+):
     """Trace all rays of the quadratures into ``rays``, see ``trace_rays``; their points' count."""
     count = 0
     here = np.empty(4)
@@ -112,13 +114,13 @@ def trace_into(grid, mu, panels, rule, nodes, strongest, bend, ends, edges, path
             for c in range(constituents):
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
             if below:
-                bent = bend_angle(r, mu[i, a], bend, rays.total[i, a, last])
-                _turn(r, mu[i, a], length, grid.bottom_radius, bent, here)
+                angle = refraction_angle(r, mu[i, a], refraction_strength, rays.total[i, a, last])
+                _turn(r, mu[i, a], length, grid.bottom_radius, angle, here)
                 rays.end[i, a, 0], rays.end[i, a, 1] = here[0], here[1]
             for k in range(points):
                 q = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
                 rays.radius[count] = q
-                bent = bend_angle(r, mu[i, a], bend, path[4][last, k])
+                angle = refraction_angle(r, mu[i, a], refraction_strength, path[4][last, k])
                 rays.mu_along[count] = _turn(r, mu[i, a], path[0][k], q, bent, rays.turn[count])
                 for c in range(constituents):
                     rays.amount[count, c] = path[3][c, k] * path[2][k]
@@ -136,7 +138,7 @@ def trace_rays(
     nodes: int,
     panels: int = 1,
     *,
-    bend: float = 0.0,
+    refraction_strength: float = 0.0,
     ends: FloatArray = NO_ENDS,
 ) -> Rays:
     """Trace all rays of a sweep.
@@ -153,7 +155,7 @@ def trace_rays(
         Numbers of zenith angles, see ``directions``.
     nodes, panels : int
         Points a panel, and panels a leg.
-    bend : float
+    refraction_strength : float
         Bending over impact parameter and column of the last constituent; 0 for straight rays.
         [m⁻²]
     ends : array, shape (n,)
@@ -184,7 +186,7 @@ def trace_rays(
         gauss_legendre(nodes).as_tuple(),
         (density.first_nodes, density_table(density)),
         strongest,
-        bend,
+        refraction_strength,
         ends,
         np.empty(MAX_EDGES),
         new_path(per_ray, constituents),

@@ -174,7 +174,7 @@ class Setup:
             self.extinction_headroom * self.medium.extinction.max(axis=1),
             self.zenith_angles,
             self.ray_nodes,
-            bend=self.paths.bend,
+            refraction_strength=self.paths.refraction_strength,
             ends=self.ends,
         )
 

@@ -10,7 +10,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.refcounts import without_refcount
@@ -122,7 +122,7 @@ class MomentsSolution(Solution):
             bottom=grid.bottom_radius,
             top=grid.top_radius,
             star_radius=self.lights[0].angular_radius,
-            bend=self.paths.bend,
+            refraction_strength=self.paths.refraction_strength,
             lanes=air.ground.albedo.size,
             panels=settings.cut_panels if cut else settings.march_panels,
             hides=1,
@@ -381,10 +381,13 @@ def _march_all(
             store(found, 2 * lanes + at, load(found, at))
         if to_ground[k]:
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
-            if light.bend > 0.0:
+            if light.refraction_strength > 0.0:
                 mu_ground = (r[k] * mu[k] + length[k]) / bottom
-                angle = bend_angle(
-                    r[k], mu[k], light.bend, work.columns_total[light.constituents - 1]
+                angle = refraction_angle(
+                    r[k],
+                    mu[k],
+                    light.refraction_strength,
+                    work.columns_total[light.constituents - 1],
                 )
                 mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)

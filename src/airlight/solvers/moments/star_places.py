@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import HIGH
+from airlight.geometry.refraction import HIGH
 from airlight.geometry.shell import horizon_cosine
 from airlight.geometry.sun_disc import visible_fraction, visible_spread
 from airlight.kernel import inlined

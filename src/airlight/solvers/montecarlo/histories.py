@@ -20,7 +20,7 @@ A moon in front of the star dims each share of its light by the part that it hid
 Geometry: straight rays between spheres, positions and directions as vectors; the star is at
 infinity. Every angle is the local one; nothing is expanded or looked up but the air's extinction
 over altitude (see ``rays``). Where light is bent, radii are optical ones, and point and direction
-are turned at each event (see ``bent_paths``).
+are turned at each event (see ``refracted_paths``).
 """
 
 from __future__ import annotations
@@ -31,7 +31,6 @@ from airlight.geometry.occulted_star import seen_part
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.optics.reflection import cos_reflected, diffuse_reflectance, direct_reflectance
-from airlight.solvers.montecarlo.bent_paths import bent_on_way, seen_direction, turned_together
 from airlight.solvers.montecarlo.events import (
     MAX_BIASED_EVENTS,
     draw_in_air,
@@ -46,6 +45,11 @@ from airlight.solvers.montecarlo.events import (
 )
 from airlight.solvers.montecarlo.lit_air import sun_sampling_integral
 from airlight.solvers.montecarlo.rays import trace_optical_depth
+from airlight.solvers.montecarlo.refracted_paths import (
+    refraction_on_path,
+    seen_direction,
+    turned_together,
+)
 from airlight.solvers.montecarlo.stokes import (
     arriving,
     begin,
@@ -127,7 +131,7 @@ def trace_paths(
     first_path, next_path, star_path, first_lit, next_lit = paths
     shares, contribution, polarised, importance = workspace
     bottom, top = air.extinction.bottom, air.extinction.top
-    bending = air.bending
+    refraction = air.refraction
     orders = contribution.size
     view_x, view_y, sun_x = start_vectors(start_mu, mu_s, nu)
     disc = 2.0 * sin(0.5 * air.star_radius) ** 2
@@ -214,8 +218,8 @@ def trace_paths(
                 if not (strength > 0.0 and scattering > 0.0):
                     break
                 weight *= scattering / strength
-            if bending.bend > 0.0:
-                angle = bent_on_way(from_r, from_mu, along, bottom, top - bottom, bending)
+            if refraction.strength > 0.0:
+                angle = refraction_on_path(from_r, from_mu, along, bottom, top - bottom, refraction)
                 p, q, s = u, v, w
                 x, y, z, u, v, w = turned_together(x, y, z, u, v, w, angle)
                 a1, a2, a3 = carried_axis(a1, a2, a3, p, q, s, u, v, w)
@@ -224,7 +228,7 @@ def trace_paths(
             if event >= first_order:
                 a, b, c = towards_star(sun_x, mu_s, disc, state)
                 a, b, c, sun_mu, refraction_jacobian = seen_direction(
-                    x, y, z, r, a, b, c, bottom, top, bending
+                    x, y, z, r, a, b, c, bottom, top, refraction
                 )
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 first, second, third = 1.0, 0.0, 0.0

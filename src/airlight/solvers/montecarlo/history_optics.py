@@ -13,7 +13,6 @@ from airlight.optics.altitude_nodes import CELLS
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
-from airlight.solvers.montecarlo.bent_paths import Bending, bending_of
 from airlight.solvers.montecarlo.lit_air import Starlight, make_starlight
 from airlight.solvers.montecarlo.rays import (
     Extinction,
@@ -22,6 +21,7 @@ from airlight.solvers.montecarlo.rays import (
     point_at,
     trace_optical_depth,
 )
+from airlight.solvers.montecarlo.refracted_paths import RefractionColumn, refraction_column
 from airlight.solvers.montecarlo.scattering_angles import Lobes, lobes
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
@@ -69,7 +69,7 @@ class HistoryOptics(NamedTuple):
         Angular radius of the star. [rad]
     light : Starlight
         Coarse table of the star's light.
-    bending : Bending
+    refraction : RefractionColumn
         How light is bent.
     polarised : bool
         Whether histories carry polarisation.
@@ -83,7 +83,7 @@ class HistoryOptics(NamedTuple):
     ground: Reflection
     star_radius: float
     light: Starlight
-    bending: Bending
+    refraction: RefractionColumn
     polarised: bool
 
 
@@ -142,7 +142,7 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
         ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
         star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
-        bending=bending_of(paths, steps + 1),
+        refraction=refraction_column(paths, steps + 1),
         polarised=polarised,
     )
 

@@ -17,9 +17,9 @@ from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.solvers.lines_of_sight import LinesOfSight
-from airlight.solvers.montecarlo.bent_paths import direct_irradiance_bent
 from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
+from airlight.solvers.montecarlo.refracted_paths import refracted_direct_irradiance
 from airlight.solvers.montecarlo.settings import Settings
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
@@ -262,7 +262,7 @@ class MonteCarloSolution(Solution):
         if self.paths.shell is None:
             return direct_irradiance(self.medium, r, mu_s)
         star = self.medium.lights[0].angular_radius
-        return direct_irradiance_bent(self.paths, star, self.paths.optical_radius(r), mu_s)
+        return refracted_direct_irradiance(self.paths, star, self.paths.optical_radius(r), mu_s)
 
     def estimate(
         self,

@@ -13,7 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import apparent_sun
+from airlight.geometry.refraction import apparent_sun
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.validation.published.row import Row, Section
@@ -36,7 +36,7 @@ def refraction(paths: RefractedGeometry, seen: float) -> float:
     x = paths.optical_radius(np.array([paths.medium.bottom_radius]))
     if paths.shell is not None:
         x = np.array([paths.shell.bottom])
-    return degrees(float(paths.bent(x, np.array([sin(radians(seen))]))[0]))
+    return degrees(float(paths.refraction_angle(x, np.array([sin(radians(seen))]))[0]))
 
 
 def flattening(paths: RefractedGeometry, diameter: float = DIAMETER) -> float:

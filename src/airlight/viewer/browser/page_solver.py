@@ -19,7 +19,7 @@ from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import THICKEST
 from airlight.optics.reflection import LAWS
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.planets.medium import BENDING
+from airlight.planets.medium import REFRACTION_COLUMN
 from airlight.solvers.moments import convergence
 from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.iterate import POLARISED_OVER_RELAXATION
@@ -93,7 +93,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
         "night": stopping.night,
         "back": convergence.BACK,
         "air": {
-            "names": [name for name in drawn.names if name != BENDING],
+            "names": [name for name in drawn.names if name != REFRACTION_COLUMN],
             "scattering": _table(_four(drawn.scattering)),
             "absorption": _table(_four(drawn.absorption)),
             "phases": _table(np.moveaxis(_four(np.moveaxis(optics.phases, 1, 2)), 2, 1)),

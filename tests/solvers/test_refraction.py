@@ -18,7 +18,7 @@ from airlight.planets.matter.gases import RefractiveScattering
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.montecarlo.bent_paths import bent_on_way
+from airlight.solvers.montecarlo.refracted_paths import refraction_on_path
 from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.solvers.star_light import direct_irradiance
@@ -230,7 +230,7 @@ def test_histories_are_bent_as_the_traced_ray_is(
     bottom, top = air.extinction.bottom, air.extinction.top
     mu = cos(radians(view))
     along = -bottom * mu + np.sqrt((top - bottom) * (top + bottom) + (bottom * mu) ** 2)
-    found = bent_on_way(bottom, mu, along, bottom, top - bottom, air.bending)
+    found = refraction_on_path(bottom, mu, along, bottom, top - bottom, air.refraction)
     assert_allclose(found, whole, rtol=1e-4)
 
 

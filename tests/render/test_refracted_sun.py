@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Constituent, Planet, Scene, load_planet, replace, solve
-from airlight.geometry.bending import apparent_sun
+from airlight.geometry.refraction import apparent_sun
 from airlight.planets.matter.profiles import Tabulated
 from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution
@@ -50,7 +50,7 @@ def lift(solution: MomentsSolution, seen: float) -> float:
     """Lift of a star seen from the ground. [deg]"""
     paths = solution.paths
     x = paths.optical_radius(np.array([solution.medium.bottom_radius]))
-    return degrees(float(paths.bent(x, np.array([sin(radians(seen))]))[0]))
+    return degrees(float(paths.refraction_angle(x, np.array([sin(radians(seen))]))[0]))
 
 
 @pytest.mark.parametrize("seen", [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0])

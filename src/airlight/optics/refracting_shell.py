@@ -1,6 +1,6 @@
 r"""Profiles over optical altitude, with which bent rays are integrated as straight ones.
 
-See ``geometry.bending``: with x = n r, a column along a bent ray is the column along a straight one
+See ``geometry.refraction``: with x = n r, a column along a bent ray is the column along a straight one
 of the density times dr/dx, and the bending is b times the column of
 
 .. math:: \frac{1}{x^2}\left(\frac{x}{r}\frac{dr}{dx} - 1\right)
@@ -39,12 +39,12 @@ class RefractingShell:
     altitude, optical : array, shape (n,)
         Altitude above the ground [m], and optical radius there [m].
     density : DensitySegments
-        Profiles over optical altitude, times dr/dx: the constituents, then "bending", the last
+        Profiles over optical altitude, times dr/dx: the constituents, then "refraction", the last
         formula at the head of this file over its largest value. [1]
     length : DensitySegments
         Profile of dr/dx itself, whose column is the true length of a ray. [1]
-    bend : float
-        Factor such that the bending of a ray is ``bend`` · b · column of the last constituent.
+    refraction_strength : float
+        Factor such that the bending of a ray is ``refraction_strength`` · b · column of the last constituent.
         [m⁻²]
     """
 
@@ -54,7 +54,7 @@ class RefractingShell:
     optical: FloatArray
     density: DensitySegments
     length: DensitySegments
-    bend: float
+    refraction_strength: float
 
     @classmethod
     def build(
@@ -97,8 +97,8 @@ class RefractingShell:
         # The optical altitude from differences that do not cancel.
         optical_altitude = nodes * (1.0 + excess) + bottom_radius * (excess - excess[0])
         bending = ((1.0 + excess) * stretch - 1.0) / optical**2
-        bend = float(bending.max())
-        share = bending / bend if bend > 0.0 else bending
+        refraction_strength = float(bending.max())
+        share = bending / refraction_strength if refraction_strength > 0.0 else bending
         # From both sides of a node, since a profile may jump there.
         hair = 1e-6 * np.diff(nodes)
         above = density.at(nodes[:-1] + hair) * stretch[:-1]
@@ -123,7 +123,7 @@ class RefractingShell:
             length=DensitySegments.from_rows(
                 [_row(optical_altitude, stretch[:-1], stretch[1:], None)]
             ),
-            bend=bend,
+            refraction_strength=refraction_strength,
         )
 
 

@@ -3,7 +3,7 @@
 A history's rays are traced by optical radius, in which they are straight (``geometry.bending``).
 At each event the point and the direction are turned together about the axis perpendicular to the
 ray's plane, by the bending of the stretch, and are then the true ones: stars stay where they are.
-The bending is integrated along each stretch, apart from its optical depth. The apparent direction
+The refraction is integrated along each stretch, apart from its optical depth. The apparent direction
 of the star at an event, and the flattening of its disc, are read from ``tables.refraction_table``.
 """
 
@@ -15,8 +15,8 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import apparent_sun, bend_angle
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.refraction import apparent_sun, refraction_angle
 from airlight.kernel import compiled_loop, inlined
 from airlight.solvers.montecarlo.rays import BESIDE, per_y
 from airlight.solvers.refracted_geometry import RefractedGeometry
@@ -31,42 +31,42 @@ _PANELS: Final = 3
 _STRIPS: Final = 96
 
 
-class Bending(NamedTuple):
+class RefractionColumn(NamedTuple):
     """How light is bent in a medium by optical radius.
 
     Attributes
     ----------
-    bend : float
-        See ``optics.bent_density``; 0 where light goes straight. [m⁻²]
+    strength : float
+        See ``optics.refracting_shell``; 0 where light goes straight. [m⁻²]
     table : array, shape (m,)
-        Density of "bending" at even steps of the square root of altitude. [1]
+        Density of "refraction" at even steps of the square root of altitude. [1]
     lift : array, shape (rows, columns, 2)
         Table from ``refraction_table``; without rows where light goes straight. [1]
     nodes, weights : array, shape (n,)
         Quadrature rule of a panel.
     """
 
-    bend: float
+    strength: float
     table: FloatArray
     lift: FloatArray
     nodes: FloatArray
     weights: FloatArray
 
 
-def bending_of(paths: RefractedGeometry, nodes: int) -> Bending:
-    """Bending of a medium, with a table of so many nodes."""
+def refraction_column(paths: RefractedGeometry, nodes: int) -> RefractionColumn:
+    """RefractionColumn of a medium, with a table of so many nodes."""
     rule = gauss_legendre(_POINTS)
     medium = paths.medium
     if paths.shell is None:
-        return Bending(0.0, np.zeros(2), paths.lift, rule.nodes, rule.weights)
+        return RefractionColumn(0.0, np.zeros(2), paths.lift, rule.nodes, rule.weights)
     x = np.linspace(0.0, 1.0, nodes)
     table = np.ascontiguousarray(medium.density.at(medium.thickness * x * x)[-1])
-    return Bending(paths.bend, table, paths.lift, rule.nodes, rule.weights)
+    return RefractionColumn(paths.refraction_strength, table, paths.lift, rule.nodes, rule.weights)
 
 
 @inlined
-def _leg_column(start_r, end_r, tangent, bottom, scale, bending):
-    """Column of "bending" on a leg whose radius is monotone. [m]"""
+def _leg_column(start_r, end_r, tangent, bottom, scale, refraction):
+    """Column of "refraction" on a leg whose radius is monotone. [m]"""
     high, low = max(start_r, end_r), min(start_r, end_r)
     beside = 0.0
     if low - tangent <= BESIDE * (high - tangent):
@@ -77,14 +77,14 @@ def _leg_column(start_r, end_r, tangent, bottom, scale, bending):
     width = (sqrt(max(high - low, 0.0)) - first) / _PANELS
     total = 0.0
     for part in range(_PANELS):
-        for k in range(bending.nodes.size):
-            y = first + width * (part + bending.nodes[k])
-            total += bending.weights[k] * per_y(y, low, beside, bottom, bending.table, scale)
+        for k in range(refraction.nodes.size):
+            y = first + width * (part + refraction.nodes[k])
+            total += refraction.weights[k] * per_y(y, low, beside, bottom, refraction.table, scale)
     return total * width
 
 
 @compiled_loop
-def bent_on_way(r, mu, along, bottom, thickness, bending):
+def refraction_on_path(r, mu, along, bottom, thickness, refraction):
     """Angle by which a ray is bent on its first stretch.
 
     Parameters
@@ -95,22 +95,22 @@ def bent_on_way(r, mu, along, bottom, thickness, bending):
         Length of the stretch by optical radius. [m]
     bottom, thickness : float
         Optical radius of the ground and thickness of the shell. [m]
-    bending : Bending
+    refraction : RefractionColumn
 
     Returns
     -------
     float
         Angle towards the ground. [rad]
     """
-    scale = (bending.table.size - 1) / sqrt(thickness)
+    scale = (refraction.table.size - 1) / sqrt(thickness)
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     end = sqrt(max(r * r + along * (along + 2.0 * r * mu), tangent * tangent))
     if mu < 0.0 and along > -r * mu:
-        column = _leg_column(r, tangent, tangent, bottom, scale, bending)
-        column += _leg_column(tangent, end, tangent, bottom, scale, bending)
+        column = _leg_column(r, tangent, tangent, bottom, scale, refraction)
+        column += _leg_column(tangent, end, tangent, bottom, scale, refraction)
     else:
-        column = _leg_column(r, end, tangent, bottom, scale, bending)
-    return bend_angle(r, mu, bending.bend, column)
+        column = _leg_column(r, end, tangent, bottom, scale, refraction)
+    return refraction_angle(r, mu, refraction.strength, column)
 
 
 @inlined
@@ -124,7 +124,7 @@ def turned_together(x, y, z, u, v, w, angle):
     u, v, w : float
         Direction of the ray there. [1]
     angle : float
-        Result of ``bent_on_way``. [rad]
+        Result of ``refraction_on_path``. [rad]
     """
     r = sqrt(x * x + y * y + z * z)
     a, b, c = x / r, y / r, z / r
@@ -140,7 +140,7 @@ def turned_together(x, y, z, u, v, w, angle):
 
 
 @inlined
-def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
+def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
     """Direction in which a point of the star is seen, and the squeeze of its disc there.
 
     Parameters
@@ -151,7 +151,7 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
         True direction of the point of the star. [1]
     bottom, top : float
         Optical radii of the ground and of the top. [m]
-    bending : Bending
+    refraction : RefractionColumn
 
     Returns
     -------
@@ -160,16 +160,16 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
     """
     up, side, ahead = x / r, y / r, z / r
     true = min(max(a * up + b * side + c * ahead, -1.0), 1.0)
-    mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, bending.lift)
+    mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, refraction.lift)
     sine = sqrt(max((1.0 - true) * (1.0 + true), 0.0))
-    if bending.lift.shape[0] == 0 or sine < 1e-9:
+    if refraction.lift.shape[0] == 0 or sine < 1e-9:
         return a, b, c, true, refraction_jacobian
     level = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / sine
     a, b, c = (a - true * up) * level, (b - true * side) * level, (c - true * ahead) * level
     return a + mu * up, b + mu * side, c + mu * ahead, mu, refraction_jacobian
 
 
-def direct_irradiance_bent(
+def refracted_direct_irradiance(
     paths: RefractedGeometry, star_radius: float, r: FloatArray, mu_s: FloatArray
 ) -> FloatArray:
     """Irradiance of a level surface by the bent light of the star, per irradiance, (n, nl). [1]

@@ -57,19 +57,19 @@ def turned(mu, mu_s, nu, angle):
 
 
 @kernel
-def bend_angle(x, mu, bend, column):
-    """Angle by which a ray is bent on a stretch of known column of "bending". [rad]
+def refraction_angle(x, mu, refraction_strength, column):
+    """Angle by which a ray is bent on a stretch of known column of "refraction". [rad]
 
     Parameters
     ----------
     x, mu : float
         Optical radius of any point of the ray [m], and its zenith cosine there [1].
-    bend : float
-        Strength of the bending; see ``optics.bent_density``. [m⁻²]
+    refraction_strength : float
+        Strength of the bending; see ``optics.refracting_shell``. [m⁻²]
     column : float
-        Column of "bending" along the stretch. [m]
+        Column of "refraction" along the stretch. [m]
     """
-    return bend * column * x * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
+    return refraction_strength * column * x * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
 
 
 @inlined
