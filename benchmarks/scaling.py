@@ -9,7 +9,8 @@ sizes: 1 where cost grows in proportion, 0 where it does not grow.
 
 ``wavelengths``: solves of Earth, ``default``, over the visible. ``constituents``: of a gas and thin
 clouds of one kind, three wavelengths. ``radii`` and ``sun_angles``: nodes of the solver's grid,
-Earth, three wavelengths. ``pixels``: dome masters of Earth from the ground, from the table of the sky.
+Earth, three wavelengths. ``pixels``: dome masters of Earth from the ground, from the table of the
+sky.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
-r"""Bent rays drawn as straight lines: directions along them, and apparent positions of a star.
+r"""Refraction in a spherical atmosphere: refracted rays as straight lines, apparent star.
 
-In air whose refractive index n depends on the radius alone, Bouguer's invariant
-b = n r sin z holds along a ray. With the **optical radius** x = n r it reads b = x sin z: drawn in
-the plane with x for the radius, the ray is straight and has its true zenith angle at every point,
-so all the geometry of straight rays applies to bent ones. Two things differ: a step of arc length
-is dr/dx times the drawn one, a factor included in the densities; and the angle ψ at the centre
-grows faster, dψ = dψ_x (x/r) dr/dx. The difference, summed along the ray, is the angle by which the
-light has been bent, and the error of a star's zenith angle at a point of the ray if it is ignored.
+If the refractive index n depends on the radius alone, Bouguer's invariant b = n r sin z holds along
+a ray. With the **optical radius** x = n r it reads b = x sin z: with x for the radius, the ray is a
+straight line with the true zenith angle at every point, so the geometry of straight rays applies.
+Two things differ: a step of arc length is dr/dx times that of the straight line, a factor included
+in the densities; and the angle ψ at the planet's centre grows faster, dψ = dψ_x (x/r) dr/dx. The
+accumulated difference is the refraction angle, by which a star's zenith angle at a point of the ray
+would be wrong without it.
 
 Source: Auer & Standish (2000), Astronomical Journal 119, 2472, for Bouguer's invariant and its
 quadrature; Costa et al. (2021), IEEE TVCG 27, 785, section 4.4, for the effects on pictures.
@@ -23,16 +23,17 @@ from airlight.kernel import inlined, kernel
 
 @kernel
 def turned(mu, mu_s, nu, angle):
-    """Cosines at a point of a bent ray, from those of the corresponding straight ray.
+    """Cosines at a point of a refracted ray, from those of the corresponding straight line.
 
     Parameters
     ----------
     mu : float
         Cosine of the ray's zenith angle at the point. [1]
     mu_s, nu : float
-        Cosine of the star's zenith angle at the point as drawn, and between star and ray. [1]
+        Cosine of the star's zenith angle at the point of the straight line, and of the angle
+        between star and ray. [1]
     angle : float
-        Angle by which the ray has been bent from its start to the point. [rad]
+        Refraction angle from the start of the ray to the point. [rad]
 
     Returns
     -------
@@ -42,11 +43,11 @@ def turned(mu, mu_s, nu, angle):
     Notes
     -----
     Point and ray are rotated together, about the axis perpendicular to both; the star stays fixed.
-    A vertical ray is not bent. Both results are linear in ``mu_s`` and ``nu``.
+    A vertical ray is not refracted. Both results are linear in ``mu_s`` and ``nu``.
 
     Examples
     --------
-    >>> turned(0.0, 0.0, 1.0, 0.0)  # looking at a star on the horizon, not bent
+    >>> turned(0.0, 0.0, 1.0, 0.0)  # towards a star on the horizon, no refraction
     (0.0, 1.0)
     """
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 1e-18))
@@ -58,16 +59,16 @@ def turned(mu, mu_s, nu, angle):
 
 @kernel
 def refraction_angle(x, mu, refraction_strength, column):
-    """Angle by which a ray is bent on a stretch of known column of "refraction". [rad]
+    """Refraction angle of a segment of a ray, from its refraction column. [rad]
 
     Parameters
     ----------
     x, mu : float
         Optical radius of any point of the ray [m], and its zenith cosine there [1].
     refraction_strength : float
-        Strength of the bending; see ``optics.refracting_shell``. [m⁻²]
+        See ``optics.refracting_shell``. [m⁻²]
     column : float
-        Column of "refraction" along the stretch. [m]
+        Refraction column of the segment. [m]
     """
     return refraction_strength * column * x * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
 
@@ -79,9 +80,9 @@ def refraction_table_index(x, mu_s, bottom, top, lift):
     Returns
     -------
     row, f, column, e : int, float, int, float
-        Node below, and part of the way to the next one, of either axis. [1]
+        Index of the node below, and fraction of the distance to the next, on either axis. [1]
     above : float
-        Cosine of its zenith angle above that of the true place of the horizon. [1]
+        Cosine of the star's true zenith angle less that of the horizon's true direction. [1]
     """
     tangent = sqrt((top - bottom) * (top + bottom))
     at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (lift.shape[0] - 1)
@@ -106,7 +107,7 @@ def apparent_sun_cosine(x, mu_s, bottom, top, lift):
 
 @inlined
 def apparent_sun(x, mu_s, bottom, top, lift):
-    """Apparent zenith cosine of a star from a point of optical radius x, and its flattening.
+    """Cosine of a star's apparent zenith angle at optical radius x, and the disc's flattening.
 
     Parameters
     ----------
@@ -117,17 +118,17 @@ def apparent_sun(x, mu_s, bottom, top, lift):
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     lift : array, shape (rows, columns, 2)
-        Table from ``airlight.tables.refraction_table``; without rows where light goes straight. [1]
+        Table from ``airlight.tables.refraction_table``; empty without refraction. [1]
 
     Returns
     -------
     mu_seen : float
         Cosine of the star's apparent zenith angle. [1]
     refraction_jacobian : float
-        d mu_seen/d mu_s: the factor by which the star's disc is smaller than without air, and so is
-        the light that arrives, since each part of the disc keeps its radiance. [1]
+        d mu_seen/d mu_s: factor of the solid angle of the star's disc, and, since radiance is
+        conserved, of its irradiance. [1]
     elevation : float
-        True elevation above the true position of the horizon, accurate near it. [rad]
+        True elevation above the horizon's true direction, accurate near 0. [rad]
     """
     if lift.shape[0] == 0:
         return mu_s, 1.0, sun_elevation(x, mu_s, bottom)
@@ -157,7 +158,7 @@ HIGH = 16.0
 
 @inlined
 def star_points(x, mu_s, bottom, top, star_radius, lift):
-    """Visible part of a star from a point of the air, as one or two directions.
+    """Visible part of the star's disc from a point of the atmosphere, as one or two directions.
 
     Parameters
     ----------
@@ -169,11 +170,10 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
     Returns
     -------
     received : float
-        Irradiance of a surface that faces the star, over that outside the air, without the air's
-        transmittance. [1]
+        Direct normal irradiance over that outside the atmosphere, without transmittance. [1]
     low, high : float
-        Cosines of the apparent zenith angles of the two points that represent the visible part,
-        half each; the same where its height does not matter. [1]
+        Cosines of the apparent zenith angles of two points with equal weight; identical where the
+        extent of the disc does not matter. [1]
     """
     seen, refraction_jacobian, elevation = apparent_sun(x, mu_s, bottom, top, lift)
     received = refraction_jacobian * visible_fraction(elevation, star_radius)
@@ -188,7 +188,7 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
 
 @inlined
 def direct_horizontal_weights(x, mu_s, bottom, top, star_radius, lift):
-    """Irradiance of a level surface by a star, as one or two directions.
+    """Direct horizontal irradiance, as one or two directions.
 
     Parameters
     ----------
@@ -198,12 +198,12 @@ def direct_horizontal_weights(x, mu_s, bottom, top, star_radius, lift):
     Returns
     -------
     received_low, received_high : float
-        Irradiance from either point over that of a surface that faces the star outside the air,
-        without the air's transmittance. [1]
+        Horizontal irradiance from either point over the normal irradiance outside the atmosphere,
+        without transmittance. [1]
     low, high : float
         Cosines of the apparent zenith angles of the points, at least 0. [1]
     """
     received, low, high = star_points(x, mu_s, bottom, top, star_radius, lift)
-    # Aloft, the level surface hides the lower half of the sky, not the planet.
+    # Aloft, the horizontal surface hides the lower half of the sky, not the planet.
     low, high = max(low, 0.0), max(high, 0.0)
     return 0.5 * received * low, 0.5 * received * high, low, high

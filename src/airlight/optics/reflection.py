@@ -86,8 +86,8 @@ NUMBERS: Final[dict[str, type]] = {
     name: kind for name, kind in get_type_hints(Reflection).items() if name != "albedo"
 }
 
-#: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: diffuse (factor of the albedo) and specular parts of
-#: π times the BRDF, by the law of that number in ``LAWS``.
+#: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: diffuse (factor of the albedo) and specular parts
+#: of π times the BRDF, by the law of that number in ``LAWS``.
 brdf_direct = chosen_kernel("brdf_direct", [law.brdf_direct for law in LAWS.values()], __name__)
 #: ``brdf_diffuse(law, ground, mu_r)``: the same under isotropic illumination.
 brdf_diffuse = chosen_kernel("brdf_diffuse", [law.brdf_diffuse for law in LAWS.values()], __name__)

@@ -366,7 +366,7 @@ def sky_lookup(
                 store(work.found, MIRRORED * light.lanes + at, value)
         if to_ground and light.refraction_strength > 0.0:
             refraction = refraction_to_ground(z, sine, observer, light, work.columns_total)
-    return bent
+    return refraction
 
 
 @inlined

@@ -17,8 +17,8 @@ Float32Array = NDArray[np.float32]
 
 #: Number of wavelengths in a texel.
 WAVELENGTHS: Final = 4
-#: Largest number of constituents in a shader, including "refraction", of points of a panel there, and
-#: number of harmonics up to degree 24.
+#: Largest numbers in a shader: constituents, including the refraction column, and points of a
+#: panel; and number of harmonics up to degree 24.
 MOST_CONSTITUENTS: Final = 8
 MOST_POINTS: Final = 24
 MOST_TERMS: Final = 325

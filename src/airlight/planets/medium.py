@@ -37,9 +37,9 @@ FloatArray = npt.NDArray[np.float64]
 PHASE_NODES: Final = 4097
 #: Largest vertical optical depth of one constituent.
 LARGEST_OPTICAL_DEPTH: Final = 1e4
-#: Name of the constituent whose column is the bending of light.
+#: Name of the constituent whose column is proportional to the refraction angle.
 REFRACTION_COLUMN: Final = "refraction"
-#: Wavelength whose bending is used for all. [nm]
+#: Wavelength whose refractivity is used for all. [nm]
 REFRACTION_WAVELENGTH: Final = 550.0
 #: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
@@ -78,8 +78,8 @@ class Medium:
         Angular radius of the star. [rad]
     refractivity : array, shape (nc,)
         n - 1 of each constituent at relative density 1, at 550 nm or the nearest wavelength known;
-        zero without refraction. One value bends all wavelengths alike: the bending of air differs
-        by 3 % over the visible. [1]
+        zero without refraction. Dispersion is neglected: the refractivity of the Earth's air
+        varies by 3 % over the visible. [1]
     constituents : tuple of Constituent
         Constituents from which the arrays were sampled.
     map_brightness : float
@@ -283,9 +283,9 @@ class Medium:
         )
 
     def in_optical_radius(self) -> Medium:
-        """Medium in which rays are straight: by optical radius if light is bent, otherwise itself.
+        """Medium over the optical radius, in which rays are straight; itself without refraction.
 
-        It has one more constituent, "refraction", which neither scatters nor absorbs; see
+        It has one more constituent, the refraction column, which neither scatters nor absorbs; see
         ``optics.refracting_shell``.
         """
         shell = self.refracting_shell

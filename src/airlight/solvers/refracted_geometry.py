@@ -24,7 +24,7 @@ from airlight.tables.refraction_table import NONE, refraction_angles, refraction
 
 FloatArray = NDArray[np.float64]
 
-#: Number of tables of the apparent star that are kept.
+#: Number of refraction tables in the cache.
 _KEPT: Final = 4
 _lifts: OrderedDict[tuple[Any, ...], FloatArray] = OrderedDict()
 _lock = threading.Lock()
@@ -40,12 +40,12 @@ class RefractedGeometry:
     Attributes
     ----------
     medium : Medium
-        Medium by optical radius, with "refraction" as its last constituent; the planet's own where
-        light goes straight.
+        Medium in the optical radius, whose last constituent is the refraction column; the planet's
+        own without refraction.
     shell : RefractingShell or None
-        Shell by optical radius, or None where light goes straight.
+        Refracting shell, or None without refraction.
     lift : array, shape (rows, columns, 2)
-        Table from ``refraction_table``; without rows where light goes straight. [1]
+        Table from ``refraction_table``; empty without refraction. [1]
     """
 
     medium: Medium
@@ -62,11 +62,11 @@ class RefractedGeometry:
 
     @property
     def refraction_strength(self) -> float:
-        """Bending over impact parameter and column of the last constituent. [m⁻²]"""
+        """Refraction angle over impact parameter and refraction column; 0 without. [m⁻²]"""
         return 0.0 if self.shell is None else self.shell.refraction_strength
 
     def optical_radius(self, r: FloatArray) -> FloatArray:
-        """Optical radius at true radii, which may lie outside the shell. [m]"""
+        """Optical radius x = n r of true radii, which may lie outside the shell. [m]"""
         if self.shell is None:
             return np.asarray(r, float)
         shell = self.shell
@@ -77,7 +77,7 @@ class RefractedGeometry:
         return np.asarray(np.where(altitude > inside, r, excess))
 
     def optical_lines(self, lines: LinesOfSight) -> LinesOfSight:
-        """Lines of sight as straight lines, each to the ground or to the top of the shell."""
+        """Lines of sight in the optical radius, in which they are straight."""
         if self.shell is None:
             return lines
         x = self.optical_radius(lines.r)
@@ -98,14 +98,14 @@ class RefractedGeometry:
 
     @property
     def max_refraction(self) -> float:
-        """Angle by which a ray from space that grazes the ground is bent. [rad]"""
+        """Refraction angle of a ray from space that grazes the ground. [rad]"""
         if self.shell is None:
             return 0.0
         x, mu = np.array([self.shell.bottom]), np.zeros(1)
         return 2.0 * float(self.refraction_angle(x, mu)[0])
 
     def refraction_angle(self, x: FloatArray, mu: FloatArray) -> FloatArray:
-        """Angle by which rays that miss the ground are bent from points to space, (n,). [rad]"""
+        """Refraction angle of rays from points to space that miss the ground, (n,). [rad]"""
         if self.shell is None:
             return np.zeros(np.shape(x))
         shell = self.shell
@@ -150,7 +150,7 @@ class RefractedGeometry:
 
 
 def _refraction_table_of(shell: RefractingShell) -> FloatArray:
-    """Table of the apparent star, from the last few that were made; haze does not change it."""
+    """Refraction table of a shell, from a cache: edits of haze do not change it."""
     refraction_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
     key = (shell.bottom, shell.top, shell.refraction_strength, *refraction_row)
     with _lock:
@@ -179,24 +179,24 @@ def _apparent_nu(x, mu, mu_s, nu, bottom, top, lift, out):
 
 
 def without_refraction(medium: Medium) -> tuple[Medium, str]:
-    """Medium in which light goes straight, and a line that says so; itself and "" if it does.
+    """Medium without refraction and a note for the report, or the medium itself and "".
 
-    The true direction of the star is kept: the sun sets half a degree earlier on Earth, and the
+    Stars then stand in their true direction: on Earth the sun sets half a degree earlier, and the
     zenith in twilight is up to 10 % darker.
     """
     if not medium.refractivity.any():
         return medium, ""
     straight = replace(medium, refractivity=np.zeros_like(medium.refractivity))
-    return straight, "light that this planet bends is drawn straight"
+    return straight, "refraction is ignored"
 
 
 def require_no_refraction(medium: Medium, what: str) -> None:
-    """Refuse a medium that bends light, for methods whose rays are straight.
+    """Raise an error for a refracting medium, in methods without refraction.
 
     Raises
     ------
     ParameterError
-        If it bends light; the error contains ``what``.
+        If the medium refracts; the message names the method ``what``.
     """
     if medium.refractivity.any():
         raise ParameterError("refraction", "bouguer", f"'none' for {what}")

@@ -1,4 +1,4 @@
-"""Apparent direction of a star through air that bends its light: table for ``geometry.refraction``."""
+"""Refraction table: apparent zenith cosine of a star, for ``geometry.refraction``."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Rows in radius, and columns in true elevation above the horizon's true position.
+#: Rows in radius, and columns in true elevation above the horizon's true direction.
 SHAPE: Final = (97, 129)
-#: Directions at which the bending is integrated, for each radius.
+#: Directions at which the refraction angle is integrated, for each radius.
 _DIRECTIONS: Final = 257
-#: Table for air that does not refract light: empty.
+#: Empty table, without refraction.
 NONE: Final[FloatArray] = np.zeros((0, 0, 2))
 
 
@@ -33,7 +33,7 @@ def refraction_angles(
     density: DensitySegments,
     refraction_strength: float,
 ) -> FloatArray:
-    """Angle by which a ray is bent from a point to space.
+    """Refraction angle of rays from a point to space.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def refraction_angles(
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     density : DensitySegments
-        Profiles over optical altitude, "refraction" last.
+        Profiles over optical altitude, that of the refraction column last.
     refraction_strength : float
         See ``RefractingShell``. [m⁻²]
 
@@ -64,7 +64,7 @@ def refraction_angles(
 def refraction_table(
     bottom: float, top: float, density: DensitySegments, refraction_strength: float
 ) -> FloatArray:
-    """Raise of the cosine of a star's zenith angle, and flattening of the star.
+    """Table of a star's apparent less true zenith cosine, and of its disc's flattening.
 
     Parameters
     ----------
@@ -75,13 +75,13 @@ def refraction_table(
     -------
     array, shape (rows, columns, 2)
         Apparent less true cosine, and d apparent/d true. Rows are even in the distance to the
-        horizon, from the ground to the top; columns are even in the square root of the cosine above
-        that of the horizon's true position, from there to the zenith. [1]
+        horizon, from the ground to the top; columns are even in the square root of the true cosine
+        less that of the horizon's true direction, up to the zenith. [1]
 
     Raises
     ------
     ParameterError
-        If a star would be seen at several elevations at once, as in a mirage.
+        If a star would have several apparent elevations, as in a mirage.
     """
     x = vectorized(radius_from_coordinate)(np.linspace(0.0, 1.0, SHAPE[0]), bottom, top)
     # Slightly above the horizon, so that rounding does not send the ray into the ground.

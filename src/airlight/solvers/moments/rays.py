@@ -69,7 +69,7 @@ class Rays(NamedTuple):
 
 @compiled_loop
 def _turn(r, mu, distance, radius, angle, out):
-    """Fill ``Rays.turn`` for a point of a ray that is bent by an angle up to there."""
+    """Fill ``Rays.turn`` at a point of a ray, whose refraction up to there is ``angle``."""
     mu_along = min(max((r * mu + distance) / radius, -1.0), 1.0)
     out[0], out[2] = turned(mu_along, r / radius, 0.0, angle)
     out[1], out[3] = turned(mu_along, distance / radius, 1.0, angle)
@@ -121,7 +121,7 @@ def trace_into(
                 q = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
                 rays.radius[count] = q
                 angle = refraction_angle(r, mu[i, a], refraction_strength, path[4][last, k])
-                rays.mu_along[count] = _turn(r, mu[i, a], path[0][k], q, bent, rays.turn[count])
+                rays.mu_along[count] = _turn(r, mu[i, a], path[0][k], q, angle, rays.turn[count])
                 for c in range(constituents):
                     rays.amount[count, c] = path[3][c, k] * path[2][k]
                     rays.column[count, c] = path[4][c, k]

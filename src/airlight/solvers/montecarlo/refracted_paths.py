@@ -1,10 +1,9 @@
-"""Bent light of histories: the angle by which a stretch of a ray is bent, and where a star is seen.
+"""Refraction of Monte Carlo paths: refraction angle of a segment, apparent direction of the star.
 
-A history's rays are traced by optical radius, in which they are straight (``geometry.bending``).
-At each event the point and the direction are turned together about the axis perpendicular to the
-ray's plane, by the bending of the stretch, and are then the true ones: stars stay where they are.
-The refraction is integrated along each stretch, apart from its optical depth. The apparent direction
-of the star at an event, and the flattening of its disc, are read from ``tables.refraction_table``.
+Segments are traced in the optical radius, in which they are straight (``geometry.refraction``). At
+each event, point and direction are rotated about the normal of the ray's plane by the segment's
+refraction angle, which gives the true ones; stars stay fixed. The apparent direction of the star,
+and the flattening of its disc, are read from ``tables.refraction_table``.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Points of a panel, and panels of a leg, at which the bending is integrated.
+#: Quadrature points of a panel, and panels of a leg, of the refraction column.
 _POINTS: Final = 8
 _PANELS: Final = 3
 #: Number of strips of the star's disc.
@@ -32,16 +31,16 @@ _STRIPS: Final = 96
 
 
 class RefractionColumn(NamedTuple):
-    """How light is bent in a medium by optical radius.
+    """Density of the refraction column and its quadrature, in the optical radius.
 
     Attributes
     ----------
     strength : float
-        See ``optics.refracting_shell``; 0 where light goes straight. [m⁻²]
+        See ``optics.refracting_shell``; 0 without refraction. [m⁻²]
     table : array, shape (m,)
-        Density of "refraction" at even steps of the square root of altitude. [1]
+        Density at even steps of the square root of altitude. [1]
     lift : array, shape (rows, columns, 2)
-        Table from ``refraction_table``; without rows where light goes straight. [1]
+        Table from ``refraction_table``; empty without refraction. [1]
     nodes, weights : array, shape (n,)
         Quadrature rule of a panel.
     """
@@ -54,7 +53,7 @@ class RefractionColumn(NamedTuple):
 
 
 def refraction_column(paths: RefractedGeometry, nodes: int) -> RefractionColumn:
-    """RefractionColumn of a medium, with a table of so many nodes."""
+    """Refraction column of a medium, tabulated at ``nodes`` altitudes."""
     rule = gauss_legendre(_POINTS)
     medium = paths.medium
     if paths.shell is None:
@@ -66,7 +65,7 @@ def refraction_column(paths: RefractedGeometry, nodes: int) -> RefractionColumn:
 
 @inlined
 def _leg_column(start_r, end_r, tangent, bottom, scale, refraction):
-    """Column of "refraction" on a leg whose radius is monotone. [m]"""
+    """Refraction column of a leg on which the radius is monotone. [m]"""
     high, low = max(start_r, end_r), min(start_r, end_r)
     beside = 0.0
     if low - tangent <= BESIDE * (high - tangent):
@@ -85,14 +84,14 @@ def _leg_column(start_r, end_r, tangent, bottom, scale, refraction):
 
 @compiled_loop
 def refraction_on_path(r, mu, along, bottom, thickness, refraction):
-    """Angle by which a ray is bent on its first stretch.
+    """Refraction angle of a ray's first segment.
 
     Parameters
     ----------
     r, mu : float
         Optical radius of the start [m] and cosine of the ray's zenith angle there [1].
     along : float
-        Length of the stretch by optical radius. [m]
+        Length of the segment in the optical radius. [m]
     bottom, thickness : float
         Optical radius of the ground and thickness of the shell. [m]
     refraction : RefractionColumn
@@ -115,12 +114,12 @@ def refraction_on_path(r, mu, along, bottom, thickness, refraction):
 
 @inlined
 def turned_together(x, y, z, u, v, w, angle):
-    """Point and direction, both turned by an angle in the ray's plane, along its way.
+    """Point and direction, both rotated by the refraction angle in the plane of the ray.
 
     Parameters
     ----------
     x, y, z : float
-        Point as drawn. [m]
+        Point of the straight line. [m]
     u, v, w : float
         Direction of the ray there. [1]
     angle : float
@@ -141,7 +140,7 @@ def turned_together(x, y, z, u, v, w, angle):
 
 @inlined
 def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
-    """Direction in which a point of the star is seen, and the squeeze of its disc there.
+    """Apparent direction of a point of the star's disc, and the disc's flattening there.
 
     Parameters
     ----------
@@ -172,7 +171,7 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
 def refracted_direct_irradiance(
     paths: RefractedGeometry, star_radius: float, r: FloatArray, mu_s: FloatArray
 ) -> FloatArray:
-    """Irradiance of a level surface by the bent light of the star, per irradiance, (n, nl). [1]
+    """Direct horizontal irradiance with refraction, per irradiance of the star, (n, nl). [1]
 
     Parameters
     ----------
