@@ -180,11 +180,11 @@ def test_the_field_stays_on_the_device(device):
     # The texture holds what a march reads of the solution on the CPU, packed there.
     solution = solve_on(device, medium_of("earth"), PREVIEW)
     texture = fields_on(device, solution)
-    expected = np.concatenate([solution.light.field, solution.light.sky]).reshape(-1, 8)[:, :4]
+    expected = np.concatenate([solution.tables.field, solution.tables.sky]).reshape(-1, 8)[:, :4]
     got = read_flat(device, texture, expected.shape[0])
     # s and M_00·s everywhere; the other moments relative to s, since they may be close to 0.
     block = 1 + solution.moments.field.shape[2]
-    moments = solution.light.field.size // 8
+    moments = solution.tables.field.size // 8
     got, sky = got[:moments].reshape(-1, block, 4), got[moments:]
     expected, expected_sky = expected[:moments].reshape(-1, block, 4), expected[moments:]
     assert_allclose(got[:, :2], expected[:, :2], rtol=2e-5)

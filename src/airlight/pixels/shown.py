@@ -69,11 +69,11 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     Mesa's software renderer ends the loops of neighbouring lines as soon as those with the fewest
     points are done, and all loops of a shader after 65 535 iterations.
     """
-    light, degree = solution.light, solution.moments.degree
+    tables, degree = solution.tables, solution.moments.degree
     constituents = len(solution.paths.medium.names)
     # Two legs, the ends of the shadow and the cuts of a thick line; water's mirrored sky has one.
-    legs, more = light.ends.size + 1, 5
-    panels = 2 * legs + more + (legs + more if light.ground.wet else 0)
+    legs, more = tables.ends.size + 1, 5
+    panels = 2 * legs + more + (legs + more if tables.ground.wet else 0)
     terms = sum((l + 1) // 4 + (l + 1) % 4 for l in range(degree + 1))
     polarised = 2 * EVEN + 3 * constituents
     point = (degree + 1) * (constituents + 2) + 2 * terms + 12 * constituents + polarised
@@ -103,7 +103,7 @@ def shown_solution(
         Number of panels of a leg; shaders have one.
     """
     kept = (*(separated_constituents(solution) if peaks else ()), -1, -1)
-    return solution.light._replace(
+    return solution.tables._replace(
         separated_1=kept[0],
         separated_2=kept[1],
         rules=quadratures(even_points(solution) if points is None else points),

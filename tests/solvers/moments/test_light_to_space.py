@@ -40,10 +40,10 @@ def test_more_points_on_a_line_lose_no_light(
     # that light from space may err.
     solution = solved(load_planet(name), NM, "preview")
     lines, _ = solution.lines_of_sight(**lines_from_space(np.array([0.0, 40.0, 65.0])))
-    few = solution.light._replace(rules=quadratures((20,) * 3), panels=2)
+    few = solution.tables._replace(rules=quadratures((20,) * 3), panels=2)
     many = few._replace(rules=quadratures((28,) * 3), panels=8)
     of_few, of_many = (
-        solution.radiance_per_irradiance(lines, 0, light=light) for light in (few, many)
+        solution.radiance_per_irradiance(lines, 0, tables=light) for light in (few, many)
     )
     loss = 100.0 * (of_many / of_few - 1.0)
     tell(f"{name}: by six times the points {loss.mean():+.3f} %, at most {np.abs(loss).max():.3f}")

@@ -455,7 +455,7 @@ class Pictures:
         assert self._textures is not None
         numbers = scene_numbers(light.scene, solution) | self._textures.numbers
         if solution is not self._solution:
-            numbers |= lamp_numbers(solution) | {"star_radius": solution.light.star_radius}
+            numbers |= lamp_numbers(solution) | {"star_radius": solution.tables.star_radius}
         peaks = 0.0 if exact else float(numbers["separated_1"] >= 0)
         numbers |= {
             "width": size[0],

@@ -155,13 +155,13 @@ def _key(solution: MomentsSolution, star: OccultedStar) -> str:
 
 def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
     """Tables of the right size around the shadow, without deviations."""
-    light, grid = solution.light, _grid(solution)
+    tables, grid = solution.tables, _grid(solution)
     degree = min(grid.degree, solution.moments.degree)
     terms = harmonics(degree)
     apart = np.array([star.x, star.y, star.z])
     distance = float(np.linalg.norm(apart))
     umbra = abs(star.radius - distance * np.sin(star.star_radius))
-    reach = umbra + _REACH * sqrt(2.0 * light.bottom * _scale_height(solution))
+    reach = umbra + _REACH * sqrt(2.0 * tables.bottom * _scale_height(solution))
     middle, width = grid_spacing(umbra, reach)
     nodes = grid.radii * grid.distances * (grid.turns + 1)
     return ShadowTables(
@@ -206,7 +206,7 @@ def _iterate(
 ) -> dict[str, NDArray[Any]]:
     """Sweep until the field does not change: arrays by node, wavelengths last."""
     grid = _grid(solution)
-    light = solution.light._replace(rules=quadratures(grid.points), panels=1)
+    tables = solution.tables._replace(rules=quadratures(grid.points), panels=1)
     half, lanes = grid.turns // 2 + 1, empty.star.lanes
     terms = (empty.degree + 1) ** 2
     signs = _mirror_signs(empty.degree)
@@ -221,8 +221,8 @@ def _iterate(
             if column == grid.distances - 1:
                 return
             _gather(
-                row, column, 1 if column == 0 else half, kind, light, shadow,
-                new_workspace(light), new_shadow_workspace(shadow), directions,
+                row, column, 1 if column == 0 else half, kind, tables, shadow,
+                new_workspace(tables), new_shadow_workspace(shadow), directions,
                 field[row, column], sky[column],
             )  # fmt: skip
 
@@ -242,7 +242,7 @@ def _iterate(
     source, sky_source = sweep(empty, LOCAL_SHADOW, 1)
     used = solution.wavelengths.size
     field, sky, last, last_sky = source, sky_source, source, sky_source
-    part = _local_part(empty, light)
+    part = _local_part(empty, tables)
     mean = 1.0 / sqrt(4.0 * pi)
     for order in range(2, _MOST_SWEEPS + 2):
         shadow = empty._replace(field=last.reshape(-1), sky=last_sky.reshape(-1))
@@ -282,10 +282,10 @@ def _directions(grid: ShadowGrid) -> tuple[FloatArray, FloatArray, FloatArray, F
     return up.nodes, up.weights, down.nodes, down.weights, grid.azimuths
 
 
-def _local_part(shadow: ShadowTables, light: MarchTables) -> Float32Array:
+def _local_part(shadow: ShadowTables, tables: MarchTables) -> Float32Array:
     """Part of the star's light at every node, shape (radii, distances, angles, w). [1]"""
     out = np.empty((shadow.radii, shadow.distances, shadow.angles, shadow.star.lanes), np.float32)
-    _fill_local(light.bottom, light.top, shadow, new_shadow_workspace(shadow), out)
+    _fill_local(tables.bottom, tables.top, shadow, new_shadow_workspace(shadow), out)
     return out
 
 
@@ -300,7 +300,7 @@ def _fill_local(bottom, top, shadow, scratch, out):
 
 
 @compiled_loop
-def _gather(row, column, count, kind, light, shadow, work, scratch, directions, field, sky):
+def _gather(row, column, count, kind, tables, shadow, work, scratch, directions, field, sky):
     """Gather the light of all directions at the nodes of a distance, into field and sky.
 
     Parameters
@@ -309,7 +309,7 @@ def _gather(row, column, count, kind, light, shadow, work, scratch, directions, 
         Indices of altitude and distance, and number of position angles.
     kind : int
         ``LOCAL_SHADOW`` or ``SCATTERING_CORRECTION``.
-    light, shadow, work, scratch :
+    tables, shadow, work, scratch :
         Arguments of ``march_eclipsed``.
     directions : tuple of arrays
         Result of ``_directions``.
@@ -318,15 +318,15 @@ def _gather(row, column, count, kind, light, shadow, work, scratch, directions, 
     sky : array, shape (angles, w)
         Receives that of the sky's irradiance, at the lowest nodes.
     """
-    light, shadow, work, scratch = without_refcount((light, shadow, work, scratch))
-    lanes, star = light.lanes, shadow.star
+    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
+    lanes, star = tables.lanes, shadow.star
     up_nodes, up_weights, down_nodes, down_weights, azimuths = directions
     result = np.empty(2 * lanes, np.float32)
     scale = np.empty(lanes, np.float32)
     terms = (shadow.degree + 1) * (shadow.degree + 1)
     for angle in range(count):
-        x, y, z = node_point(row, column, angle, light.bottom, light.top, shadow)
-        q = min(max(sqrt(x * x + y * y + z * z), light.bottom), light.top)
+        x, y, z = node_point(row, column, angle, tables.bottom, tables.top, shadow)
+        q = min(max(sqrt(x * x + y * y + z * z), tables.bottom), tables.top)
         for at in range(lanes):
             scratch.offset[at] = 0.0
         seen_star_part(x, y, z, shadow, scratch)
@@ -338,18 +338,18 @@ def _gather(row, column, count, kind, light, shadow, work, scratch, directions, 
         flat = sqrt(a * a + c * c)
         d, e, f = (c / flat, 0.0, -a / flat) if flat > 1e-3 else (1.0, 0.0, 0.0)
         g, h, i = b * f - c * e, c * d - a * f, a * e - b * d
-        near, block, first, second = field_place(q, 1.0, mu_s, mu_s, light, work)
+        near, block, first, second = field_place(q, 1.0, mu_s, mu_s, tables, work)
         p, s = np.float32(first), np.float32(second)
         p0, s0 = np.float32(1.0) - p, np.float32(1.0) - s
-        far = near + light.sun_angles * block
+        far = near + tables.sun_angles * block
         for at in range(0, lanes, LANES):
-            low = between(light.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
+            low = between(tables.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
             here = lanes + at
             mean = between(
-                light.field, near + here, far + here, block, p0 * s0, p0 * s, p * s0, p * s
+                tables.field, near + here, far + here, block, p0 * s0, p0 * s, p * s0, p * s
             )
             store(scale, at, mean / low * work.functions[0])
-        horizon = horizon_cosine(q, light.bottom)
+        horizon = horizon_cosine(q, tables.bottom)
         for side in range(2):
             nodes, weights = (up_nodes, up_weights) if side == 0 else (down_nodes, down_weights)
             for k in range(nodes.size):
@@ -358,9 +358,9 @@ def _gather(row, column, count, kind, light, shadow, work, scratch, directions, 
                 mu = horizon + span * t * t
                 solid = abs(span) * 2.0 * t * weights[k] * 2.0 * pi / azimuths
                 sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-                length = distance_to_top(q, mu, light.top)
+                length = distance_to_top(q, mu, tables.top)
                 if side == 1:
-                    length = distance_to_bottom(q, mu, light.bottom)
+                    length = distance_to_bottom(q, mu, tables.bottom)
                 if length <= 0.0 and side == 0:
                     continue
                 for turn in range(azimuths):
@@ -370,10 +370,14 @@ def _gather(row, column, count, kind, light, shadow, work, scratch, directions, 
                     nu = u * star.star_x + v * star.star_y + w * star.star_z
                     half = sqrt(max(0.5 * (1.0 - nu), 0.0))
                     read_phase(
-                        half, light.phase, light.phase_nodes, lanes * light.constituents, work.phase
+                        half,
+                        tables.phase,
+                        tables.phase_nodes,
+                        lanes * tables.constituents,
+                        work.phase,
                     )
                     line_eclipsed(
-                        x, y, z, u, v, w, half, length, side == 1, kind, work.phase, light, shadow,
+                        x, y, z, u, v, w, half, length, side == 1, kind, work.phase, tables, shadow,
                         work, scratch, result,
                     )  # fmt: skip
                     direction_functions(u, v, w, shadow, scratch)
@@ -391,7 +395,7 @@ def _gather(row, column, count, kind, light, shadow, work, scratch, directions, 
                 over = scale[at]
                 field[angle, index, at] = field[angle, index, at] / over if over > 0.0 else 0.0
         if row == 0:
-            ground_light(mu_s, 2, light, work)
+            ground_light(mu_s, 2, tables, work)
             for at in range(lanes):
                 over = work.received[lanes + at]
                 sky[angle, at] = sky[angle, at] / over if over > 0.0 else 0.0

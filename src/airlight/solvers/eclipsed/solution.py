@@ -110,11 +110,11 @@ class EclipsedSolution:
 
         def run(index: int) -> None:
             rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
-            result = np.zeros((drawn.r[rows].size, solution.light.lanes), np.float32)
+            result = np.zeros((drawn.r[rows].size, solution.tables.lanes), np.float32)
             _lines(
                 start[rows], along[rows], half_sine[rows], drawn.length[rows],
-                drawn.to_ground[rows], phase[rows], solution.light, self.shadow,
-                new_workspace(solution.light), new_shadow_workspace(self.shadow), result,
+                drawn.to_ground[rows], phase[rows], solution.tables, self.shadow,
+                new_workspace(solution.tables), new_shadow_workspace(self.shadow), result,
             )  # fmt: skip
             out[rows] = result[:, :count]
 
@@ -135,11 +135,11 @@ class EclipsedSolution:
             Irradiances. [1]
         """
         at = np.atleast_2d(np.asarray(points, float)) @ self.axes.T
-        light = self.solution.light
-        at *= (light.bottom / np.linalg.norm(at, axis=-1))[:, None]
-        out = np.empty((len(at), 2, light.lanes), np.float32)
+        tables = self.solution.tables
+        at *= (tables.bottom / np.linalg.norm(at, axis=-1))[:, None]
+        out = np.empty((len(at), 2, tables.lanes), np.float32)
         _ground(
-            at, light, self.shadow, new_workspace(light), new_shadow_workspace(self.shadow), out
+            at, tables, self.shadow, new_workspace(tables), new_shadow_workspace(self.shadow), out
         )
         found = out[:, :, : self.solution.wavelengths.size].astype(float)
         return found[:, 0], found[:, 1]
@@ -152,25 +152,25 @@ def _way(r: FloatArray, mu: FloatArray, sine: FloatArray, solution: MomentsSolut
 
 
 @compiled_loop
-def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, work, scratch, out):
-    light, shadow, work, scratch = without_refcount((light, shadow, work, scratch))
-    result = np.empty(2 * light.lanes, np.float32)
+def _lines(start, along, half_sine, length, to_ground, phase, tables, shadow, work, scratch, out):
+    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
+    result = np.empty(2 * tables.lanes, np.float32)
     for k in range(length.size):
         if length[k] <= 0.0 and not to_ground[k]:
             continue
         line_eclipsed(
             start[k, 0], start[k, 1], start[k, 2], along[k, 0], along[k, 1], along[k, 2],
-            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], light, shadow, work, scratch,
+            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], tables, shadow, work, scratch,
             result,
         )  # fmt: skip
-        out[k] = result[: light.lanes]
+        out[k] = result[: tables.lanes]
 
 
 @compiled_loop
-def _ground(at, light, shadow, work, scratch, out):
-    light, shadow, work, scratch = without_refcount((light, shadow, work, scratch))
+def _ground(at, tables, shadow, work, scratch, out):
+    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
     for k in range(at.shape[0]):
-        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, light, shadow, work, scratch)
-        for at_lane in range(light.lanes):
+        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, tables, shadow, work, scratch)
+        for at_lane in range(tables.lanes):
             out[k, 0, at_lane] = work.received[at_lane]
-            out[k, 1, at_lane] = work.received[light.lanes + at_lane]
+            out[k, 1, at_lane] = work.received[tables.lanes + at_lane]

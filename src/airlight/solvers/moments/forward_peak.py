@@ -52,14 +52,14 @@ _LEAST: Final = 1e-30
 
 
 @inlined
-def reset_peaks(light, work):
+def reset_peaks(tables, work):
     """Set sums over a line's peaks to zero; arguments as in ``add_peaks``."""
-    for at in range(0, 3 * light.lanes, LANES):
+    for at in range(0, 3 * tables.lanes, LANES):
         store(work.peaks, at, splat(0.0))
 
 
 @inlined
-def add_peaks(star, dimmed, spread, phase, light, work, at):
+def add_peaks(star, dimmed, spread, phase, tables, work, at):
     """Add a point's scattering by forward peaks to the sums over its line.
 
     Parameters
@@ -73,7 +73,7 @@ def add_peaks(star, dimmed, spread, phase, light, work, at):
         Whether two points represent the star.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
-    light, work : MarchTables, MarchWorkspace
+    tables, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace with density and columns of the point, whose peaks receive
         single scattering by constituents with peaks [sr⁻¹], the truncated part [1], and the latter
         times the peaks' optical depth on its path. [1]
@@ -81,52 +81,52 @@ def add_peaks(star, dimmed, spread, phase, light, work, at):
         Index of the first lane.
     """
     peaked, strength, depth = splat(0.0), splat(0.0), splat(0.0)
-    for c in range(light.constituents):
-        here = light.lanes * c + at
-        part = load(light.extinction, here) - load(light.scaled_extinction, here)
+    for c in range(tables.constituents):
+        here = tables.lanes * c + at
+        part = load(tables.extinction, here) - load(tables.scaled_extinction, here)
         column = work.columns_to_sun_low[c]
         if spread:
             column = 0.5 * (column + work.columns_to_sun_high[c])
         depth = depth + part * np.float32(work.depths[c] + column)
         part = part * work.point_density[c]
         strength = strength + part
-        peaked = peaked + part * load(light.inverse_peak_fraction, here) * load(phase, here)
+        peaked = peaked + part * load(tables.inverse_peak_fraction, here) * load(phase, here)
     strength = strength * star
-    count, means = light.lanes + at, 2 * light.lanes + at
+    count, means = tables.lanes + at, 2 * tables.lanes + at
     store(work.peaks, at, load(work.peaks, at) + peaked * (star * dimmed))
     store(work.peaks, count, load(work.peaks, count) + strength)
     store(work.peaks, means, load(work.peaks, means) + strength * depth)
 
 
 @inlined
-def peak_gain(half_sine, light, work, at):
+def peak_gain(half_sine, tables, work, at):
     """Gain of single scattering by peaks, f B/p. [1]
 
     Parameters
     ----------
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
-    light, work, at :
+    tables, work, at :
         Arguments of ``add_peaks``, after the whole line.
     """
     u = sqrt(sqrt(half_sine)) * (ANGLES - 1)
     node = min(int(u), ANGLES - 2)
     f = np.float32(u - node)
-    strength = maximum(load(work.peaks, light.lanes + at), _LEAST)
-    depth = load(work.peaks, 2 * light.lanes + at) / strength
+    strength = maximum(load(work.peaks, tables.lanes + at), _LEAST)
+    depth = load(work.peaks, 2 * tables.lanes + at) / strength
     place = depth / (depth + np.float32(MIDDLE)) * np.float32(DEPTHS - 1)
     more = splat(0.0)
     for k in range(DEPTHS):
         away = place - np.float32(k)
         share = maximum(np.float32(1.0) - maximum(away, 0.0 - away), 0.0)
-        first = light.lanes * (k * ANGLES + node) + at
-        low = load(light.widening, first)
-        more = more + share * (low + f * (load(light.widening, first + light.lanes) - low))
+        first = tables.lanes * (k * ANGLES + node) + at
+        low = load(tables.widening, first)
+        more = more + share * (low + f * (load(tables.widening, first + tables.lanes) - low))
     return more
 
 
 @inlined
-def peak_fraction(constituent, light, at):
+def peak_fraction(constituent, tables, at):
     """Fraction of a constituent's single scattering that has the gain: 0 without a peak. [1]
 
     Parameters
@@ -136,12 +136,12 @@ def peak_fraction(constituent, light, at):
     light, at :
         Arguments of ``add_peaks``.
     """
-    here = light.lanes * constituent + at
-    part = load(light.extinction, here) - load(light.scaled_extinction, here)
+    here = tables.lanes * constituent + at
+    part = load(tables.extinction, here) - load(tables.scaled_extinction, here)
     return (
         part
-        * load(light.inverse_peak_fraction, here)
-        / maximum(load(light.scattering, here), _LEAST)
+        * load(tables.inverse_peak_fraction, here)
+        / maximum(load(tables.scattering, here), _LEAST)
     )
 
 

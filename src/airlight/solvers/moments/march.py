@@ -52,7 +52,7 @@ FAINT = 5e-3
 
 @inlined
 def march(
-    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, phase_f12, light,
+    r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, phase_f12, tables,
     work, result,
 ):  # fmt: skip
     """Light of a stretch of air towards its start, per irradiance of the star.
@@ -75,7 +75,7 @@ def march(
     phase, phase_f12 : array, shape (nc·w,)
         Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
         [sr⁻¹]
-    light, work : MarchTables, MarchWorkspace
+    tables, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace, whose totals receive the columns of the stretch [m].
     result : array, shape (4·w,), or (6·w,) if ``polarised``
         Receives the air's radiance [sr⁻¹], its transmittance, with forward peaks counted as
@@ -85,68 +85,68 @@ def march(
     turn_cosine, turn_sine = 1.0, 0.0
     if polarised:
         turn_cosine, turn_sine = star_plane(mu, mu_s, nu)
-    count, rule, day = place_panels(r, mu, mu_s, nu, length, light, work)
-    n = int(light.rules[rule])
+    count, rule, day = place_panels(r, mu, mu_s, nu, length, tables, work)
+    n = int(tables.rules[rule])
     scatters = 0.0
-    for c in range(light.constituents):
-        scatters += light.brightest[c] * work.columns_total[c]
+    for c in range(tables.constituents):
+        scatters += tables.brightest[c] * work.columns_total[c]
         work.columns_so_far[c] = 0.0
     faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         store(result, at, splat(0.0))
-        store(result, 2 * light.lanes + at, splat(0.0))
-        store(result, 3 * light.lanes + at, splat(0.0))
+        store(result, 2 * tables.lanes + at, splat(0.0))
+        store(result, 3 * tables.lanes + at, splat(0.0))
         if polarised:
-            store(result, 4 * light.lanes + at, splat(0.0))
-            store(result, 5 * light.lanes + at, splat(0.0))
-    reset_peaks(light, work)
+            store(result, 4 * tables.lanes + at, splat(0.0))
+            store(result, 5 * tables.lanes + at, splat(0.0))
+    reset_peaks(tables, work)
     for panel in range(count - 1):
         points = n
-        if light.hides > 0 and not is_transparent(light, work):
+        if tables.hides > 0 and not is_transparent(tables, work):
             points = 0
-        place_panel(r, mu, panel, count, rule, light, work)
-        panel_columns(rule, light, work)
+        place_panel(r, mu, panel, count, rule, tables, work)
+        panel_columns(rule, tables, work)
         for k in range(points):
             add_point(
                 r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine,
-                turn_sine, phase, phase_f12, light, work, result,
+                turn_sine, phase, phase_f12, tables, work, result,
             )  # fmt: skip
-    for c in range(light.constituents):
+    for c in range(tables.constituents):
         work.columns_total[c] = work.columns_so_far[c]
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         transmittance = transmittance_columns(
-            work.columns_total, light.scaled_extinction, light.constituents, light.lanes, at
+            work.columns_total, tables.scaled_extinction, tables.constituents, tables.lanes, at
         )
-        store(result, light.lanes + at, transmittance)
-    if light.widened and orders != 0:
-        widen(half_sine, air, peaks, light, work, result)
+        store(result, tables.lanes + at, transmittance)
+    if tables.widened and orders != 0:
+        widen(half_sine, air, peaks, tables, work, result)
 
 
 @inlined
-def widen(half_sine, air, peaks, light, work, result):
+def widen(half_sine, air, peaks, tables, work, result):
     """Widen the forward peaks of a line's light scattered once; arguments as in ``march``."""
-    for at in range(0, light.lanes, LANES):
-        more = peak_gain(half_sine, light, work, at)
+    for at in range(0, tables.lanes, LANES):
+        more = peak_gain(half_sine, tables, work, at)
         if air:
             store(result, at, load(result, at) + more * load(work.peaks, at))
-        if peaks and light.separated_1 >= 0:
-            factor = np.float32(1.0) + more * peak_fraction(light.separated_1, light, at)
-            store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) * factor)
-        if peaks and light.separated_2 >= 0:
-            factor = np.float32(1.0) + more * peak_fraction(light.separated_2, light, at)
-            store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) * factor)
+        if peaks and tables.separated_1 >= 0:
+            factor = np.float32(1.0) + more * peak_fraction(tables.separated_1, tables, at)
+            store(result, 2 * tables.lanes + at, load(result, 2 * tables.lanes + at) * factor)
+        if peaks and tables.separated_2 >= 0:
+            factor = np.float32(1.0) + more * peak_fraction(tables.separated_2, tables, at)
+            store(result, 3 * tables.lanes + at, load(result, 3 * tables.lanes + at) * factor)
 
 
 @inlined
 def add_point(
     r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
-    phase_f12, light, work, result,
+    phase_f12, tables, work, result,
 ):  # fmt: skip
     """Add the light of one point of a panel to the result of a march.
 
     Parameters
     ----------
-    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, phase_f12, light, work, result :
+    r, mu, mu_s, nu, orders, air, peaks, polarised, phase, phase_f12, tables, work, result :
         Arguments of ``march``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
@@ -155,78 +155,78 @@ def add_point(
     faint : float
         Light scattered before is left out if the point scatters less. [1]
     """
-    q = min(max(work.radius[k], light.bottom), light.top)
+    q = min(max(work.radius[k], tables.bottom), tables.top)
     t = work.distance[k]
     mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
     mu_sq = min(max((r * mu_s + t * nu) / q, -1.0), 1.0)
     nu_q = nu
     scatters = 0.0
-    for c in range(light.constituents):
+    for c in range(tables.constituents):
         work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
-        scatters += light.brightest[c] * work.density[c * n + k]
-    if light.refraction_strength > 0.0:
+        scatters += tables.brightest[c] * work.density[c * n + k]
+    if tables.refraction_strength > 0.0:
         angle = refraction_angle(
-            r, mu, light.refraction_strength, work.columns[(light.constituents - 1) * n + k]
+            r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
         )
         mu_sq, nu_q = turned(mu_q, mu_sq, nu, angle)
         mu_sq = min(max(mu_sq, -1.0), 1.0)
     seen, spread = 0.0, False
     if orders != 0:
-        seen, spread = star_columns(q, mu_sq, light, work)
+        seen, spread = star_columns(q, mu_sq, tables, work)
     gathers = air and orders != 1 and scatters * work.weight[k] >= faint
     near, block, f, e = 0, 0, 0.0, 0.0
     if air and gathers:
-        near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, light, work)
-    for at in range(0, light.lanes, LANES):
+        near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
+    for at in range(0, tables.lanes, LANES):
         transmittance = transmittance_columns(
-            work.depths, light.scaled_extinction, light.constituents, light.lanes, at
+            work.depths, tables.scaled_extinction, tables.constituents, tables.lanes, at
         ) * np.float32(work.weight[k])
         polarised_ratio = splat(1.0)
         if polarised and orders != 1:
             polarised_ratio = polarised_ratio_columns(
-                work.depths, light.polarised_moments, light.constituents, light.lanes, at
+                work.depths, tables.polarised_moments, tables.constituents, tables.lanes, at
             )
         if seen > 0.0:
             star = transmittance * direct_beam(
                 seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
-                light.scaled_extinction, light.constituents, light.lanes, at,
+                tables.scaled_extinction, tables.constituents, tables.lanes, at,
             )  # fmt: skip
-            add_star(star, air, peaks, phase, light, work, at, result)
-            if light.widened:
-                add_peaks(star, np.float32(1.0), spread, phase, light, work, at)
+            add_star(star, air, peaks, phase, tables, work, at, result)
+            if tables.widened:
+                add_peaks(star, np.float32(1.0), spread, phase, tables, work, at)
             if polarised:
                 add_polarised_star(
                     polarised_ratio * star,
                     turn_cosine,
                     turn_sine,
                     phase_f12,
-                    light,
+                    tables,
                     work,
                     at,
                     result,
                 )
         if air and gathers:
             source = transmittance * multiple_scattering_at(
-                near, block, np.float32(f), np.float32(e), light, work, at
+                near, block, np.float32(f), np.float32(e), tables, work, at
             )
             store(result, at, load(result, at) + source)
             if polarised:
                 add_polarised_light(
                     polarised_ratio * transmittance, mu_q, near, block, np.float32(f),
-                    np.float32(e), light, work, at, result,
+                    np.float32(e), tables, work, at, result,
                 )  # fmt: skip
 
 
 @inlined
-def star_columns(q, mu_s, light, work):
+def star_columns(q, mu_s, tables, work):
     """Visible part of the star at a point, with the columns towards it in the workspace. [m]
 
     Parameters
     ----------
     q, mu_s : float
         Radius of the point [m]; cosine of the star's zenith angle there. [1]
-    light, work : MarchTables, MarchWorkspace
+    tables, work : MarchTables, MarchWorkspace
         Arguments of ``march``; the workspace receives here and there.
 
     Returns
@@ -236,17 +236,17 @@ def star_columns(q, mu_s, light, work):
     spread : bool
         Whether two points represent the star.
     """
-    bottom, top = light.bottom, light.top
-    seen, low, high = star_points(q, mu_s, bottom, top, light.star_radius, light.lift)
+    bottom, top = tables.bottom, tables.top
+    seen, low, high = star_points(q, mu_s, bottom, top, tables.star_radius, tables.lift)
     if seen > 0.0:
         columns_to_top(
             q,
             low,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             work.columns_to_sun_low,
         )
         if high > low:
@@ -255,16 +255,16 @@ def star_columns(q, mu_s, light, work):
                 high,
                 bottom,
                 top,
-                light.first_nodes,
-                light.column_rows,
-                light.columns,
+                tables.first_nodes,
+                tables.column_rows,
+                tables.columns,
                 work.columns_to_sun_high,
             )
     return seen, high > low
 
 
 @inlined
-def add_star(star, air, peaks, phase, light, work, at, result):
+def add_star(star, air, peaks, phase, tables, work, at, result):
     """Add the star's light scattered once at a point, to the air's radiance and to the peaks.
 
     Parameters
@@ -272,39 +272,39 @@ def add_star(star, air, peaks, phase, light, work, at, result):
     star : lanes
         Irradiance by the star at the point, times its weight, as transmitted to the line's start.
         [m]
-    air, peaks, phase, light, work, result :
+    air, peaks, phase, tables, work, result :
         Arguments of ``march``.
     at : int
         Index of the first lane.
     """
     if air:
         once = star * single_scattering_source(
-            work.point_density, light.scattering, phase, light.constituents, light.lanes, at
+            work.point_density, tables.scattering, phase, tables.constituents, tables.lanes, at
         )
         store(result, at, load(result, at) + once)
-    if peaks and light.separated_1 >= 0:
-        c = light.separated_1
-        once = star * load(light.scattering, light.lanes * c + at) * work.point_density[c]
-        store(result, 2 * light.lanes + at, load(result, 2 * light.lanes + at) + once)
-    if peaks and light.separated_2 >= 0:
-        c = light.separated_2
-        once = star * load(light.scattering, light.lanes * c + at) * work.point_density[c]
-        store(result, 3 * light.lanes + at, load(result, 3 * light.lanes + at) + once)
+    if peaks and tables.separated_1 >= 0:
+        c = tables.separated_1
+        once = star * load(tables.scattering, tables.lanes * c + at) * work.point_density[c]
+        store(result, 2 * tables.lanes + at, load(result, 2 * tables.lanes + at) + once)
+    if peaks and tables.separated_2 >= 0:
+        c = tables.separated_2
+        once = star * load(tables.scattering, tables.lanes * c + at) * work.point_density[c]
+        store(result, 3 * tables.lanes + at, load(result, 3 * tables.lanes + at) + once)
 
 
 @inlined
-def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, light, work, at, result):
+def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, tables, work, at, result):
     """Add Q and U of the star's light scattered once at a point; arguments as in ``add_point``."""
     once = star * single_scattering_source(
-        work.point_density, light.scattering, phase_f12, light.constituents, light.lanes, at
+        work.point_density, tables.scattering, phase_f12, tables.constituents, tables.lanes, at
     )
-    stokes_q, stokes_u = 4 * light.lanes + at, 5 * light.lanes + at
+    stokes_q, stokes_u = 4 * tables.lanes + at, 5 * tables.lanes + at
     store(result, stokes_q, load(result, stokes_q) + once * np.float32(turn_cosine))
     store(result, stokes_u, load(result, stokes_u) + once * np.float32(turn_sine))
 
 
 @inlined
-def add_polarised_light(transmittance, mu, near, block, f, e, light, work, at, result):
+def add_polarised_light(transmittance, mu, near, block, f, e, tables, work, at, result):
     """Add Q and U of the light scattered before, scattered once more into the line at a point.
 
     Parameters
@@ -313,22 +313,26 @@ def add_polarised_light(transmittance, mu, near, block, f, e, light, work, at, r
         Transmittance from the point times its weight. [m]
     mu : float
         Cosine of the line's zenith angle at the point. [1]
-    near, block, f, e, light, work, at :
+    near, block, f, e, tables, work, at :
         Arguments of ``multiple_scattering_at``.
     result : array, shape (6·w,)
         Result of a march.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     stokes_q, stokes_u = polarised_scattering_source(
-        work.point_density, light.polarised_moments, light.field, mu, work.azimuth[0], near,
-        near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
-        light.constituents, light.lanes, at,
+        work.point_density, tables.polarised_moments, tables.field, mu, work.azimuth[0], near,
+        near + tables.sun_angles * block, block, g * h, g * e, f * h, f * e, tables.degree,
+        tables.constituents, tables.lanes, at,
     )  # fmt: skip
     store(
-        result, 4 * light.lanes + at, load(result, 4 * light.lanes + at) + transmittance * stokes_q
+        result,
+        4 * tables.lanes + at,
+        load(result, 4 * tables.lanes + at) + transmittance * stokes_q,
     )
     store(
-        result, 5 * light.lanes + at, load(result, 5 * light.lanes + at) + transmittance * stokes_u
+        result,
+        5 * tables.lanes + at,
+        load(result, 5 * tables.lanes + at) + transmittance * stokes_u,
     )
 
 
@@ -354,7 +358,7 @@ def line_azimuth(mu, mu_s, nu):
 
 
 @inlined
-def field_place(q, mu, mu_s, nu, light, work):
+def field_place(q, mu, mu_s, nu, tables, work):
     """Position of a point in the field, with the harmonics of the line in the workspace.
 
     Parameters
@@ -362,7 +366,7 @@ def field_place(q, mu, mu_s, nu, light, work):
     q, mu, mu_s, nu : float
         Radius of the point [m]; cosines of the line's and of the star's zenith angle there, and
         between line and star. [1]
-    light, work : MarchTables, MarchWorkspace
+    tables, work : MarchTables, MarchWorkspace
         Arguments of ``march``; the workspace receives functions and azimuth.
 
     Returns
@@ -377,34 +381,34 @@ def field_place(q, mu, mu_s, nu, light, work):
     directed_functions(
         mu,
         work.azimuth[0],
-        (light.degree, light.start, light.ahead, light.back),
+        (tables.degree, tables.start, tables.ahead, tables.back),
         work.functions,
     )
-    x = node_value(q, light.bottom, light.top, light.first_nodes, light.row)
-    row = min(int(x), light.radii - 2)
-    y = sun_index(mu_s, light.place)
-    sun = min(int(y), light.sun_angles - 2)
+    x = node_value(q, tables.bottom, tables.top, tables.first_nodes, tables.row)
+    row = min(int(x), tables.radii - 2)
+    y = sun_index(mu_s, tables.place)
+    sun = min(int(y), tables.sun_angles - 2)
     # A node holds a factor and the harmonics.
-    block = light.lanes * (1 + (light.degree + 1) * (light.degree + 2) // 2 + POLARISED)
-    return (row * light.sun_angles + sun) * block, block, x - row, y - sun
+    block = tables.lanes * (1 + (tables.degree + 1) * (tables.degree + 2) // 2 + POLARISED)
+    return (row * tables.sun_angles + sun) * block, block, x - row, y - sun
 
 
 @inlined
-def multiple_scattering_at(near, block, f, e, light, work, at):
+def multiple_scattering_at(near, block, f, e, tables, work, at):
     """Light scattered before, scattered once more into the line, from lane ``at`` on. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
     near, block, f, e : int, int, float, float
         Results of ``field_place``; the fractions in single precision.
-    light, work : MarchTables, MarchWorkspace
+    tables, work : MarchTables, MarchWorkspace
         Arguments of ``march``, after ``field_place``.
     at : int
         Index of the first lane.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(
-        work.point_density, light.moments, light.polarised_moments, light.field, work.functions,
-        near, near + light.sun_angles * block, block, g * h, g * e, f * h, f * e, light.degree,
-        light.constituents, light.lanes, at,
+        work.point_density, tables.moments, tables.polarised_moments, tables.field, work.functions,
+        near, near + tables.sun_angles * block, block, g * h, g * e, f * h, f * e, tables.degree,
+        tables.constituents, tables.lanes, at,
     )  # fmt: skip

@@ -56,8 +56,8 @@ def radiance_parts(solution: MomentsSolution, lines: LinesOfSight) -> Parts:
     -------
     Parts
     """
-    light = solution.light
-    dark_air = light._replace(field=_without_source(light.field, solution))
+    tables = solution.tables
+    dark_air = tables._replace(field=_without_source(tables.field, solution))
     single = [
         solution.radiance_per_irradiance(lines, 1, scatterers=[c], ground=False)
         for c in range(len(solution.medium.names))
@@ -66,13 +66,13 @@ def radiance_parts(solution: MomentsSolution, lines: LinesOfSight) -> Parts:
         scattered_once=np.stack(single, axis=1),
         scattered_more=solution.radiance_per_irradiance(lines, 0, ground=False),
         ground_star=solution.radiance_per_irradiance(lines, 1, scatterers=()),
-        ground_sky=solution.radiance_per_irradiance(lines, 0, light=dark_air),
+        ground_sky=solution.radiance_per_irradiance(lines, 0, tables=dark_air),
     )
 
 
 def _without_source(field: NDArray[np.float32], solution: MomentsSolution) -> NDArray[np.float32]:
     """Moments of a field without light: each node keeps its scale, (s, 0)."""
-    lanes = solution.light.lanes
+    lanes = solution.tables.lanes
     nodes = field.reshape(-1, 1 + moment_count(solution.moments.degree), lanes).copy()
     nodes[:, 1:] = 0.0
     return nodes.reshape(field.shape)

@@ -97,16 +97,16 @@ class MomentsSolution(Solution):
 
     def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
         """See ``Solution``."""
-        tables = self.light._replace(
+        tables = self.tables._replace(
             star_radius=source.angular_radius, darkening=pack(source.darkenings.T)
         )
         other = super().with_light(source, secondary=secondary)
         other.paths = replace(self.paths, medium=self.paths.medium.with_light(source))
-        vars(other)["light"] = tables  # all else is that of any light
+        vars(other)["tables"] = tables  # all else is that of any light
         return other
 
     @cached_property
-    def light(self) -> MarchTables:
+    def tables(self) -> MarchTables:
         """Tables of the march, for all wavelengths, with the points and panels of queries."""
         moments, medium, settings = self.moments, self.paths.medium, self.settings
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
@@ -184,7 +184,7 @@ class MomentsSolution(Solution):
         """See ``Solution``; all orders, or only the first."""
         orders = 2 if order is None else 1
         return self._lines(
-            self.paths.optical_lines(lines), orders, self.light, None, True, stokes=True
+            self.paths.optical_lines(lines), orders, self.tables, None, True, stokes=True
         )[2]
 
     def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
@@ -196,7 +196,7 @@ class MomentsSolution(Solution):
         lines: LinesOfSight,
         orders: int,
         *,
-        light: MarchTables | None = None,
+        tables: MarchTables | None = None,
         scatterers: Sequence[int] | None = None,
         ground: bool = True,
     ) -> FloatArray:
@@ -208,8 +208,8 @@ class MomentsSolution(Solution):
             n lines of sight.
         orders : int
             1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
-        light : MarchTables, optional
-            Replaces ``self.light``, with some of it left out.
+        tables : MarchTables, optional
+            Replaces ``self.tables``, with some of it left out.
         scatterers : sequence of int, optional
             Constituents that scatter the star's light; all by default.
         ground : bool
@@ -221,7 +221,7 @@ class MomentsSolution(Solution):
             Radiance. [sr⁻¹]
         """
         lines = self.paths.optical_lines(lines)
-        chosen = self.light if light is None else light
+        chosen = self.tables if tables is None else tables
         return self._lines(lines, orders, chosen, scatterers, ground)[0]
 
     def path_and_total_radiance(
@@ -242,12 +242,12 @@ class MomentsSolution(Solution):
             Radiance per irradiance of the star. [sr⁻¹]
         """
         whole, _, _, air = self._lines(
-            self.paths.optical_lines(lines), orders, self.light, None, True
+            self.paths.optical_lines(lines), orders, self.tables, None, True
         )
         return air, whole
 
     def stretches(
-        self, lines: LinesOfSight, length: FloatArray, *, light: MarchTables | None = None
+        self, lines: LinesOfSight, length: FloatArray, *, tables: MarchTables | None = None
     ) -> tuple[FloatArray, FloatArray]:
         """Light of the air between points and what lies at a distance from them.
 
@@ -257,8 +257,8 @@ class MomentsSolution(Solution):
             n lines of sight, from ``paths.optical_lines``.
         length : array, shape (n,)
             Lengths, not beyond those of the lines, as ``paths.optical_length`` gives them. [m]
-        light : MarchTables, optional
-            Replaces ``self.light``.
+        tables : MarchTables, optional
+            Replaces ``self.tables``.
 
         Returns
         -------
@@ -268,7 +268,7 @@ class MomentsSolution(Solution):
             Transmittance, with light scattered into removed forward peaks as transmitted. [1]
         """
         part = replace(lines, length=length)
-        return self._lines(part, 2, self.light if light is None else light, None, False)[:2]
+        return self._lines(part, 2, self.tables if tables is None else tables, None, False)[:2]
 
     def _lines(
         self,
@@ -332,9 +332,9 @@ class MomentsSolution(Solution):
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        work = new_workspace(self.light)
+        work = new_workspace(self.tables)
         x = self.paths.optical_radius(r)
-        return self._received(x, lambda light, out: direct_irradiance(x, mu_s, light, work, out))
+        return self._received(x, lambda tables, out: direct_irradiance(x, mu_s, tables, work, out))
 
     def relative_facing_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """Irradiance by the star of surfaces that face it, relative to that without air, (n, nl).
@@ -344,55 +344,55 @@ class MomentsSolution(Solution):
         r, mu_s : array, shape (n,)
             Radii [m] and cosines of the star's zenith angle [1].
         """
-        work = new_workspace(self.light)
+        work = new_workspace(self.tables)
         x = self.paths.optical_radius(r)
         return self._received(
-            x, lambda light, out: direct_normal_irradiance(x, mu_s, light, work, out)
+            x, lambda tables, out: direct_normal_irradiance(x, mu_s, tables, work, out)
         )
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
         x = self.paths.optical_radius(r)
         radii = self.moments.grid.radii
-        return self._received(x, lambda light, out: sky_irradiance(x, mu_s, radii, light, out))
+        return self._received(x, lambda tables, out: sky_irradiance(x, mu_s, radii, tables, out))
 
     def _received(
         self, r: FloatArray, fill: Callable[[MarchTables, Float32Array], None]
     ) -> FloatArray:
-        result = np.empty((r.size, self.light.lanes), np.float32)
-        fill(self.light, result)
+        result = np.empty((r.size, self.tables.lanes), np.float32)
+        fill(self.tables, result)
         return result[:, : self.wavelengths.size].astype(float)
 
 
 @compiled_loop
 def _march_all(
-    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, light, work,
+    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, tables, work,
     out,
 ):  # fmt: skip
-    light, work = without_refcount((light, work))
-    lanes, bottom = light.lanes, light.bottom
+    tables, work = without_refcount((tables, work))
+    lanes, bottom = tables.lanes, tables.bottom
     found, ground = work.found, np.empty(lanes, np.float32)
     for k in range(r.size):
         march(
             r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
-            phase[k], phase_f12[k], light, work, found,
+            phase[k], phase_f12[k], tables, work, found,
         )  # fmt: skip
         for at in range(0, lanes, LANES):  # in the place of the peaks
             store(found, 2 * lanes + at, load(found, at))
         if to_ground[k]:
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
-            if light.refraction_strength > 0.0:
+            if tables.refraction_strength > 0.0:
                 mu_ground = (r[k] * mu[k] + length[k]) / bottom
                 angle = refraction_angle(
                     r[k],
                     mu[k],
-                    light.refraction_strength,
-                    work.columns_total[light.constituents - 1],
+                    tables.refraction_strength,
+                    work.columns_total[tables.constituents - 1],
                 )
                 mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
             mu_r = cos_reflected(r[k], mu[k], bottom)
-            ground_radiance(mu_s_ground, mu_r, nu[k], orders, light, work, ground)
+            ground_radiance(mu_s_ground, mu_r, nu[k], orders, tables, work, ground)
             for at in range(0, lanes, LANES):
                 behind = load(found, lanes + at) * load(ground, at)
                 store(found, at, load(found, at) + behind)
