@@ -234,7 +234,8 @@ def reflectance(color, mapped, tables, at):
 
 @inlined
 def ground_factor(
-    color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, tables, work, at
+    color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, tables, work,
+    at,
 ):  # fmt: skip
     """Light of the ground relative to that of a white Lambert ground. [1]
 
