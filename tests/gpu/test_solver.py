@@ -85,9 +85,13 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
     plan = plan_for(paths, PREVIEW)
     batch = Setup(paths=paths, settings=PREVIEW).batch(slice(None))
     first, first_sky = gather(
-        batch, first_order_radius, batch.setup.column_rows, batch.setup.star_ratios, paths.lift
+        batch,
+        first_order_radius,
+        batch.setup.column_rows,
+        batch.setup.star_ratios,
+        paths.refraction_table,
     )
-    packed = pack_light(first, first_sky[:1], batch.level, batch.setup.parts)
+    packed = pack_light(first, first_sky[:1], batch.level, batch.setup.refinement)
     second, second_sky = gather(batch, sweep_radius, *packed, batch.all_degrees)
     with borrowed_sweeper(device) as gpu:
         gpu.load(plan)

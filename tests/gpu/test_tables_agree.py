@@ -172,16 +172,16 @@ def edge_inserted(cut):
     return count, edges[1], edges[2]
 
 
-def star_lifted(x, mu_s, lift):
-    return refraction.apparent_sun(x, mu_s, BOTTOM, TOP, lift)
+def star_lifted(x, mu_s, refraction_table):
+    return refraction.apparent_sun(x, mu_s, BOTTOM, TOP, refraction_table)
 
 
-def star_in_two(x, mu_s, lift):
-    return refraction.star_points(x, mu_s, BOTTOM, TOP, STAR, lift)
+def star_in_two(x, mu_s, refraction_table):
+    return refraction.star_points(x, mu_s, BOTTOM, TOP, STAR, refraction_table)
 
 
-def star_on_level(x, mu_s, lift):
-    return refraction.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, lift)
+def star_on_level(x, mu_s, refraction_table):
+    return refraction.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, refraction_table)
 
 
 def sky_between(row, sky, azimuth, table):
@@ -313,12 +313,12 @@ CASES = [
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
     # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
     Case(star_lifted, (refraction.apparent_sun, refraction.refraction_table_index),
-         (R, uniform(0.02, 1.0)), {"lift": LIFT}, atol=16 * 12 * EPS),
+         (R, uniform(0.02, 1.0)), {"refraction_table": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
-    Case(star_in_two, (refraction.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
+    Case(star_in_two, (refraction.star_points,), (R, uniform(0.02, 0.2)), {"refraction_table": LIFT},
          atol=32 * 12 * EPS),
     Case(star_on_level, (refraction.direct_horizontal_weights,),
-         (R, uniform(0.02, 0.2)), {"lift": LIFT}, atol=32 * 12 * EPS),
+         (R, uniform(0.02, 0.2)), {"refraction_table": LIFT}, atol=32 * 12 * EPS),
     # Fourth power of the value between texels.
     Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
          uniform(0.0, 1.0) < 0.5, uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)},
@@ -408,7 +408,7 @@ WHOLE = {
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
-        "widen", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
+        "broaden_peaks", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",

@@ -212,5 +212,7 @@ def _seen(direction: FloatArray, solution: MomentsSolution, altitude: float) -> 
     if paths.shell is None or solution.medium.thickness <= altitude:
         return true, 1.0
     x = float(paths.optical_radius(np.array(solution.medium.bottom_radius + altitude)))
-    seen, squeeze, _ = apparent_sun(x, true, paths.shell.bottom, paths.shell.top, paths.lift)
+    seen, squeeze, _ = apparent_sun(
+        x, true, paths.shell.bottom, paths.shell.top, paths.refraction_table
+    )
     return float(seen), float(squeeze)

@@ -69,7 +69,11 @@ def test_squeeze_on_the_horizon_is_one_less_the_curvature_of_light(sunset: Momen
     assert shell is not None
     step = np.diff(shell.optical)[0] / np.diff(shell.altitude)[0]
     _, squeeze, _ = apparent_sun(
-        shell.bottom, -sin(radians(lift(sunset, 0.0))), shell.bottom, shell.top, sunset.paths.lift
+        shell.bottom,
+        -sin(radians(lift(sunset, 0.0))),
+        shell.bottom,
+        shell.top,
+        sunset.paths.refraction_table,
     )
     assert_allclose(squeeze, step, rtol=2e-3)
 
@@ -84,7 +88,7 @@ def test_the_sun_on_the_horizon_is_flattened_by_a_sixth(sunset: MomentsSolution)
     x = float(paths.optical_radius(np.array([sunset.medium.bottom_radius]))[0])
     low = -lift(sunset, 0.0)
     limbs = [
-        apparent_sun(x, sin(radians(true)), shell.bottom, shell.top, paths.lift)[0]
+        apparent_sun(x, sin(radians(true)), shell.bottom, shell.top, paths.refraction_table)[0]
         for true in (low, low + width)
     ]
     height = degrees(np.arcsin(limbs[1]) - np.arcsin(limbs[0]))

@@ -53,8 +53,8 @@ def turned(mu, mu_s, nu, angle):
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 1e-18))
     across = (nu - mu * mu_s) / sine
     turn, keep = sin(angle), cos(angle)
-    here = keep * mu_s + turn * across
-    return here, mu * here + sine * (keep * across - turn * mu_s)
+    mu_s_point = keep * mu_s + turn * across
+    return mu_s_point, mu * mu_s_point + sine * (keep * across - turn * mu_s)
 
 
 @kernel
@@ -74,8 +74,8 @@ def refraction_angle(x, mu, refraction_strength, column):
 
 
 @inlined
-def refraction_table_index(x, mu_s, bottom, top, lift):
-    """Fractional indices in the refraction table ``lift``; parameters as in ``apparent_sun``.
+def refraction_table_index(x, mu_s, bottom, top, refraction_table):
+    """Fractional indices in the refraction table ``refraction_table``; parameters as in ``apparent_sun``.
 
     Returns
     -------
@@ -85,28 +85,30 @@ def refraction_table_index(x, mu_s, bottom, top, lift):
         Cosine of the star's true zenith angle less that of the horizon's true direction. [1]
     """
     tangent = sqrt((top - bottom) * (top + bottom))
-    at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (lift.shape[0] - 1)
-    row = min(int(at), lift.shape[0] - 2)
+    at = sqrt(max((x - bottom) * (x + bottom), 0.0)) / tangent * (refraction_table.shape[0] - 1)
+    row = min(int(at), refraction_table.shape[0] - 2)
     f = at - row
-    lifted = lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f
+    lifted = refraction_table[row, 0, 0] * (1.0 - f) + refraction_table[row + 1, 0, 0] * f
     true_horizon = horizon_cosine(x, bottom) - lifted
     above = mu_s - true_horizon
-    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (lift.shape[1] - 1)
-    column = min(int(share), lift.shape[1] - 2)
+    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (refraction_table.shape[1] - 1)
+    column = min(int(share), refraction_table.shape[1] - 2)
     return row, f, column, share - column, above
 
 
 @inlined
-def apparent_sun_cosine(x, mu_s, bottom, top, lift):
+def apparent_sun_cosine(x, mu_s, bottom, top, refraction_table):
     """Cosine of the star's apparent zenith angle; parameters as in ``apparent_sun``. [1]"""
-    row, f, column, e, _ = refraction_table_index(x, mu_s, bottom, top, lift)
-    near = (1.0 - e) * lift[row, column, 0] + e * lift[row, column + 1, 0]
-    far = (1.0 - e) * lift[row + 1, column, 0] + e * lift[row + 1, column + 1, 0]
+    row, f, column, e, _ = refraction_table_index(x, mu_s, bottom, top, refraction_table)
+    near = (1.0 - e) * refraction_table[row, column, 0] + e * refraction_table[row, column + 1, 0]
+    far = (1.0 - e) * refraction_table[row + 1, column, 0] + e * refraction_table[
+        row + 1, column + 1, 0
+    ]
     return min(mu_s + (1.0 - f) * near + f * far, 1.0)
 
 
 @inlined
-def apparent_sun(x, mu_s, bottom, top, lift):
+def apparent_sun(x, mu_s, bottom, top, refraction_table):
     """Cosine of a star's apparent zenith angle at optical radius x, and the disc's flattening.
 
     Parameters
@@ -117,7 +119,7 @@ def apparent_sun(x, mu_s, bottom, top, lift):
         Cosine of the star's true zenith angle there. [1]
     bottom, top : float
         Optical radii of the ground and of the top. [m]
-    lift : array, shape (rows, columns, 2)
+    refraction_table : array, shape (rows, columns, 2)
         Table from ``airlight.tables.refraction_table``; empty without refraction. [1]
 
     Returns
@@ -130,23 +132,23 @@ def apparent_sun(x, mu_s, bottom, top, lift):
     elevation : float
         True elevation above the horizon's true direction, accurate near 0. [rad]
     """
-    if lift.shape[0] == 0:
+    if refraction_table.shape[0] == 0:
         return mu_s, 1.0, sun_elevation(x, mu_s, bottom)
     sine = bottom / x
-    row, f, column, e, above = refraction_table_index(x, mu_s, bottom, top, lift)
+    row, f, column, e, above = refraction_table_index(x, mu_s, bottom, top, refraction_table)
     w00, w01 = (1.0 - f) * (1.0 - e), (1.0 - f) * e
     w10, w11 = f * (1.0 - e), f * e
     raised = (
-        w00 * lift[row, column, 0]
-        + w01 * lift[row, column + 1, 0]
-        + w10 * lift[row + 1, column, 0]
-        + w11 * lift[row + 1, column + 1, 0]
+        w00 * refraction_table[row, column, 0]
+        + w01 * refraction_table[row, column + 1, 0]
+        + w10 * refraction_table[row + 1, column, 0]
+        + w11 * refraction_table[row + 1, column + 1, 0]
     )
     refraction_jacobian = (
-        w00 * lift[row, column, 1]
-        + w01 * lift[row, column + 1, 1]
-        + w10 * lift[row + 1, column, 1]
-        + w11 * lift[row + 1, column + 1, 1]
+        w00 * refraction_table[row, column, 1]
+        + w01 * refraction_table[row, column + 1, 1]
+        + w10 * refraction_table[row + 1, column, 1]
+        + w11 * refraction_table[row + 1, column + 1, 1]
     )
     return min(mu_s + raised, 1.0), refraction_jacobian, above / sine
 
@@ -157,12 +159,12 @@ HIGH = 16.0
 
 
 @inlined
-def star_points(x, mu_s, bottom, top, star_radius, lift):
+def star_points(x, mu_s, bottom, top, star_radius, refraction_table):
     """Visible part of the star's disc from a point of the atmosphere, as one or two directions.
 
     Parameters
     ----------
-    x, mu_s, bottom, top, lift :
+    x, mu_s, bottom, top, refraction_table :
         Arguments of ``apparent_sun``.
     star_radius : float
         True angular radius of the star. [rad]
@@ -175,7 +177,7 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
         Cosines of the apparent zenith angles of two points with equal weight; identical where the
         extent of the disc does not matter. [1]
     """
-    seen, refraction_jacobian, elevation = apparent_sun(x, mu_s, bottom, top, lift)
+    seen, refraction_jacobian, elevation = apparent_sun(x, mu_s, bottom, top, refraction_table)
     received = refraction_jacobian * visible_fraction(elevation, star_radius)
     if received <= 0.0 or star_radius <= 0.0 or elevation > HIGH * star_radius:
         return received, seen, seen
@@ -187,12 +189,12 @@ def star_points(x, mu_s, bottom, top, star_radius, lift):
 
 
 @inlined
-def direct_horizontal_weights(x, mu_s, bottom, top, star_radius, lift):
+def direct_horizontal_weights(x, mu_s, bottom, top, star_radius, refraction_table):
     """Direct horizontal irradiance, as one or two directions.
 
     Parameters
     ----------
-    x, mu_s, bottom, top, star_radius, lift :
+    x, mu_s, bottom, top, star_radius, refraction_table :
         Arguments of ``star_points``.
 
     Returns
@@ -203,7 +205,7 @@ def direct_horizontal_weights(x, mu_s, bottom, top, star_radius, lift):
     low, high : float
         Cosines of the apparent zenith angles of the points, at least 0. [1]
     """
-    received, low, high = star_points(x, mu_s, bottom, top, star_radius, lift)
+    received, low, high = star_points(x, mu_s, bottom, top, star_radius, refraction_table)
     # Aloft, the horizontal surface hides the lower half of the sky, not the planet.
     low, high = max(low, 0.0), max(high, 0.0)
     return 0.5 * received * low, 0.5 * received * high, low, high

@@ -116,13 +116,13 @@ class DensitySegments:
         fewer segments repeats its last edge. [m]
     coefficients : array, shape (nc, ns, 4)
         Coefficients a, b, c, d of ``segment_density``.
-    known_corners : array, optional
+    known_breakpoints : array, optional
         Corners, where the segments are pieces of other profiles. [m]
     """
 
     edges: FloatArray
     coefficients: FloatArray
-    known_corners: FloatArray | None = None
+    known_breakpoints: FloatArray | None = None
 
     @classmethod
     def from_rows(cls, rows: Sequence[Row]) -> DensitySegments:
@@ -167,14 +167,14 @@ class DensitySegments:
         return self.at(self.node_altitudes)
 
     @cached_property
-    def corners(self) -> FloatArray:
+    def breakpoints(self) -> FloatArray:
         """Altitudes of the corners of profiles, ascending, shape (n,). [m]
 
         Few segments have a corner wherever they meet: a tent, layers. Of one, or of many that are
         pieces of a smooth curve, the ends of thin layers count.
         """
-        if self.known_corners is not None:
-            return self.known_corners
+        if self.known_breakpoints is not None:
+            return self.known_breakpoints
         found: set[float] = set()
         for edges, profile in zip(self.edges, self.at_nodes, strict=True):
             inside = np.unique(edges[(edges > edges[0]) & (edges < edges[-1])])
@@ -196,7 +196,7 @@ class DensitySegments:
     @property
     def arrays(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Edges, coefficients and corners, as arguments of compiled loops. [m], [1], [m]"""
-        return self.edges, self.coefficients, self.corners
+        return self.edges, self.coefficients, self.breakpoints
 
     def at(self, altitudes: npt.ArrayLike) -> FloatArray:
         """Relative densities of every constituent.

@@ -116,7 +116,7 @@ class RefractingShell:
                 DensitySegments.from_rows(
                     [*rows, _row(optical_altitude, share[:-1], share[1:], None)]
                 ),
-                known_corners=np.interp(density.corners, nodes, optical_altitude),
+                known_breakpoints=np.interp(density.breakpoints, nodes, optical_altitude),
             ),
             length=DensitySegments.from_rows(
                 [_row(optical_altitude, stretch[:-1], stretch[1:], None)]

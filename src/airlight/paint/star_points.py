@@ -159,7 +159,9 @@ def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) 
         return true
     r = np.array(solution.medium.bottom_radius + altitude)
     place = float(paths.optical_radius(r)), paths.shell.bottom, paths.shell.top
-    seen = np.array([apparent_sun_cosine(place[0], z, *place[1:], paths.lift) for z in true[:, 2]])
+    seen = np.array(
+        [apparent_sun_cosine(place[0], z, *place[1:], paths.refraction_table) for z in true[:, 2]]
+    )
     flat = np.hypot(true[:, 0], true[:, 1])
     level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))
     scale = np.divide(level, flat, out=np.ones_like(flat), where=flat > 0.0)

@@ -90,11 +90,11 @@ def eclipsed_light(
             r, mu, tables.refraction_strength, work.columns_total[tables.constituents - 1]
         )
     for at in range(0, lanes, LANES):
-        store(work.found, lanes + at, load(found, lanes + at))
+        store(work.radiance, lanes + at, load(found, lanes + at))
     if tables.ground.wet:
         _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found)
         for at in range(0, lanes, LANES):
-            store(work.found, MIRRORED * lanes + at, load(found, at))
+            store(work.radiance, MIRRORED * lanes + at, load(found, at))
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
         x, y, z, sine, refraction, observer, screen, tables, work, color
     )
@@ -102,7 +102,7 @@ def eclipsed_light(
     if screen.overlaid:
         columns_to_ground(z, sine, observer, tables, work.columns_total, work.columns_so_far)
     for at in range(0, lanes, LANES):
-        received = load(work.received, at) + load(work.received, lanes + at)
+        received = load(work.irradiance, at) + load(work.irradiance, lanes + at)
         factor = ground_factor(
             color,
             screen,
@@ -115,7 +115,7 @@ def eclipsed_light(
             work,
             at,
         )
-        behind = received * INVERSE_PI * load(work.found, lanes + at)
+        behind = received * INVERSE_PI * load(work.radiance, lanes + at)
         total = load(result, at) + behind * factor
         if screen.overlaid:
             total = total + lamp_light(color, screen, tables, work.columns_total, at)
@@ -124,7 +124,7 @@ def eclipsed_light(
 
 @inlined
 def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
-    """Light of the sky that water at the end of a line mirrors, into ``found``. [sr⁻¹]
+    """Light of the sky that water at the end of a line mirrors, into ``radiance``. [sr⁻¹]
 
     Parameters
     ----------

@@ -138,7 +138,7 @@ def ground_reflectances(x, y, z, sine, angle, observer, screen, tables, work, co
     x, y, z, sine, angle, observer, screen, tables, color :
         Arguments of ``ground_color``; ``color`` is received where there is a map.
     work : MarchWorkspace
-        Workspace, whose ``received`` has the irradiances by star and sky, except for Lambert's law
+        Workspace, whose ``irradiance`` has the irradiances by star and sky, except for Lambert's law
         without water and clouds.
 
     Returns
@@ -246,15 +246,17 @@ def ground_factor(
     screen : Screen
         Camera with its maps.
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, work :
-        Results of ``ground_reflectances``, and its workspace, whose ``found`` holds the light of
+        Results of ``ground_reflectances``, and its workspace, whose ``radiance`` holds the light of
         the mirrored sky after those of a line of sight.
     """
     albedo = reflectance(color, screen.mapped, tables, at)
     if tables.ground.law == 0 and not tables.ground.wet and not screen.clouded:
         return albedo
-    star, sky = load(work.received, at), load(work.received, tables.lanes + at)
+    star, sky = load(work.irradiance, at), load(work.irradiance, tables.lanes + at)
     by_star = star * (albedo * np.float32(star_diffuse) + np.float32(star_specular))
     by_sky = sky * (albedo * np.float32(sky_diffuse) + np.float32(sky_specular))
     if tables.ground.wet:
-        by_sky = by_sky + load(work.found, MIRRORED * tables.lanes + at) * np.float32(pi * mirrored)
+        by_sky = by_sky + load(work.radiance, MIRRORED * tables.lanes + at) * np.float32(
+            pi * mirrored
+        )
     return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

@@ -64,9 +64,11 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
     sun = scene.sun_direction
-    seen, lift = sun[2], solution.paths
-    if lift.shell is not None and not outside:
-        seen = float(apparent_sun(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
+    seen, paths = sun[2], solution.paths
+    if paths.shell is not None and not outside:
+        seen = float(
+            apparent_sun(r, sun[2], paths.shell.bottom, paths.shell.top, paths.refraction_table)[0]
+        )
     axes = camera.axes
     assert camera.field_of_view is not None
     star_radius = solution.lights[0].angular_radius

@@ -307,7 +307,7 @@ def sky_lookup(
     sine, row, to_ground : float, float, bool
         Results of ``classify_ray``.
     exact, window, observer, screen, tables, work :
-        Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
+        Arguments of ``pixel_light``; ``work.radiance`` receives the air's radiance and, for a line to
         the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
         water there mirrors; with a filter Q and U, as ``march`` has them. [sr⁻¹]
 
@@ -327,14 +327,14 @@ def sky_lookup(
             if not mirrored or (wet and observer.orders != 1):
                 refraction = look(
                     z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
-                    screen.filter > 0, observer, tables, work, work.found,
+                    screen.filter > 0, observer, tables, work, work.radiance,
                 )  # fmt: skip
             if mirrored:
                 for at in range(0, tables.lanes, LANES):
                     value = splat(0.0)
                     if wet and observer.orders != 1:
-                        value = load(work.found, at)
-                    store(work.found, MIRRORED * tables.lanes + at, value)
+                        value = load(work.radiance, at)
+                    store(work.radiance, MIRRORED * tables.lanes + at, value)
     else:
         near, right, down = place_in_sky(x, y, row, to_ground, window)
         turn_cosine, turn_sine = 1.0, 0.0
@@ -345,25 +345,25 @@ def sky_lookup(
             value = air_between(
                 near, window.column_count, right, down, half_sine, screen, tables, tables.lanes, at
             )
-            store(work.found, at, value)
+            store(work.radiance, at, value)
             if screen.filter > 0:
                 stokes_q, stokes_u = polarised_between(
                     near, window.column_count, right, down, half_sine, turn_cosine, turn_sine,
                     screen, tables, tables.lanes, at,
                 )  # fmt: skip
-                store(work.found, 4 * tables.lanes + at, stokes_q)
-                store(work.found, 5 * tables.lanes + at, stokes_u)
+                store(work.radiance, 4 * tables.lanes + at, stokes_q)
+                store(work.radiance, 5 * tables.lanes + at, stokes_u)
             if to_ground:
                 value = between_texels(
                     screen.sky_ground, near, window.column_count, right, down, tables.lanes, at
                 )
-                store(work.found, tables.lanes + at, value)
+                store(work.radiance, tables.lanes + at, value)
             if wet:
                 value = between_texels(
                     screen.sky_air, near + window.ground_count * window.column_count,
                     window.column_count, right, down, tables.lanes, at,
                 )  # fmt: skip
-                store(work.found, MIRRORED * tables.lanes + at, value)
+                store(work.radiance, MIRRORED * tables.lanes + at, value)
         if to_ground and tables.refraction_strength > 0.0:
             refraction = refraction_to_ground(z, sine, observer, tables, work.columns_total)
     return refraction
@@ -415,20 +415,20 @@ def pixel_light(
     for at in range(0, tables.lanes, LANES):
         total = splat(0.0)
         if through_air:
-            total = load(work.found, at)
+            total = load(work.radiance, at)
         if to_ground and screen.draws_air:
             factor = ground_factor(
                 color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
                 tables, work, at,
             )  # fmt: skip
-            total = total + load(work.found, tables.lanes + at) * factor
+            total = total + load(work.radiance, tables.lanes + at) * factor
             if screen.overlaid:
                 total = total + lamp_light(color, screen, tables, work.columns_total, at)
         if screen.filter > 0:
             total = total * np.float32(whole)
             if through_air:
-                total = total + load(work.found, 4 * tables.lanes + at) * np.float32(stokes_q)
-                total = total + load(work.found, 5 * tables.lanes + at) * np.float32(stokes_u)
+                total = total + load(work.radiance, 4 * tables.lanes + at) * np.float32(stokes_q)
+                total = total + load(work.radiance, 5 * tables.lanes + at) * np.float32(stokes_u)
         store(result, at, total)
     if screen.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)

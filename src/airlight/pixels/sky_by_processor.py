@@ -59,7 +59,7 @@ class SkyLayers(NamedTuple):
 def fill_texels(begin, end, window, observer, tables, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     tables, work, layers = without_refcount((tables, work, layers))
-    found, lanes = work.found, tables.lanes
+    found, lanes = work.radiance, tables.lanes
     peaks, polarised = tables.separated_1 >= 0, layers.stokes_q.size > 1
     stride = window.column_count
     sky_texels = stride * window.sky_count

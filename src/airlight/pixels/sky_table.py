@@ -199,7 +199,7 @@ def look(
         )  # fmt: skip
         ground_light(mu_s, observer.orders, tables, work)
         for at in range(0, tables.lanes, LANES):
-            received = load(work.received, at) + load(work.received, tables.lanes + at)
+            received = load(work.irradiance, at) + load(work.irradiance, tables.lanes + at)
             behind = received * INVERSE_PI * load(result, tables.lanes + at)
             store(result, tables.lanes + at, behind)
     else:

@@ -51,7 +51,7 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
     x = float(paths.optical_radius(np.array(planet.bottom_radius + altitude)))
     shell = paths.shell
     true = math.cos(math.radians(sun_zenith))
-    seen = float(apparent_sun_cosine(x, true, shell.bottom, shell.top, paths.lift))
+    seen = float(apparent_sun_cosine(x, true, shell.bottom, shell.top, paths.refraction_table))
     lowest = -math.sqrt(max(1.0 - (shell.bottom / x) ** 2, 0.0))
     return None if seen < lowest else math.degrees(math.asin(seen))
 

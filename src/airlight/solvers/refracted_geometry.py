@@ -44,13 +44,13 @@ class RefractedGeometry:
         own without refraction.
     shell : RefractingShell or None
         Refracting shell, or None without refraction.
-    lift : array, shape (rows, columns, 2)
+    refraction_table : array, shape (rows, columns, 2)
         Table from ``refraction_table``; empty without refraction. [1]
     """
 
     medium: Medium
     shell: RefractingShell | None
-    lift: FloatArray
+    refraction_table: FloatArray
 
     @classmethod
     def of(cls, medium: Medium) -> RefractedGeometry:
@@ -93,7 +93,7 @@ class RefractedGeometry:
             return lines.nu
         out = np.empty(lines.nu.size)
         arrays = (lines.r, lines.mu, lines.mu_s, lines.nu)
-        _apparent_nu(*arrays, self.shell.bottom, self.shell.top, self.lift, out)
+        _apparent_nu(*arrays, self.shell.bottom, self.shell.top, self.refraction_table, out)
         return out
 
     @property
@@ -166,11 +166,11 @@ def _refraction_table_of(shell: RefractingShell) -> FloatArray:
 
 
 @compiled_loop
-def _apparent_nu(x, mu, mu_s, nu, bottom, top, lift, out):
+def _apparent_nu(x, mu, mu_s, nu, bottom, top, refraction_table, out):
     for k in range(x.size):
         sine = max((1.0 - mu[k]) * (1.0 + mu[k]), 0.0) ** 0.5
         sine_s = max((1.0 - mu_s[k]) * (1.0 + mu_s[k]), 0.0) ** 0.5
-        seen, _, _ = apparent_sun(x[k], mu_s[k], bottom, top, lift)
+        seen, _, _ = apparent_sun(x[k], mu_s[k], bottom, top, refraction_table)
         across = sine * sine_s
         azimuth = (nu[k] - mu[k] * mu_s[k]) / across if across > 1e-12 else 1.0
         sine_seen = max((1.0 - seen) * (1.0 + seen), 0.0) ** 0.5

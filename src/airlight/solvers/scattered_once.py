@@ -1,6 +1,6 @@
 """Fast light scattered once, without the phase functions: for tables of a million points.
 
-The integrals are those that ``single_scattering`` computes to five digits, here from tables of
+The integrals are those that ``single_scattering`` computes to five digits, sun_columns from tables of
 densities and of columns towards the star, two hundred times faster. By day the median error is
 1e-4; where the star is about to set on the whole line of sight, and little light is left, it
 reaches 0.1.
@@ -48,7 +48,7 @@ def _scattered(lines, panels, rule, ends, shell, star_radius, optics, tables, wo
     bottom, top = shell
     scattering, extinction, strongest = optics
     nodes, rows, sun_table = tables
-    path, edges, here = workspace
+    path, edges, sun_columns = workspace
     distance, radius, weight, density, column, _, _ = path
     constituents, wavelengths = scattering.shape
     for p in range(r.size):
@@ -67,11 +67,11 @@ def _scattered(lines, panels, rule, ends, shell, star_radius, optics, tables, wo
             seen = visible_fraction(sun_elevation(q, mu_q, bottom), star_radius)
             if seen <= 0.0:
                 continue
-            columns_to_top(q, mu_q, bottom, top, nodes[0], rows, sun_table, here)
+            columns_to_top(q, mu_q, bottom, top, nodes[0], rows, sun_table, sun_columns)
             for w in range(wavelengths):
                 tau = 0.0
                 for c in range(constituents):
-                    tau += extinction[c, w] * (here[c] + column[c, k])
+                    tau += extinction[c, w] * (sun_columns[c] + column[c, k])
                 light = weight[k] * seen * exp(-tau)
                 for c in range(constituents):
                     out[p, c, w] += scattering[c, w] * density[c, k] * light
@@ -102,7 +102,7 @@ def scattered_once(
     columns = ColumnTable.build(bottom, top, medium.density, TABLE_SHAPE, radii)
     ends = layer_ends(medium)
     if ends.size:
-        ends = np.union1d(ends, medium.density.corners)
+        ends = np.union1d(ends, medium.density.breakpoints)
     nodes = medium.density.first_nodes, density_table(medium.density)
     tables = (nodes, column_rows(columns, medium.density), rational_mean_density(columns))
     rule = gauss_legendre(_NODES).as_tuple()

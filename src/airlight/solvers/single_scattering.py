@@ -82,9 +82,9 @@ def _panel(
     for k in range(n):
         s = start + width * nodes[k]
         q = radius_along(r, mu, s)
-        here = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
+        mu_s_point = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
         if not star_light(
-            q, here, star_radius, False, shell, density, extinction, (rules[0], rules[1]),
+            q, mu_s_point, star_radius, False, shell, density, extinction, (rules[0], rules[1]),
             workspace, light,
         ):  # fmt: skip
             continue
@@ -122,15 +122,15 @@ def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
                 if not 0.0 < s < length:
                     continue
             q = radius_along(r, mu, s)
-            here = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
-            value = star_elevation(q, here, bottom) - level
+            mu_s_point = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
+            value = star_elevation(q, mu_s_point, bottom) - level
             if 0 < k <= samples and (value > 0.0) != (before > 0.0):
                 low, high = length * (k - 1) / samples, s
                 for _ in range(40):
                     middle = 0.5 * (low + high)
                     q = radius_along(r, mu, middle)
-                    here = min(max((r * mu_s + middle * nu) / q, -1.0), 1.0)
-                    if (star_elevation(q, here, bottom) - level > 0.0) == (before > 0.0):
+                    mu_s_point = min(max((r * mu_s + middle * nu) / q, -1.0), 1.0)
+                    if (star_elevation(q, mu_s_point, bottom) - level > 0.0) == (before > 0.0):
                         low = middle
                     else:
                         high = middle

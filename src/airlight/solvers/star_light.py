@@ -59,10 +59,10 @@ def columns_to_space(r, mu, shell, density, rule, workspace, out):
     """
     edges, distance, radius, weight = workspace
     bottom, top = shell
-    density_edges, coefficients, corners = density
+    density_edges, coefficients, breakpoints = density
     length = max(-r * mu + chord(r, mu, top), 0.0)
     count = place_edges(r, mu, length, PANELS, 0.0, 0.0, edges)
-    count = split_at_profile_edges(r, mu, bottom, corners, edges, count)
+    count = split_at_profile_edges(r, mu, bottom, breakpoints, edges, count)
     points = place_nodes(r, mu, edges, count, rule[0], rule[1], distance, radius, weight)
     for i in range(out.size):
         total = 0.0

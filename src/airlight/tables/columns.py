@@ -181,15 +181,15 @@ def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
 
 
 @compiled_loop
-def split_at_profile_edges(r, mu, bottom_radius, corners, edges, count):
+def split_at_profile_edges(r, mu, bottom_radius, breakpoints, edges, count):
     """Add panel edges where a ray crosses the altitudes at which a profile has a corner.
 
     Parameters
     ----------
     r, mu, bottom_radius : float
         Start of the ray and radius of the ground. [m], [1], [m]
-    corners : array, shape (n,)
-        Altitudes of the corners, from ``DensitySegments``. [m]
+    breakpoints : array, shape (n,)
+        Altitudes of the breakpoints, from ``DensitySegments``. [m]
     edges, count : array, int
         Edges from ``place_edges`` and their number; edges are added in place. [m]
 
@@ -199,8 +199,8 @@ def split_at_profile_edges(r, mu, bottom_radius, corners, edges, count):
         Number of edges after the additions.
     """
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    for k in range(corners.size):
-        radius = bottom_radius + corners[k]
+    for k in range(breakpoints.size):
+        radius = bottom_radius + breakpoints[k]
         if tangent < radius:
             beside = chord(r, mu, radius)
             count = insert_edge(edges, count, -r * mu - beside)
@@ -211,14 +211,14 @@ def split_at_profile_edges(r, mu, bottom_radius, corners, edges, count):
 @compiled_loop
 def _columns(radii, cosines, lengths, panels, rule, bottom_radius, density, out):
     nodes, weights, _ = rule
-    density_edges, coefficients, corners = density
+    density_edges, coefficients, breakpoints = density
     edges = np.empty(MAX_EDGES)
     points = nodes.size * MAX_EDGES
     distance, radius, weight = np.empty(points), np.empty(points), np.empty(points)
     for k in range(radii.size):
         r, mu = radii[k], cosines[k]
         edge_count = place_edges(r, mu, lengths[k], panels, 0.0, 0.0, edges)
-        edge_count = split_at_profile_edges(r, mu, bottom_radius, corners, edges, edge_count)
+        edge_count = split_at_profile_edges(r, mu, bottom_radius, breakpoints, edges, edge_count)
         count = place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weight)
         for i in range(out.shape[1]):
             total = 0.0

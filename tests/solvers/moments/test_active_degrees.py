@@ -34,7 +34,7 @@ def test_light_from_all_sides_has_few_degrees_and_a_level_between_those_of_both_
     field[3, 7, 5 * 6 // 2 + 2, 1] = 0.1
     degrees = active_degrees(batch, field)
     assert degrees.shape == setup.grid.radii.shape
-    parts = setup.parts
+    parts = setup.refinement
     assert parts > 1
     expected = np.full(degrees.size, 2)
     expected[2 * parts + 1 : 4 * parts] = 5

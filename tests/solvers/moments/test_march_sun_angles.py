@@ -54,7 +54,7 @@ def test_many_stars_have_the_light_of_each(planet: str, refraction: str) -> None
     own = solution.medium.phase_function(
         solution.paths.apparent_nu(solution.paths.optical_lines(lines))
     )
-    air = solution.tables._replace(widened=False, scaled_extinction=solution.tables.extinction)
+    air = solution.tables._replace(broadened=False, scaled_extinction=solution.tables.extinction)
     for orders, delta_scaled, light in ((2, False, air), (0, True, None), (2, True, None)):
         found, once = scattering_by_constituent(solution, lines, orders, delta_scaled=delta_scaled)
         # Columns up to a panel come from whole panels or from those that a shadow cuts in two.

@@ -29,14 +29,14 @@ def test_pairs_give_the_orders_that_eight_wavelengths_give(name: str) -> None:
     )
     assert batch.narrow
     setup = batch.setup
-    once = (setup.column_rows, setup.star_ratios, setup.paths.lift)
+    once = (setup.column_rows, setup.star_ratios, setup.paths.refraction_table)
     first, sky = gather(batch, first_order_radius_narrow, *once)
     wanted, wanted_sky = gather(batch, first_order_radius, *once)
     mean = wanted[:, :, :1].clip(1e-12)
     assert_allclose(first / mean, wanted / mean, rtol=0, atol=1e-5)
     assert_allclose(sky, wanted_sky, rtol=1e-5, atol=1e-12)
-    packed = pack_light(wanted, wanted_sky[:1], batch.level, setup.parts)
-    pairs = pack_light(wanted, wanted_sky[:1], batch.level, setup.parts, narrow=True)
+    packed = pack_light(wanted, wanted_sky[:1], batch.level, setup.refinement)
+    pairs = pack_light(wanted, wanted_sky[:1], batch.level, setup.refinement, narrow=True)
     wanted, wanted_sky = gather(batch, sweep_radius, *packed, batch.all_degrees)
     second, sky = gather(batch, sweep_radius_narrow, *pairs, batch.all_degrees)
     mean = wanted[:, :, :1].clip(1e-12)

@@ -59,8 +59,8 @@ def test_an_edit_of_coefficients_keeps_the_table_of_columns():
 def test_light_is_gathered_at_the_ground_and_at_the_top():
     # Thick air has more levels than radii that gather light; both have the same ends.
     setup = setup_of("early-earth")
-    assert setup.parts > 1
-    assert setup.gathering.radii.size == (setup.grid.radii.size - 1) // setup.parts + 1
+    assert setup.refinement > 1
+    assert setup.gathering.radii.size == (setup.grid.radii.size - 1) // setup.refinement + 1
     assert_array_equal(setup.gathering.radii[[0, -1]], setup.grid.radii[[0, -1]])
 
 

@@ -79,7 +79,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
         sizes.bottom,
         sizes.top,
         sizes.star_radius,
-        tables.lift,
+        tables.refraction_table,
     )
     share = load(shares, LANES * ray)
     radiance = share * radiance
@@ -96,7 +96,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
             depths,
             0,
             sizes.directions,
-            tables.lift,
+            tables.refraction_table,
         )
     return radiance, share * scattering_q
 
@@ -125,21 +125,21 @@ def row(index, sizes, tables, first_point, factors, packed):
         slanting = m >= EVEN
         if slanting:
             m = m - EVEN + 1
-        moment, here = coupled_moments(packed, low, high, f, m, sizes.degree, False)
+        moment, coupled = coupled_moments(packed, low, high, f, m, sizes.degree, False)
         even, odd = polarised_function(tables.mu_along[point], m)
         if slanting:
             even, odd = odd, even
-        sent = load(factors, last) * moment + load(factors, last + LANES) * here
+        sent = load(factors, last) * moment + load(factors, last + LANES) * coupled
         sent = np.float32(even) * sent
         if m > 0:
-            here = odd_moment(packed, low, high, f, m, sizes.degree, False)
-            sent = sent + np.float32(odd) * load(factors, last + 2 * LANES) * here
+            coupled = odd_moment(packed, low, high, f, m, sizes.degree, False)
+            sent = sent + np.float32(odd) * load(factors, last + 2 * LANES) * coupled
         return sent
     m = part - 1
     total = contracted(factors, start, packed, low, high, f, m, sizes.degree, False)
     if m < EVEN:
-        _, here = coupled_moments(packed, low, high, f, m, sizes.degree, False)
-        total = total + load(factors, last + LANES * (m - EVEN)) * here
+        _, coupled = coupled_moments(packed, low, high, f, m, sizes.degree, False)
+        total = total + load(factors, last + LANES * (m - EVEN)) * coupled
     return total
 
 

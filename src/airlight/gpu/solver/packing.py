@@ -142,19 +142,19 @@ def refined(index, sizes, tables, light, floors):
     part = number % width
     j = number // width % sizes.sun_angles
     level = number // (width * sizes.sun_angles)
-    i = level // sizes.parts
+    i = level // sizes.refinement
     step = sizes.sun_angles * width * WAVELENGTHS
     mean_at = start + j * width * WAVELENGTHS + lane
-    here = mean_at + part * WAVELENGTHS
-    if level % sizes.parts == 0:
-        return light_number(light, here, step, i, part, dark)
-    x = float(level % sizes.parts) / float(sizes.parts)
+    first_of_moment = mean_at + part * WAVELENGTHS
+    if level % sizes.refinement == 0:
+        return light_number(light, first_of_moment, step, i, part, dark)
+    x = float(level % sizes.refinement) / float(sizes.refinement)
     below, near, far, above = four_levels(light, mean_at, step, i, 0, dark, sizes.radii)
     near_scale, far_scale = 1.0 / sqrt(near), 1.0 / sqrt(far)
-    parts = float(sizes.parts)
-    share = smoothness(x, near, far, cubic_bend(x, below, near, far, above, parts))
-    below, near, far, above = four_levels(light, here, step, i, part, dark, sizes.radii)
-    bend = share * cubic_bend(x, below, near, far, above, parts)
+    refinement = float(sizes.refinement)
+    share = smoothness(x, near, far, cubic_bend(x, below, near, far, above, refinement))
+    below, near, far, above = four_levels(light, first_of_moment, step, i, part, dark, sizes.radii)
+    bend = share * cubic_bend(x, below, near, far, above, refinement)
     weight = tables.level[j * WAVELENGTHS + lane]
     return between_levels(x, near, far, bend, near_scale, far_scale, weight)
 

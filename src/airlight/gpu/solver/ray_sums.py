@@ -26,8 +26,8 @@ def star_from_point(turn, point, mu_s, nu):
 
     ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
     """
-    here = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
-    return here, turn[point, 2] * mu_s + turn[point, 3] * nu
+    mu_s_point = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
+    return mu_s_point, turn[point, 2] * mu_s + turn[point, 3] * nu
 
 
 @inlined
@@ -103,7 +103,7 @@ def fill_phase_f12(polarised_moments, nu, constituents, phases):
 @inlined
 def scattered_once(
     turn, radii, first, points, strong, strengths, phases, phase_f12, constituents, deep, depths,
-    directions, mu_s, nu, bottom, top, star_radius, lift,
+    directions, mu_s, nu, bottom, top, star_radius, refraction_table,
 ):  # fmt: skip
     """Light sent along a ray by its points, from the star's own. [sr⁻¹]
 
@@ -128,14 +128,14 @@ def scattered_once(
     directions : int
     mu_s, nu : float
         Cosines of the star at the start of the ray. [1]
-    bottom, top, star_radius, lift :
+    bottom, top, star_radius, refraction_table :
         As in ``star_points``.
     """
     radiance, polarised = splat(0.0), splat(0.0)
     for k in range(points):
         q = radii[first + k]
         mu_sk, _ = star_from_point(turn, first + k, mu_s, nu)
-        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
+        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, refraction_table)
         if seen <= 0.0:
             continue
         x = direction_coordinate(q, low, bottom, top) * (directions - 1)

@@ -100,7 +100,7 @@ def solve_on(
     moments = Moments(
         degree=plan.setup.degree,
         grid=plan.setup.grid,
-        parts=plan.setup.parts,
+        refinement=plan.setup.refinement,
         field=np.ascontiguousarray(field[..., :count]),
         sky=np.ascontiguousarray(sky[..., :count]),
         columns=plan.setup.table.values,

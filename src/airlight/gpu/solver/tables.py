@@ -24,8 +24,8 @@ class Sizes(NamedTuple):
     degree, terms, constituents, directions : int
         Degree of the harmonics, and numbers of moments of a node, of constituents, and of
         directions in the table of columns.
-    levels, parts : int
-        Number of radii of the grid; light is gathered at every ``parts``-th of them.
+    levels, refinement : int
+        Number of radii of the grid; light is gathered at every ``refinement``-th of them.
     received : int
         First texel of the ground's irradiances in a packed field.
     bottom, top, star_radius : float
@@ -41,7 +41,7 @@ class Sizes(NamedTuple):
     constituents: int
     directions: int
     levels: int
-    parts: int
+    refinement: int
     received: int
     bottom: float
     top: float
@@ -65,7 +65,7 @@ class Tables(NamedTuple):
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``.
     ratios :
         Table from ``rational_mean_density``.
-    lift :
+    refraction_table :
         Table from ``refraction_table``.
     level : array, shape (s·4,)
         Weights from ``level_weights``, of four wavelengths.
@@ -98,7 +98,7 @@ class Tables(NamedTuple):
     back: Annotated[Any, scalars()]
     column_rows: Annotated[Any, scalars()]
     ratios: Annotated[Any, scalars(4)]
-    lift: Annotated[Any, scalars(3)]
+    refraction_table: Annotated[Any, scalars(3)]
     level: Annotated[Any, scalars()]
     extinction: Annotated[Any, SPECTRA]
     moments: Annotated[Any, SPECTRA]

@@ -50,7 +50,7 @@ class LineOptics(NamedTuple):
         Largest extinction at any wavelength. [m⁻¹]
     nodes : tuple of arrays
         First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
-    corners : array, shape (n,)
+    stencil : array, shape (n,)
         Altitudes at which a profile has a corner, ground and top included. [m]
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes. [1]
@@ -73,7 +73,7 @@ class LineOptics(NamedTuple):
     scatterers: IntArray
     strongest: FloatArray
     nodes: tuple[FloatArray, FloatArray]
-    corners: FloatArray
+    stencil: FloatArray
     rows: FloatArray
     ratios: FloatArray
     rule: tuple[FloatArray, FloatArray, FloatArray]
@@ -97,7 +97,7 @@ def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
         scatterers,
         medium.extinction.max(axis=1),
         (medium.density.first_nodes, density_table(medium.density)),
-        medium.density.corners,
+        medium.density.breakpoints,
         column_rows(table, medium.density),
         rational_mean_density(table),
         rule.as_tuple(),
@@ -117,12 +117,12 @@ class Line(NamedTuple):
         Scattering coefficient times transmittance to the start times weight. [1]
     through : array, shape (nl,)
         Transmittance of the whole line. [1]
-    corners : array, shape (p, 4)
+    stencil : array, shape (p, 4)
         Neighbours of each point in radius and view, as rows of the table.
     shares : array, shape (p, 4)
         Shares of these rows. [1]
     edges, columns : array
-        Workspace for ``follow``.
+        Workspace for ``trace_segment``.
     sun : tuple of arrays
         Workspace for a ray to the star, as ``path``.
     """
@@ -130,7 +130,7 @@ class Line(NamedTuple):
     path: tuple[FloatArray, ...]
     source: FloatArray
     transmittance: FloatArray
-    corners: IntArray
+    stencil: IntArray
     shares: FloatArray
     edges: FloatArray
     columns: FloatArray
@@ -154,7 +154,7 @@ def new_line(air: LineOptics) -> Line:
 
 
 @compiled_loop
-def follow(r, mu, length, first_cut, second_cut, air, edges, path):
+def trace_segment(r, mu, length, first_cut, second_cut, air, edges, path):
     """Find points, densities and columns along a stretch of a ray.
 
     Parameters
@@ -174,7 +174,7 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
     thickness = air.top - air.bottom
     if air.graded:
         count = place_edges(r, mu, length, 1, first_cut, second_cut, edges)
-        count = split_at_profile_edges(r, mu, air.bottom, air.corners, edges, count)
+        count = split_at_profile_edges(r, mu, air.bottom, air.breakpoints, edges, count)
         return trace_resolved(
             r, mu, edges, count, air.rule, air.bottom, thickness, air.nodes, air.strongest, path
         )
@@ -190,7 +190,7 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
 @compiled_loop
 def prepare(r, mu, length, first_cut, second_cut, air, line):
     """Follow a line and find the weights of its points at its start; return their number."""
-    count = follow(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
+    count = trace_segment(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
     _, _, weight, density, column, total, _ = line.path
     source, transmittance = line.source, line.transmittance
     scattering, extinction, scatterers = air.scattering, air.extinction, air.scatterers
@@ -220,10 +220,10 @@ def place_rows(r, mu, count, axes, line):
         q = min(max(radius[k], axes.bottom), axes.top)
         low, high, f = radius_cell(q, axes)
         first, second, e = view_cell(q, (r * mu + distance[k]) / q, axes)
-        line.corners[k, 0] = low * axes.views + first
-        line.corners[k, 1] = low * axes.views + second
-        line.corners[k, 2] = high * axes.views + first
-        line.corners[k, 3] = high * axes.views + second
+        line.stencil[k, 0] = low * axes.views + first
+        line.stencil[k, 1] = low * axes.views + second
+        line.stencil[k, 2] = high * axes.views + first
+        line.stencil[k, 3] = high * axes.views + second
         line.shares[k, 0] = (1.0 - f) * (1.0 - e)
         line.shares[k, 1] = (1.0 - f) * e
         line.shares[k, 2] = f * (1.0 - e)
@@ -252,7 +252,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
     distance, radius = line.path[0], line.path[1]
-    corners, shares, source = line.corners, line.shares, line.source
+    stencil, shares, source = line.stencil, line.shares, line.source
     wavelengths = out.size
     channels = table.shape[3]
     m0, m1, d = angle_cell(nu, axes)
@@ -265,7 +265,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
                 q = first + l
                 value = 0.0
                 for corner in range(4):
-                    row = corners[k, corner]
+                    row = stencil[k, corner]
                     value += shares[k, corner] * (
                         w00 * table[row, s0, m0, q]
                         + w01 * table[row, s0, m1, q]
@@ -324,7 +324,7 @@ def star_columns(r, mu_s, nested, air, edges, path, out):
         columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, out)
         return
     length = -r * mu + ((air.top - r) * (air.top + r) + r * r * mu * mu) ** 0.5
-    follow(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)
+    trace_segment(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)
     for c in range(out.size):
         out[c] = path[5][c]
 

@@ -47,7 +47,7 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
     last = phase.shape[1] - 1
-    here, light = np.empty(which.size), np.empty(out.shape[1])
+    phases, light = np.empty(which.size), np.empty(out.shape[1])
     for z in range(zenith.size):
         mu, sine = cos(zenith[z]), sin(zenith[z])
         length = ray_length(r, mu, axes.bottom, axes.top)
@@ -62,10 +62,10 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
                     count = prepare(r, mu, length, dark, dawn, air, line)
                     x = sqrt(max(0.5 - 0.5 * nu, 0.0)) * last
                     node = min(int(x), last - 1)
-                    for q in range(here.size):
+                    for q in range(phases.size):
                         low, high = phase[which[q], node], phase[which[q], node + 1]
-                        here[q] = low + (x - node) * (high - low)
-                    add_once(r, mu_s, nu, count, here, False, air, line, light)
+                        phases[q] = low + (x - node) * (high - low)
+                    add_once(r, mu_s, nu, count, phases, False, air, line, light)
                 else:
                     line.transmittance[:] = 1.0
                 if meets_ground(r, mu, axes.bottom):

@@ -303,14 +303,14 @@ def _from_arrays(
 
 def alone(medium: Medium, index: int) -> Medium:
     """Medium with only one constituent over black ground, as in the first notes."""
-    here = slice(index, index + 1)
+    only = slice(index, index + 1)
     return replace(
         medium,
-        names=medium.names[here],
-        scattering=medium.scattering[here],
-        absorption=medium.absorption[here],
-        density=DensitySegments(medium.density.edges[here], medium.density.coefficients[here]),
-        phase_table=medium.phase_table[here],
+        names=medium.names[only],
+        scattering=medium.scattering[only],
+        absorption=medium.absorption[only],
+        density=DensitySegments(medium.density.edges[only], medium.density.coefficients[only]),
+        phase_table=medium.phase_table[only],
         ground_albedo=np.zeros_like(medium.ground_albedo),
-        constituents=medium.constituents[here],
+        constituents=medium.constituents[only],
     )

@@ -344,9 +344,9 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
         far = near + tables.sun_angles * block
         for at in range(0, lanes, LANES):
             low = between(tables.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
-            here = lanes + at
+            element = lanes + at
             mean = between(
-                tables.field, near + here, far + here, block, p0 * s0, p0 * s, p * s0, p * s
+                tables.field, near + element, far + element, block, p0 * s0, p0 * s, p * s0, p * s
             )
             store(scale, at, mean / low * work.functions[0])
         horizon = horizon_cosine(q, tables.bottom)
@@ -397,7 +397,7 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
         if row == 0:
             ground_light(mu_s, 2, tables, work)
             for at in range(lanes):
-                over = work.received[lanes + at]
+                over = work.irradiance[lanes + at]
                 sky[angle, at] = sky[angle, at] / over if over > 0.0 else 0.0
 
 

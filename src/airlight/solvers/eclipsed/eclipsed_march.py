@@ -185,7 +185,7 @@ def march_eclipsed(
             work.columns_total, tables.scaled_extinction, tables.constituents, tables.lanes, at
         )
         store(result, tables.lanes + at, transmittance)
-        if tables.widened and kind != SCATTERING_CORRECTION:
+        if tables.broadened and kind != SCATTERING_CORRECTION:
             more = peak_gain(half_sine, tables, work, at)
             store(result, at, load(result, at) + more * load(work.peaks, at))
 
@@ -252,12 +252,14 @@ def _add_point(
                     tables.lanes,
                     at,
                 )
-                if tables.widened:
+                if tables.broadened:
                     add_peaks(arriving, part, spread, phase, tables, work, at)
         if inside:
-            here = tables.lanes + at
+            element = tables.lanes + at
             scale = between(tables.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
-            mean = between(tables.field, near + here, far + here, block, g * h, g * e, f * h, f * e)
+            mean = between(
+                tables.field, near + element, far + element, block, g * h, g * e, f * h, f * e
+            )
             mean = maximum(mean / scale * work.functions[0], splat(0.0))
             source = source + mean * deviation(
                 work.point_density, tables.moments, tables.constituents, tables.degree + 1, shadow,
@@ -270,7 +272,7 @@ def _add_point(
 
 @compiled_loop
 def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
-    """Irradiance of level ground per irradiance of the unshadowed star, in ``work.received``. [1]
+    """Irradiance of level ground per irradiance of the unshadowed star, in ``work.irradiance``. [1]
 
     Parameters
     ----------
@@ -292,13 +294,13 @@ def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
         part = splat(0.0)
         if kind != SCATTERING_CORRECTION:
             part = load(scratch.seen, at)
-        store(work.received, at, load(work.received, at) * part)
+        store(work.irradiance, at, load(work.irradiance, at) * part)
         if inside:
             part = part + sky_deviation(shadow, scratch, tables.lanes, at)
             if kind == TOTAL:
                 part = maximum(part, splat(0.0))
-        sky = load(work.received, tables.lanes + at) * part
-        store(work.received, tables.lanes + at, sky)
+        sky = load(work.irradiance, tables.lanes + at) * part
+        store(work.irradiance, tables.lanes + at, sky)
 
 
 @inlined
@@ -355,10 +357,10 @@ def line_eclipsed(
         mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / tables.bottom
         nu = u * star.star_x + v * star.star_y + w * star.star_z
         for at in range(0, tables.lanes, LANES):
-            direct = load(work.received, at) * direct_reflectance(
+            direct = load(work.irradiance, at) * direct_reflectance(
                 tables.ground, at, max(mu_s, 0.0), mu_r, nu
             )
-            sky = load(work.received, tables.lanes + at) * diffuse_reflectance(
+            sky = load(work.irradiance, tables.lanes + at) * diffuse_reflectance(
                 tables.ground, at, mu_r
             )
             behind = load(result, tables.lanes + at) * (direct + sky) * INVERSE_PI

@@ -172,5 +172,5 @@ def _ground(at, tables, shadow, work, scratch, out):
     for k in range(at.shape[0]):
         eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, tables, shadow, work, scratch)
         for at_lane in range(tables.lanes):
-            out[k, 0, at_lane] = work.received[at_lane]
-            out[k, 1, at_lane] = work.received[tables.lanes + at_lane]
+            out[k, 0, at_lane] = work.irradiance[at_lane]
+            out[k, 1, at_lane] = work.irradiance[tables.lanes + at_lane]

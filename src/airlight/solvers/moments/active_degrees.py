@@ -47,7 +47,7 @@ def active_degrees(batch: WavelengthBatch, field: Float32Array) -> NDArray[np.in
         size = np.sqrt(np.square(field[:, :, first : first + l + 1, :used]).sum(axis=2))
         counts = (size * kept[l] > least * mean) & lit
         gathered[counts.any(axis=(1, 2))] = l
-    degrees = np.repeat(gathered, setup.parts)[: setup.grid.radii.size]
-    between = np.repeat(np.maximum(gathered[:-1], gathered[1:]), setup.parts)
-    degrees[:-1] = np.where(np.arange(between.size) % setup.parts, between, degrees[:-1])
+    degrees = np.repeat(gathered, setup.refinement)[: setup.grid.radii.size]
+    between = np.repeat(np.maximum(gathered[:-1], gathered[1:]), setup.refinement)
+    degrees[:-1] = np.where(np.arange(between.size) % setup.refinement, between, degrees[:-1])
     return np.asarray(degrees, np.int64)

@@ -40,9 +40,9 @@ def acceleration_weights(mean: Float32Array, lateral_threshold: FloatArray) -> F
     They are small in the night of thick air, where lateral transport dominates.
     """
     most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
-    here, column = mean / most, mean.max(axis=0) / most
+    relative, column = mean / most, mean.max(axis=0) / most
     return np.asarray(
-        acceleration_weight(np.maximum(here * column, 0.0), lateral_threshold), np.float32
+        acceleration_weight(np.maximum(relative * column, 0.0), lateral_threshold), np.float32
     )
 
 

@@ -303,7 +303,7 @@ class Optics:
         )
 
 
-def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) -> FloatArray:
+def panel_ends(medium: Medium, grid: Grid, refinement: int, *, sweeps: bool = False) -> FloatArray:
     """Altitudes at which the panels of rays end, ascending, inside the shell. [m]
 
     Parameters
@@ -311,7 +311,7 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     medium : Medium
     grid : Grid
         Grid of the medium.
-    parts : int
+    refinement : int
         More than 1 in thick air, some of whose levels are then ends; otherwise, and in sweeps,
         those of layers aloft are.
     sweeps : bool
@@ -321,10 +321,10 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     least, faint = (FAINT_AND_WIDE, FAINT) if sweeps else (0.0, _SEEN)
     strength = medium.scattering.max(axis=1)
     layers, thin = medium.thin_layers, layer_ends(medium)
-    if parts == 1:
+    if refinement == 1:
         edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
         return np.union1d(_beside(edges, layers, medium.thickness), thin)
-    cuts = panel_cuts(grid.radii - grid.bottom_radius, parts)
+    cuts = panel_cuts(grid.radii - grid.bottom_radius, refinement)
     if not sweeps:
         return np.union1d(cuts, thin)
     # Across a cloud's edge a panel errs by 9 % in the light scattered once.

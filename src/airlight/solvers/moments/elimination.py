@@ -64,15 +64,15 @@ def substitute(factors, size, values, columns):
         for k in range(i):
             factor = load(factors, (i * size + k) * LANES)
             for j in range(0, width, LANES):
-                here = i * width + j
-                store(values, here, load(values, here) - factor * load(values, k * width + j))
+                entry = i * width + j
+                store(values, entry, load(values, entry) - factor * load(values, k * width + j))
     for back in range(size):
         i = size - 1 - back
         for k in range(i + 1, size):
             factor = load(factors, (i * size + k) * LANES)
             for j in range(0, width, LANES):
-                here = i * width + j
-                store(values, here, load(values, here) - factor * load(values, k * width + j))
+                entry = i * width + j
+                store(values, entry, load(values, entry) - factor * load(values, k * width + j))
         scale = splat(1.0) / load(factors, (i * size + i) * LANES)
         for j in range(0, width, LANES):
             store(values, i * width + j, load(values, i * width + j) * scale)

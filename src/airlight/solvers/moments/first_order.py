@@ -58,13 +58,13 @@ def transmittance_row(depths, local, x, directions):
 
 
 @inlined
-def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift):
+def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, refraction_table):
     """Irradiance of level ground by the star itself, per irradiance at the top. [1]
 
     Row ``local`` of ``depths`` is the ground's.
     """
     from_low, from_high, low, high = direct_horizontal_weights(
-        bottom, mu_s, bottom, top, star_radius, lift
+        bottom, mu_s, bottom, top, star_radius, refraction_table
     )
     x = direction_coordinate(bottom, low, bottom, top) * (directions - 1)
     light = transmittance_row(depths, local, x, directions) * np.float32(from_low)
@@ -183,7 +183,7 @@ def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
 
 @inlined
 def _first_order(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, narrow
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out, narrow
 ):  # fmt: skip
     """``first_order_radius``, or ``first_order_radius_narrow`` if ``narrow``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
@@ -236,7 +236,7 @@ def _first_order(
     polarised = np.empty(5 * LANES, np.float32)
     turned = np.empty(2 * most, np.float32)
     places = np.empty(7 * most, np.float32)
-    columns = max(lift.shape[1], 2)
+    columns = max(refraction_table.shape[1], 2)
     lifts = np.empty(most * 2 * columns, np.float32)
     disc = np.empty(3 * DISC_NODES, np.float32)
     fill_disc(disc)
@@ -285,7 +285,7 @@ def _first_order(
             places[7 * k + 1] = np.float32((top - q) * (top + q))
             places[7 * k + 2] = np.float32(top - q)
             places[7 * k + 3] = np.float32((directions - 1) / (longest - (top - q)))
-            horizon = fill_lift(lift, q, bottom, top, 2 * columns * k, lifts)
+            horizon = fill_lift(refraction_table, q, bottom, top, 2 * columns * k, lifts)
             places[7 * k + 4] = np.float32(horizon)
             places[7 * k + 5] = np.float32(horizon_cosine(q, bottom))
             places[7 * k + 6] = np.float32(bottom / q)
@@ -348,12 +348,12 @@ def _first_order(
                 if below:
                     reflected = reflected_star(
                         surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius,
-                        ground_depths, directions, lift,
+                        ground_depths, directions, refraction_table,
                     )  # fmt: skip
                     if narrow:
                         reflected_2 = reflected_star(
                             surface, ends, i, a, mu_s, nu_2, mu_r, bottom, top, star_radius,
-                            ground_depths, directions, lift,
+                            ground_depths, directions, refraction_table,
                         )  # fmt: skip
                         reflected = pair(reflected, reflected_2)
                     radiance = radiance + whole * reflected
@@ -400,20 +400,20 @@ def _first_order(
 
 @inlined
 def reflected_star(
-    surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions, lift
+    surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions, refraction_table
 ):  # fmt: skip
     """Irradiance of the ground at the end of a ray by the star, times the reflectance factor. [1]
 
     Arguments as in ``_first_order``, and ``mu_r`` of ``direct_reflectance``.
     """
     mu_sg = star_at_end(ends, i, a, mu_s, nu)
-    light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, lift)
+    light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, refraction_table)
     return direct_reflectance(surface, 0, mu_sg, mu_r, nu) * light
 
 
 @compiled_loop
 def first_order_radius(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
 ):
     """Moments of the light scattered or reflected once, at all sun elevations of one radius.
 
@@ -425,22 +425,22 @@ def first_order_radius(
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``. [1]
     ratios : array, shape (radii, nc, 2, directions)
         ``Setup.star_ratios``.
-    lift : array, shape (rows, columns, 2)
+    refraction_table : array, shape (rows, columns, 2)
         Table from ``refraction_table``. [1]
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, False
+        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out, False
     )  # fmt: skip
 
 
 @compiled_loop
 def first_order_radius_narrow(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
 ):  # fmt: skip
     """``first_order_radius`` for at most four wavelengths, two azimuths in a register.
 
     Both halves of ``share`` and of ``air`` have the same wavelengths.
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, True
+        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out, True
     )  # fmt: skip

@@ -82,15 +82,15 @@ def add_peaks(star, dimmed, spread, phase, tables, work, at):
     """
     peaked, strength, depth = splat(0.0), splat(0.0), splat(0.0)
     for c in range(tables.constituents):
-        here = tables.lanes * c + at
-        part = load(tables.extinction, here) - load(tables.scaled_extinction, here)
+        element = tables.lanes * c + at
+        part = load(tables.extinction, element) - load(tables.scaled_extinction, element)
         column = work.columns_to_sun_low[c]
         if spread:
             column = 0.5 * (column + work.columns_to_sun_high[c])
         depth = depth + part * np.float32(work.depths[c] + column)
         part = part * work.point_density[c]
         strength = strength + part
-        peaked = peaked + part * load(tables.inverse_peak_fraction, here) * load(phase, here)
+        peaked = peaked + part * load(tables.inverse_peak_fraction, element) * load(phase, element)
     strength = strength * star
     count, means = tables.lanes + at, 2 * tables.lanes + at
     store(work.peaks, at, load(work.peaks, at) + peaked * (star * dimmed))
@@ -120,8 +120,8 @@ def peak_gain(half_sine, tables, work, at):
         away = place - np.float32(k)
         share = maximum(np.float32(1.0) - maximum(away, 0.0 - away), 0.0)
         first = tables.lanes * (k * ANGLES + node) + at
-        low = load(tables.widening, first)
-        more = more + share * (low + f * (load(tables.widening, first + tables.lanes) - low))
+        low = load(tables.broadening, first)
+        more = more + share * (low + f * (load(tables.broadening, first + tables.lanes) - low))
     return more
 
 
@@ -136,12 +136,12 @@ def peak_fraction(constituent, tables, at):
     light, at :
         Arguments of ``add_peaks``.
     """
-    here = tables.lanes * constituent + at
-    part = load(tables.extinction, here) - load(tables.scaled_extinction, here)
+    element = tables.lanes * constituent + at
+    part = load(tables.extinction, element) - load(tables.scaled_extinction, element)
     return (
         part
-        * load(tables.inverse_peak_fraction, here)
-        / maximum(load(tables.scattering, here), _LEAST)
+        * load(tables.inverse_peak_fraction, element)
+        / maximum(load(tables.scattering, element), _LEAST)
     )
 
 

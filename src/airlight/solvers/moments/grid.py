@@ -94,7 +94,7 @@ def make_grid(
     Returns
     -------
     grid : Grid
-    parts : int
+    refinement : int
         Step, in radii of the grid, between those at which light is gathered.
     """
     dip = degrees(acos(bottom_radius / top_radius))
@@ -124,7 +124,7 @@ def make_grid(
         levels.row,
         place,
     )
-    return grid, levels.parts
+    return grid, levels.refinement
 
 
 def sun_indices(dip: float, sun_angles: int) -> tuple[FloatArray, FloatArray]:

@@ -16,7 +16,7 @@ from airlight.tables.column_ratios import columns_to_top
 
 @inlined
 def ground_light(mu_s, orders, tables, work):
-    """Compute irradiance of level ground per irradiance of the star, in ``work.received``. [1]
+    """Compute irradiance of level ground per irradiance of the star, in ``work.irradiance``. [1]
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def ground_light(mu_s, orders, tables, work):
     """
     bottom, top = tables.bottom, tables.top
     from_low, from_high, low, high = direct_horizontal_weights(
-        bottom, mu_s, bottom, top, tables.star_radius, tables.lift
+        bottom, mu_s, bottom, top, tables.star_radius, tables.refraction_table
     )
     direct = orders != 0 and from_low + from_high > 0.0
     if direct:
@@ -62,8 +62,8 @@ def ground_light(mu_s, orders, tables, work):
             )  # fmt: skip
         if orders != 1:
             sky = diffuse_horizontal(tables.sky, place, x - place, tables.lanes, at)
-        store(work.received, at, star)
-        store(work.received, tables.lanes + at, sky)
+        store(work.irradiance, at, star)
+        store(work.irradiance, tables.lanes + at, sky)
 
 
 @inlined
@@ -81,8 +81,10 @@ def ground_radiance(mu_s, mu_r, nu, orders, tables, work, out):
     """
     ground_light(mu_s, orders, tables, work)
     for at in range(0, tables.lanes, LANES):
-        star = load(work.received, at) * direct_reflectance(tables.ground, at, mu_s, mu_r, nu)
-        sky = load(work.received, tables.lanes + at) * diffuse_reflectance(tables.ground, at, mu_r)
+        star = load(work.irradiance, at) * direct_reflectance(tables.ground, at, mu_s, mu_r, nu)
+        sky = load(work.irradiance, tables.lanes + at) * diffuse_reflectance(
+            tables.ground, at, mu_r
+        )
         store(out, at, (star + sky) * INVERSE_PI)
 
 
@@ -92,7 +94,7 @@ def direct_irradiance(r, mu_s, tables, work, out):
     bottom, top, lanes = tables.bottom, tables.top, tables.lanes
     for k in range(r.size):
         from_low, from_high, low, high = direct_horizontal_weights(
-            r[k], mu_s[k], bottom, top, tables.star_radius, tables.lift
+            r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
         )
         columns_to_top(
             r[k],
@@ -127,7 +129,9 @@ def direct_normal_irradiance(r, mu_s, tables, work, out):
     """Compute irradiance by the star of surfaces that face it, arguments as above. [1]"""
     bottom, top, lanes = tables.bottom, tables.top, tables.lanes
     for k in range(r.size):
-        seen, low, high = star_points(r[k], mu_s[k], bottom, top, tables.star_radius, tables.lift)
+        seen, low, high = star_points(
+            r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
+        )
         columns_to_top(
             r[k],
             low,

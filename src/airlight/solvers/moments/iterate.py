@@ -91,7 +91,7 @@ class Moments:
         Degree of the harmonics.
     grid : Grid
         Nodes of the field.
-    parts : int
+    refinement : int
         Step, in radii of the grid, between those at which light is gathered.
     field : array, shape (r, s, k, nl)
         Moments of the radiance of all scattered and reflected light. [1]
@@ -111,7 +111,7 @@ class Moments:
 
     degree: int
     grid: Grid
-    parts: int
+    refinement: int
     field: Float32Array
     sky: Float32Array
     columns: FloatArray
@@ -157,7 +157,7 @@ def solve_moments(
     residual = np.empty(count)
     most = hardest = 0
     done = 0
-    for group in wavelength_batches(setup.medium.wavelengths, clear=setup.parts == 1):
+    for group in wavelength_batches(setup.medium.wavelengths, clear=setup.refinement == 1):
         guesses = SpectralGuess()
         for number, which in enumerate(group):
             batch = setup.batch(which)
@@ -167,7 +167,7 @@ def solve_moments(
             field[..., which], sky[..., which], residual[which], sweeps, scheme = result
             most, hardest, done = max(most, sweeps), max(hardest, scheme), done + batch.used
     return Moments(
-        degree=setup.degree, grid=setup.grid, parts=setup.parts, field=field, sky=sky,
+        degree=setup.degree, grid=setup.grid, refinement=setup.refinement, field=field, sky=sky,
         columns=setup.table.values, sweeps=most, residual=residual,
         energy=energy_error(setup, field), scheme=hardest,
     )  # fmt: skip
@@ -263,7 +263,12 @@ def _iterate(
         once, sweep = first_order_radius_narrow, sweep_radius_narrow
     watch.report()
     first_field, first_sky = gather(
-        batch, once, setup.column_rows, setup.star_ratios, setup.paths.lift, cancel=cancel
+        batch,
+        once,
+        setup.column_rows,
+        setup.star_ratios,
+        setup.paths.refraction_table,
+        cancel=cancel,
     )
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
@@ -277,7 +282,7 @@ def _iterate(
     iteration = Iteration(Stopping.of_sweeps(setup.settings), batch.thick, used, least=least)
     if spectral_guess is not None and between is not None:
         iteration.set_prediction(spectral_guess.expected(nm, guess))
-    degrees = active_degrees(batch, light[0]) if setup.parts > 1 else batch.all_degrees
+    degrees = active_degrees(batch, light[0]) if setup.refinement > 1 else batch.all_degrees
     iterates: deque[Light] = deque(maxlen=iteration.stopping.iterates)
     best, at, scheme = light, 0, FALLBACK_SCHEMES[0]
     # Each sweep uses the arrays of the one before: the system clears new memory page by page.
@@ -291,7 +296,12 @@ def _iterate(
             iterates.clear()
             iteration.restart(accelerated=scheme.acceleration > 0.0)
         packed = pack_light(
-            light[0], light[1][:1], batch.level, setup.parts, narrow=batch.narrow, out=packed[0]
+            light[0],
+            light[1][:1],
+            batch.level,
+            setup.refinement,
+            narrow=batch.narrow,
+            out=packed[0],
         )
         gather(batch, sweep, *packed, degrees, cancel=cancel, out=swept)
         add_first_order(swept, (first_field, first_sky), light, residual)

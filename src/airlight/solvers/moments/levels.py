@@ -96,13 +96,13 @@ class RadialGrid(NamedTuple):
         Altitudes of the table's levels. [m]
     row : array, shape (m,)
         Fractional level of the table for each altitude of ``Depths``. [1]
-    parts : int
+    refinement : int
         Step, in levels, between those at which light is gathered.
     """
 
     altitudes: FloatArray
     row: FloatArray
-    parts: int
+    refinement: int
 
 
 def radial_grid(even: FloatArray, depths: Depths, count: int) -> RadialGrid:
@@ -125,15 +125,15 @@ def radial_grid(even: FloatArray, depths: Depths, count: int) -> RadialGrid:
         most = _MOST * (count - 1)
         # In the clearest air, of a depth of 1e-9, ``thick`` and with it ``follows`` are 0.
         coordinate = coordinate + follows * (most / follows[-1] if follows[-1] > most else 1.0)
-    parts = _PARTS if thick > _REFINED else 1
+    refinement = _PARTS if thick > _REFINED else 1
     if depths.layers:
-        row = parts * _layered(coordinate, depths, count)
+        row = refinement * _layered(coordinate, depths, count)
     else:
-        row = coordinate * (parts * max(count - 1, round(coordinate[-1])) / coordinate[-1])
+        row = coordinate * (refinement * max(count - 1, round(coordinate[-1])) / coordinate[-1])
     steps = round(row[-1])
     altitudes = np.interp(np.arange(steps + 1, dtype=float), row, depths.altitude)
     altitudes[0], altitudes[-1] = depths.altitude[0], depths.altitude[-1]
-    return RadialGrid(altitudes, row, parts)
+    return RadialGrid(altitudes, row, refinement)
 
 
 def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
@@ -153,31 +153,31 @@ def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
     bounds = [0, *(int(np.abs(altitude - end).argmin()) for end in ends), altitude.size - 1]
     row = np.zeros(altitude.size)
     for low, high in pairwise(sorted(set(bounds))):
-        here = slice(low, high + 1)
-        along = coordinate[here] - coordinate[low]
+        span = slice(low, high + 1)
+        along = coordinate[span] - coordinate[low]
         middle = 0.5 * (altitude[low] + altitude[high])
         if any(layer.bottom < middle < layer.top for layer in depths.layers):
-            within = depth[here] - depth[low]
+            within = depth[span] - depth[low]
             along = along + (count - 1) / _STEPS * _steps(within)
             along = along + _LAYER_STEPS * (count - 1) / _STEPS * within / max(within[-1], 1e-300)
-        row[here] = row[low] + along * (max(round(along[-1]), 1) / max(along[-1], 1e-300))
+        row[span] = row[low] + along * (max(round(along[-1]), 1) / max(along[-1], 1e-300))
     return row
 
 
-def panel_cuts(altitudes: FloatArray, parts: int) -> FloatArray:
+def panel_cuts(altitudes: FloatArray, refinement: int) -> FloatArray:
     """Altitudes at which the panels of rays end in thick air, inside the shell. [m]
 
     A cloud is not a smooth function of altitude as air is: a ray that crosses it in one panel has
     a wrong optical depth, which no weights can correct. Clear air has no cuts.
     """
-    if parts == 1:
+    if refinement == 1:
         return np.empty(0)
     chosen = np.linspace(0, altitudes.size - 1, _CUTS + 2).round().astype(int)
     return np.asarray(altitudes[chosen][1:-1])
 
 
 def refine(
-    values: Float32Array, scale: Float32Array, level: Float32Array, parts: int
+    values: Float32Array, scale: Float32Array, level: Float32Array, refinement: int
 ) -> Float32Array:
     """Interpolate values at all levels from those at which light is gathered.
 
@@ -189,21 +189,21 @@ def refine(
         Positive moments of degree 0.
     level : array, shape (s, w)
         1 for a cubic from radius to radius, 0 for ratios.
-    parts : int
+    refinement : int
         Number from ``RadialGrid``.
 
     Returns
     -------
-    array, shape ((r - 1)·parts + 1, s, k, w)
+    array, shape ((r - 1)·refinement + 1, s, k, w)
     """
-    if parts == 1:
+    if refinement == 1:
         return values
-    out = np.empty(((values.shape[0] - 1) * parts + 1, *values.shape[1:]), np.float32)
+    out = np.empty(((values.shape[0] - 1) * refinement + 1, *values.shape[1:]), np.float32)
 
     def under(sun: int) -> None:
         between = np.empty((out.shape[0], *values.shape[2:]), np.float32)
         moments = np.ascontiguousarray(values[:, sun])
-        fill_levels(moments, np.ascontiguousarray(scale[:, sun]), level[sun], parts, between)
+        fill_levels(moments, np.ascontiguousarray(scale[:, sun]), level[sun], refinement, between)
         out[:, sun] = between
 
     run_blocks(under, values.shape[1])
@@ -211,7 +211,7 @@ def refine(
 
 
 @compiled_loop
-def fill_levels(values, scale, level, parts, out):
+def fill_levels(values, scale, level, refinement, out):
     """``refine`` under one sun.
 
     Parameters
@@ -222,15 +222,15 @@ def fill_levels(values, scale, level, parts, out):
         Positive moments of degree 0.
     level : array, shape (w,)
         1 for a cubic from radius to radius, 0 for ratios.
-    parts : int
+    refinement : int
         Number from ``RadialGrid``, more than 1.
-    out : array, shape ((r - 1)·parts + 1, k, w)
+    out : array, shape ((r - 1)·refinement + 1, k, w)
         Receives the moments at all levels.
     """
     radii, terms, lanes = values.shape
     # The level beyond each end continues the parabola through the last three.
     first, last = np.empty((terms, lanes), np.float32), np.empty((terms, lanes), np.float32)
-    three, count = np.float32(3.0), np.float32(parts)
+    three, count = np.float32(3.0), np.float32(refinement)
     for k in range(terms):
         for w in range(lanes):
             first[k, w] = three * (values[0, k, w] - values[1, k, w]) + values[2, k, w]
@@ -245,10 +245,10 @@ def fill_levels(values, scale, level, parts, out):
         if i < radii - 2:
             above = values[i + 2]
         near, far = values[i], values[i + 1]
-        at = i * parts
+        at = i * refinement
         out[at] = near
-        for part in range(1, parts):
-            x = np.float32(part / parts)
+        for part in range(1, refinement):
+            x = np.float32(part / refinement)
             for w in range(lanes):
                 bend = cubic_bend(x, below[0, w], near[0, w], far[0, w], above[0, w], count)
                 share[w] = smoothness(x, near[0, w], far[0, w], bend)
@@ -262,10 +262,10 @@ def fill_levels(values, scale, level, parts, out):
 
 
 @kernel
-def cubic_bend(x, below, near, far, above, parts):
+def cubic_bend(x, below, near, far, above, refinement):
     """Cubic through four levels minus the straight line, at x between the middle two.
 
-    Less what straight lines between the levels tabled at x = 1/parts, 2/parts, … add to the mean:
+    Less what straight lines between the levels tabled at x = 1/refinement, 2/refinement, … add to the mean:
     a twelfth of the second difference from one to the next, all taken off those inside the step.
 
     Parameters
@@ -274,13 +274,13 @@ def cubic_bend(x, below, near, far, above, parts):
         Position between the middle levels, 0 to 1. [1]
     below, near, far, above : float
         Moment at the four levels.
-    parts : float
+    refinement : float
         Number from ``RadialGrid``, more than 1. [1]
     """
     y = 1.0 - x
     first = 2.0 * near - below - far
     second = 2.0 * far - above - near
-    evened = (y * first + x * second) / (12.0 * parts * (parts - 1.0))
+    evened = (y * first + x * second) / (12.0 * refinement * (refinement - 1.0))
     return (x * y / 6.0) * ((1.0 + y) * first + (1.0 + x) * second) + evened
 
 
@@ -318,18 +318,18 @@ def between_levels(x, near, far, bend, near_scale, far_scale, level):
     return ratio + level * (y * near + x * far + bend - ratio)
 
 
-def finer_weights(count: int, parts: int) -> FloatArray:
-    """Matrix of the cubics of ``refine``, shape ((count - 1)·parts + 1, count). [1]"""
+def finer_weights(count: int, refinement: int) -> FloatArray:
+    """Matrix of the cubics of ``refine``, shape ((count - 1)·refinement + 1, count). [1]"""
     unit = np.eye(count)
-    out = np.empty(((count - 1) * parts + 1, count))
-    out[::parts] = unit
-    for part in range(1, parts):
-        x = part / parts
-        out[part::parts] = (1.0 - x) * unit[:-1] + x * unit[1:] + _bend(unit, x, parts)
+    out = np.empty(((count - 1) * refinement + 1, count))
+    out[::refinement] = unit
+    for part in range(1, refinement):
+        x = part / refinement
+        out[part::refinement] = (1.0 - x) * unit[:-1] + x * unit[1:] + _bend(unit, x, refinement)
     return out
 
 
-def _bend(values: NDArray[Any], x: float, parts: int) -> NDArray[Any]:
+def _bend(values: NDArray[Any], x: float, refinement: int) -> NDArray[Any]:
     """``cubic_bend`` at x between adjacent levels."""
     # The level beyond each end continues the parabola through the last three.
     first = 3 * (values[:1] - values[1:2]) + values[2:3]
@@ -337,7 +337,12 @@ def _bend(values: NDArray[Any], x: float, parts: int) -> NDArray[Any]:
     below, above = np.concatenate([first, values[:-2]]), np.concatenate([values[2:], last])
     return np.asarray(
         vectorized(cubic_bend)(
-            values.dtype.type(x), below, values[:-1], values[1:], above, values.dtype.type(parts)
+            values.dtype.type(x),
+            below,
+            values[:-1],
+            values[1:],
+            above,
+            values.dtype.type(refinement),
         )
     )
 

@@ -118,12 +118,12 @@ def march(
             work.columns_total, tables.scaled_extinction, tables.constituents, tables.lanes, at
         )
         store(result, tables.lanes + at, transmittance)
-    if tables.widened and orders != 0:
-        widen(half_sine, air, peaks, tables, work, result)
+    if tables.broadened and orders != 0:
+        broaden_peaks(half_sine, air, peaks, tables, work, result)
 
 
 @inlined
-def widen(half_sine, air, peaks, tables, work, result):
+def broaden_peaks(half_sine, air, peaks, tables, work, result):
     """Widen the forward peaks of a line's light scattered once; arguments as in ``march``."""
     for at in range(0, tables.lanes, LANES):
         more = peak_gain(half_sine, tables, work, at)
@@ -193,7 +193,7 @@ def add_point(
                 tables.scaled_extinction, tables.constituents, tables.lanes, at,
             )  # fmt: skip
             add_star(star, air, peaks, phase, tables, work, at, result)
-            if tables.widened:
+            if tables.broadened:
                 add_peaks(star, np.float32(1.0), spread, phase, tables, work, at)
             if polarised:
                 add_polarised_star(
@@ -237,7 +237,7 @@ def star_columns(q, mu_s, tables, work):
         Whether two points represent the star.
     """
     bottom, top = tables.bottom, tables.top
-    seen, low, high = star_points(q, mu_s, bottom, top, tables.star_radius, tables.lift)
+    seen, low, high = star_points(q, mu_s, bottom, top, tables.star_radius, tables.refraction_table)
     if seen > 0.0:
         columns_to_top(
             q,

@@ -64,8 +64,8 @@ def place_panel(r, mu, panel, count, rule, tables, work):
             work.radius[k], tables.bottom, tables.top - tables.bottom, tables.first_nodes
         )
         for c in range(tables.constituents):
-            here = tables.density[node, c]
-            work.density[c * n + k] = here + (tables.density[node + 1, c] - here) * share
+            below = tables.density[node, c]
+            work.density[c * n + k] = below + (tables.density[node + 1, c] - below) * share
 
 
 @inlined

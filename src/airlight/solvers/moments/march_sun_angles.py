@@ -234,18 +234,18 @@ def _march_line(
         star, sums = first + index, index * width
         for at in range(0, lanes, LANES):
             more = splat(0.0)
-            if tables.widened:
+            if tables.broadened:
                 for part in range(3):
                     value = load(stars.sums, sums + (1 + part) * lanes + at)
                     store(work.peaks, part * lanes + at, value)
                 more = peak_gain(half_sine[star], tables, work, at)
             found = load(stars.sums, sums + at)
-            if tables.widened and orders != 0:
+            if tables.broadened and orders != 0:
                 found = found + more * load(work.peaks, at)
             store(out[star], at, found)
             for c in range(tables.constituents):
                 once = load(stars.sums, sums + (4 + c) * lanes + at)
-                if delta_scaled and tables.widened:
+                if delta_scaled and tables.broadened:
                     once = once * (np.float32(1.0) + more * peak_fraction(c, tables, at))
                 store(out[star], (1 + c) * lanes + at, once)
 
@@ -321,8 +321,10 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, tabl
             )
             store(stars.transmittance_once, at, transmittance * weight)
         for c in range(constituents):
-            here = c * lanes + at
-            store(stars.scattering, here, load(tables.scattering, here) * work.point_density[c])
+            element = c * lanes + at
+            store(
+                stars.scattering, element, load(tables.scattering, element) * work.point_density[c]
+            )
     x = node_value(q, tables.bottom, tables.top, tables.first_nodes, tables.row)
     row = min(int(x), tables.radii - 2)
     f = np.float32(x - row)
@@ -369,10 +371,10 @@ def _add_star(seen, spread, sums, orders, apart, phase, tables, work, stars):
         if orders != 0:
             source = splat(0.0)
             for c in range(constituents):
-                here = c * lanes + at
-                source = source + load(stars.scattering, here) * load(phase, here)
+                element = c * lanes + at
+                source = source + load(stars.scattering, element) * load(phase, element)
             store(stars.sums, sums + at, load(stars.sums, sums + at) + star * source)
-        if tables.widened:
+        if tables.broadened:
             for part in range(3):
                 store(
                     work.peaks, part * lanes + at, load(stars.sums, sums + (1 + part) * lanes + at)
@@ -444,27 +446,27 @@ def _add_degrees(row, sun, f, tables, stars):
             low, high, next_low, next_high = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
             index = lanes * (m * (m + 1) // 2 + m) + at
             for l in range(m, degree + 1):
-                here = lanes + index
+                element = lanes + index
                 factor = load(stars.factors, index)
-                low = low + factor * load(tables.field, near + here)
-                high = high + factor * load(tables.field, far + here)
-                next_low = next_low + factor * load(tables.field, near + block + here)
-                next_high = next_high + factor * load(tables.field, far + block + here)
+                low = low + factor * load(tables.field, near + element)
+                high = high + factor * load(tables.field, far + element)
+                next_low = next_low + factor * load(tables.field, near + block + element)
+                next_high = next_high + factor * load(tables.field, far + block + element)
                 index += lanes * (l + 1)
             if m < EVEN:
-                here = lanes * (1 + last + m) + at
+                element = lanes * (1 + last + m) + at
                 factor = load(stars.factors, (last + m) * lanes + at)
-                low = low + factor * load(tables.field, near + here)
-                high = high + factor * load(tables.field, far + here)
-                next_low = next_low + factor * load(tables.field, near + block + here)
-                next_high = next_high + factor * load(tables.field, far + block + here)
+                low = low + factor * load(tables.field, near + element)
+                high = high + factor * load(tables.field, far + element)
+                next_low = next_low + factor * load(tables.field, near + block + element)
+                next_high = next_high + factor * load(tables.field, far + block + element)
             store(stars.orders, first + m * lanes + at, g * low + f * high)
             store(stars.orders, second + m * lanes + at, g * next_low + f * next_high)
-        here = (degree + 1) * lanes + at
+        element = (degree + 1) * lanes + at
         low, high = load(tables.field, near + at), load(tables.field, far + at)
-        store(stars.orders, first + here, g * low + f * high)
+        store(stars.orders, first + element, g * low + f * high)
         low, high = load(tables.field, near + block + at), load(tables.field, far + block + at)
-        store(stars.orders, second + here, g * low + f * high)
+        store(stars.orders, second + element, g * low + f * high)
     stars.made[sun] = True
     stars.made[sun + 1] = True
 
@@ -481,12 +483,12 @@ def _add_multiple_scattering(sun, share, cosine, sums, tables, stars):
         source = splat(0.0)
         earlier, multiple = cosine, 1.0  # cos (m - 1)φ and cos mφ
         for m in range(degree + 1):
-            here = m * lanes + at
-            part = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
+            element = m * lanes + at
+            part = h * load(stars.orders, near + element) + e * load(stars.orders, far + element)
             source = source + part * np.float32(multiple)
             earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
-        here = (degree + 1) * lanes + at
-        scale = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
+        element = (degree + 1) * lanes + at
+        scale = h * load(stars.orders, near + element) + e * load(stars.orders, far + element)
         # A sum of few harmonics may be negative where there is almost no light.
         source = maximum(source / scale, 0.0) * load(stars.transmittance, at)
         store(stars.sums, sums + at, load(stars.sums, sums + at) + source)

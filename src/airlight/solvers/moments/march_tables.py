@@ -47,7 +47,7 @@ class MarchTables(NamedTuple):
         Sizes of the tables.
     separated_1, separated_2 : int
         Constituents whose single scattering is also found without its phase function; -1 for none.
-    widened : bool
+    broadened : bool
         Whether single scattering has the gain by forward peaks, see ``forward_peak``.
     first_nodes : array, shape (CELLS + 1,)
         Index of the first altitude node of each cell, see ``altitude_nodes``. [1]
@@ -59,7 +59,7 @@ class MarchTables(NamedTuple):
         Densities from ``density_table``. [1]
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
-    lift : array, shape (rows, columns, 2)
+    refraction_table : array, shape (rows, columns, 2)
         Table from ``refraction_table``; without rows where light is not bent. [1]
     ends : array, shape (n,)
         Altitudes at which panels end, from ``panel_ends``. [m]
@@ -85,8 +85,8 @@ class MarchTables(NamedTuple):
         Elements F₁₂ of the phase matrices on these steps; 0 in scalar transfer. [sr⁻¹]
     inverse_peak_fraction : array, shape (nc·w,)
         Reciprocal of the truncated fraction f, from ``forward_peak``. [1]
-    widening : array, shape (depths·angles·w,)
-        Gain by forward peaks, from ``peak_broadening``; one element if not ``widened``. [1]
+    broadening : array, shape (depths·angles·w,)
+        Gain by forward peaks, from ``peak_broadening``; one element if not ``broadened``. [1]
     darkening : array, shape (6·w,)
         Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
     basis : array, shape (3·w,)
@@ -114,14 +114,14 @@ class MarchTables(NamedTuple):
     phase_nodes: int
     separated_1: Annotated[int, CHOICE]
     separated_2: Annotated[int, CHOICE]
-    widened: bool
+    broadened: bool
     first_nodes: Annotated[FloatArray, scalars()]
     column_rows: Annotated[FloatArray, scalars()]
     columns: Annotated[FloatArray, scalars(4)]
     density: Annotated[FloatArray, scalars(2)]
     strongest: Annotated[FloatArray, scalars()]
     brightest: Annotated[FloatArray, scalars()]
-    lift: Annotated[FloatArray, scalars(3)]
+    refraction_table: Annotated[FloatArray, scalars(3)]
     ends: Annotated[FloatArray, scalars()]
     row: Annotated[FloatArray, scalars()]
     place: Annotated[FloatArray, scalars()]
@@ -137,7 +137,7 @@ class MarchTables(NamedTuple):
     phase: Annotated[Float32Array, SPECTRA]
     phase_f12: Annotated[Float32Array, SPECTRA]
     inverse_peak_fraction: Annotated[Float32Array, SPECTRA]
-    widening: Annotated[Float32Array, SPECTRA]
+    broadening: Annotated[Float32Array, SPECTRA]
     darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
@@ -167,7 +167,7 @@ class MarchWorkspace(NamedTuple):
         Columns from a point towards the two points that represent the star. [m]
     functions : array, shape (k,)
         Harmonics of the line at a point. [1]
-    received : array, shape (2·w,)
+    irradiance : array, shape (2·w,)
         Irradiance of the ground by the star and by the sky. [1]
     azimuth : array, shape (1,)
         Cosine of the line's azimuth at a point. [1]
@@ -175,7 +175,7 @@ class MarchWorkspace(NamedTuple):
         Phase functions and elements F₁₂ of a line. [sr⁻¹]
     peaks : array, shape (3·w,)
         Sums over a line from ``forward_peak.add_peaks``.
-    found : array, shape (7·w,)
+    radiance : array, shape (7·w,)
         Result of a march, and the sky that water mirrors, at ``MIRRORED``.
     """
 
@@ -194,12 +194,12 @@ class MarchWorkspace(NamedTuple):
     columns_to_sun_low: FloatArray
     columns_to_sun_high: FloatArray
     functions: Float32Array
-    received: Float32Array
+    irradiance: Float32Array
     azimuth: FloatArray
     phase: Float32Array
     phase_f12: Float32Array
     peaks: Float32Array
-    found: Float32Array
+    radiance: Float32Array
 
 
 def workspace_sizes(constituents: int, points: int, terms: int) -> dict[str, int]:
@@ -240,7 +240,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
         Number of constituents, or more.
     """
     each = dict.fromkeys(("phase", "phase_f12"), constituents)
-    return {"received": 2, **each, "peaks": 3, "found": MIRRORED + 1}
+    return {"irradiance": 2, **each, "peaks": 3, "radiance": MIRRORED + 1}
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:

@@ -84,7 +84,7 @@ def pack_light(
     field: Float32Array,
     sky: Float32Array,
     level: Float32Array,
-    parts: int,
+    refinement: int,
     *,
     narrow: bool = False,
     out: Float32Array | None = None,
@@ -98,7 +98,7 @@ def pack_light(
     level : array, shape (s, w)
         From ``level_weights``: where 1, s is the same at all radii, so that the moments are linear
         between two of them; where 0 they are interpolated as ratios.
-    parts : int
+    refinement : int
         See ``levels.refine``. Irradiances of only one radius stay as they are.
     narrow : bool
         Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_narrow``.
@@ -108,24 +108,24 @@ def pack_light(
     mean = positive(field[:, :, 0])
     received = positive(sky)
     if received.shape[0] > 1:
-        received = refine(received[:, :, None], received, level, parts)[:, :, 0]
+        received = refine(received[:, :, None], received, level, refinement)[:, :, 0]
     radii, sun_angles, terms, lanes = field.shape
     # One moment of eight wavelengths is a register, or two of four: see ``first_register``.
     order = np.arange(1 + terms)
     if narrow:
         order, lanes = pair_order(terms), HALF_LANES
-    shape = ((radii - 1) * parts + 1, sun_angles, order.size, lanes)
+    shape = ((radii - 1) * refinement + 1, sun_angles, order.size, lanes)
     packed = np.empty(shape, np.float32) if out is None else out.reshape(shape)
 
     def under(sun: int) -> None:
-        _pack_sun(field[:, sun], mean[:, sun], level[sun], parts, order, packed[:, sun])
+        _pack_sun(field[:, sun], mean[:, sun], level[sun], refinement, order, packed[:, sun])
 
     run_blocks(under, sun_angles)
     return packed.reshape(-1), pack_rational(received[..., None, :], received)
 
 
 @compiled_loop
-def _pack_sun(field, mean, level, parts, order, out):
+def _pack_sun(field, mean, level, refinement, order, out):
     """Pack the moments under one sun, for all levels.
 
     Parameters
@@ -134,7 +134,7 @@ def _pack_sun(field, mean, level, parts, order, out):
         Moments at the radii that gather light.
     mean : array, shape (r, w)
         Those of degree 0, positive.
-    level, parts :
+    level, refinement :
         Of this sun, as in ``pack_light``.
     order : array, shape (n,)
         What stands at each place of a node: 0 for s, 1 + k for M·s of moment k, more for nothing.
@@ -148,10 +148,10 @@ def _pack_sun(field, mean, level, parts, order, out):
         given[i] = field[i]
         given[i, 0] = mean[i]
     whole = given
-    if parts > 1:
+    if refinement > 1:
         whole = np.empty((levels, terms, width), np.float32)
         # A copy: the loop takes contiguous arrays.
-        fill_levels(given, mean.copy(), level, parts, whole)
+        fill_levels(given, mean.copy(), level, refinement, whole)
     scale = np.empty(width, np.float32)
     highest = np.zeros(width, np.float32)
     for i in range(levels):

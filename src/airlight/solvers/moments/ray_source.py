@@ -224,13 +224,15 @@ def source_four_suns(
         target = (k * sun_angles + j) * block
         store(rows, target, g * load(field, low) + f * load(field, high))
         for m in range(orders):
-            moment, here = coupled_moments(field, low, high, f, m, degree, narrow)
+            moment, coupled = coupled_moments(field, low, high, f, m, degree, narrow)
             by = first + LANES * (registers + _COUPLINGS * m)
             if m < wide:
                 at = target + LANES * (1 + m)
-                store(rows, at, load(rows, at) + load(factors, by) * here)
-            point_q = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * here
-            point_u = load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * here
+                store(rows, at, load(rows, at) + load(factors, by) * coupled)
+            point_q = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * coupled
+            point_u = (
+                load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * coupled
+            )
             if narrow or m > 0:
                 turned = odd_moment(field, low, high, f, m, degree, narrow)
                 point_q = point_q + load(factors, by + 3 * LANES) * turned

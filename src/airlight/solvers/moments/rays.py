@@ -82,7 +82,7 @@ def trace_into(
 ):
     """Trace all rays of the quadratures into ``rays``, see ``trace_rays``; their points' count."""
     count = 0
-    here = np.empty(4)
+    end = np.empty(4)
     constituents = nodes[1].shape[1]
     last = constituents - 1
     for i in range(mu.shape[0]):
@@ -115,8 +115,8 @@ def trace_into(
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
             if below:
                 angle = refraction_angle(r, mu[i, a], refraction_strength, rays.total[i, a, last])
-                _turn(r, mu[i, a], length, grid.bottom_radius, angle, here)
-                rays.end[i, a, 0], rays.end[i, a, 1] = here[0], here[1]
+                _turn(r, mu[i, a], length, grid.bottom_radius, angle, end)
+                rays.end[i, a, 0], rays.end[i, a, 1] = end[0], end[1]
             for k in range(points):
                 q = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
                 rays.radius[count] = q

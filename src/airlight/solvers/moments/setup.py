@@ -122,14 +122,14 @@ class Setup:
         return self._nodes[0]
 
     @property
-    def parts(self) -> int:
+    def refinement(self) -> int:
         """Number of radii of the grid for each radius at which light is gathered."""
         return self._nodes[1]
 
     @cached_property
     def gathering(self) -> Grid:
         """Grid with only the radii at which light is gathered."""
-        return self.grid._replace(radii=self.grid.radii[:: self.parts])
+        return self.grid._replace(radii=self.grid.radii[:: self.refinement])
 
     @cached_property
     def dip(self) -> float:
@@ -139,18 +139,18 @@ class Setup:
     @cached_property
     def ends(self) -> FloatArray:
         """Altitudes at which panels of a sweep's rays end. [m]"""
-        return panel_ends(self.medium, self.grid, self.parts, sweeps=True)
+        return panel_ends(self.medium, self.grid, self.refinement, sweeps=True)
 
     @cached_property
     def march_ends(self) -> FloatArray:
         """Altitudes at which panels of lines of sight end. [m]"""
-        return panel_ends(self.medium, self.grid, self.parts)
+        return panel_ends(self.medium, self.grid, self.refinement)
 
     @property
     def zenith_angles(self) -> tuple[int, ...]:
         """Numbers of directions on each side of the horizon, as for ``directions``."""
         settings = self.settings
-        if self.parts > 1:
+        if self.refinement > 1:
             return (settings.zenith_angles,)
         # n points integrate polynomials of degree 2n - 1, so all harmonics of isotropic light.
         return settings.horizon_angles, max(settings.high_angles, (self.degree + 2) // 2)
@@ -158,7 +158,7 @@ class Setup:
     @property
     def ray_nodes(self) -> int:
         """Points in a panel of a sweep's ray."""
-        if self.parts > 1:
+        if self.refinement > 1:
             return min(self.settings.nodes, FEW_NODES)
         if self.ends.size and not self.optics.depths.layers:
             # Several panels a leg need fewer points each.
@@ -265,7 +265,11 @@ class Setup:
             Indices of at most eight wavelengths.
         """
         air = self.optics.air(which)
-        rays = adaptive_quadrature(self.rays, air, self.ray_nodes) if self.parts > 1 else self.rays
+        rays = (
+            adaptive_quadrature(self.rays, air, self.ray_nodes)
+            if self.refinement > 1
+            else self.rays
+        )
         rays, share = cull_opaque(rays, air)
         transport = self.optics.transport_depth[which]
         thick = filled(optically_thick_weights(self.optics.scattering_depth[which]))

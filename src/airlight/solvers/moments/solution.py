@@ -110,11 +110,13 @@ class MomentsSolution(Solution):
         """Tables of the march, for all wavelengths, with the points and panels of queries."""
         moments, medium, settings = self.moments, self.paths.medium, self.settings
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
-        field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
+        field, sky = pack_light(
+            filled(moments.field), filled(moments.sky), level, moments.refinement
+        )
         shell = medium.bottom_radius, medium.top_radius
         table = ColumnTable(*shell, self.setup.column_radii, moments.columns)
         optics = self.setup.optics
-        air, widening = optics.air(slice(None)), peak_broadening(optics)
+        air, broadening = optics.air(slice(None)), peak_broadening(optics)
         ends = self.setup.march_ends
         low, high = (part * medium.thickness for part in _MIDDLE)
         cut = bool(((ends > low) & (ends < high)).any())
@@ -133,14 +135,14 @@ class MomentsSolution(Solution):
             phase_nodes=medium.phase_table.shape[2],
             separated_1=-1,
             separated_2=-1,
-            widened=widening is not None,
+            broadened=broadening is not None,
             first_nodes=medium.density.first_nodes,
             column_rows=column_rows(table, medium.density),
             columns=rational_mean_density(table),
             density=density_table(medium.density),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
-            lift=self.paths.lift,
+            refraction_table=self.paths.refraction_table,
             ends=ends,
             row=grid.row,
             place=grid.place,
@@ -156,7 +158,9 @@ class MomentsSolution(Solution):
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
             phase_f12=pack(self._phase_f12(medium)),
             inverse_peak_fraction=pack(inverse_peak_fraction(optics)),
-            widening=pack(np.zeros((1, self.wavelengths.size)) if widening is None else widening),
+            broadening=pack(
+                np.zeros((1, self.wavelengths.size)) if broadening is None else broadening
+            ),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
             field=field,
@@ -246,7 +250,7 @@ class MomentsSolution(Solution):
         )
         return air, whole
 
-    def stretches(
+    def segments(
         self, lines: LinesOfSight, length: FloatArray, *, tables: MarchTables | None = None
     ) -> tuple[FloatArray, FloatArray]:
         """Light of the air between points and what lies at a distance from them.
@@ -371,7 +375,7 @@ def _march_all(
 ):  # fmt: skip
     tables, work = without_refcount((tables, work))
     lanes, bottom = tables.lanes, tables.bottom
-    found, ground = work.found, np.empty(lanes, np.float32)
+    found, ground = work.radiance, np.empty(lanes, np.float32)
     for k in range(r.size):
         march(
             r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,

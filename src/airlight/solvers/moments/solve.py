@@ -175,7 +175,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
         return Moments(
             degree=degree,
             grid=setup.grid,
-            parts=setup.parts,
+            refinement=setup.refinement,
             field=arrays["field"],
             sky=arrays["sky"],
             columns=arrays["columns"],

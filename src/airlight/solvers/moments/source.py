@@ -126,9 +126,9 @@ def multiple_scattering_source(
             strength = strength + load(moments, lanes * (c * (degree + 1) + l) + at) * density[c]
         part = splat(0.0)
         for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
-            here = lanes * (1 + index) + at
+            element = lanes * (1 + index) + at
             part = part + functions[index] * between(
-                field, near + here, far + here, block, w00, w01, w10, w11
+                field, near + element, far + element, block, w00, w01, w10, w11
             )
         source = source + strength * part
     beta_1 = splat(0.0)
@@ -136,9 +136,9 @@ def multiple_scattering_source(
         beta_1 = beta_1 + load(polarised_moments, lanes * ELEMENTS * c + at) * density[c]
     part = splat(0.0)
     for m in range(EVEN):
-        here = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
+        element = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
         part = part + functions[3 + m] * between(
-            field, near + here, far + here, block, w00, w01, w10, w11
+            field, near + element, far + element, block, w00, w01, w10, w11
         )
     source = source + beta_1 * part
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)

@@ -64,9 +64,9 @@ def place_stars(
     half = np.float32(0.5 * (places.size - 1))
     for k in range(points):
         keep, turn = turned[2 * (first_point + k)], turned[2 * (first_point + k) + 1]
-        here = ahead * turn + keep * mu_s
+        cos_star = ahead * turn + keep * mu_s
         along = ahead * keep - turn * mu_s
-        x = minimum(maximum((here + np.float32(1.0)) * half, 0.0), np.float32(2.0) * half)
+        x = minimum(maximum((cos_star + np.float32(1.0)) * half, 0.0), np.float32(2.0) * half)
         node = minimum(floored(x), np.float32(places.size - 2))
         low = looked_up(places, node)
         index = low + (looked_up(places, node + np.float32(1.0)) - low) * (x - node)
@@ -95,26 +95,28 @@ def fill_disc(out):
 
 
 @inlined
-def fill_lift(lift, q, bottom, top, first, out):
-    """Row of the table ``lift`` at a radius, and the true horizon's cosine there. [1]
+def fill_lift(refraction_table, q, bottom, top, first, out):
+    """Row of the table ``refraction_table`` at a radius, and the true horizon's cosine there. [1]
 
     ``out`` receives from ``first`` on the raise, and then the flattening, at its columns; 0 and 1
     where light goes straight.
     """
-    columns = max(lift.shape[1], 2)
+    columns = max(refraction_table.shape[1], 2)
     horizon = horizon_cosine(q, bottom)
-    if lift.shape[0] == 0:
+    if refraction_table.shape[0] == 0:
         for k in range(columns):
             out[first + k], out[first + columns + k] = np.float32(0.0), np.float32(1.0)
         return horizon
-    x = altitude_coordinate(q, bottom, top) * (lift.shape[0] - 1)
-    row = min(int(x), lift.shape[0] - 2)
+    x = altitude_coordinate(q, bottom, top) * (refraction_table.shape[0] - 1)
+    row = min(int(x), refraction_table.shape[0] - 2)
     f = x - row
     for k in range(columns):
         for part in range(2):
-            between = lift[row, k, part] * (1.0 - f) + lift[row + 1, k, part] * f
+            between = (
+                refraction_table[row, k, part] * (1.0 - f) + refraction_table[row + 1, k, part] * f
+            )
             out[first + part * columns + k] = np.float32(between)
-    return horizon - (lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f)
+    return horizon - (refraction_table[row, 0, 0] * (1.0 - f) + refraction_table[row + 1, 0, 0] * f)
 
 
 @inlined
@@ -164,11 +166,11 @@ def place_lights(
     last = np.float32(directions - 1)
     lit = False
     for k in range(points):
-        here = ahead * turned[2 * k + 1] + turned[2 * k] * mu_s
+        cos_star = ahead * turned[2 * k + 1] + turned[2 * k] * mu_s
         q, across = places[7 * k], places[7 * k + 1]
         shortest, scale = places[7 * k + 2], places[7 * k + 3]
         horizon, lowest, sine = places[7 * k + 4], places[7 * k + 5], places[7 * k + 6]
-        above = here - horizon
+        above = cos_star - horizon
         highest = largest(above)
         kinds[k] = 0
         if highest <= -star_radius * sine:
@@ -184,7 +186,7 @@ def place_lights(
         node = node + np.float32(columns)
         low = looked_up(lifts, node)
         refraction_jacobian = low + (looked_up(lifts, node + one) - low) * e
-        middle = minimum(here + raised, 1.0)
+        middle = minimum(cos_star + raised, 1.0)
         least = 0.0 - largest(0.0 - above)
         kinds[k] = 1
         part = refraction_jacobian

@@ -53,7 +53,7 @@ class SyntheticAcceleration:
 
     def __init__(self, batch: WavelengthBatch, cancel: Cancel | None = None) -> None:
         setup, rays, share, air = batch.setup, batch.rays, batch.share, batch.air
-        grid, expansion, parts = setup.grid, setup.expansion, setup.parts
+        grid, expansion, parts = setup.grid, setup.expansion, setup.refinement
         self.batch, self.grid = batch, grid
         self.set_lateral_scale(1.0)
         cosines = grid.sun_cosines
@@ -88,12 +88,12 @@ class SyntheticAcceleration:
             for m, (first, width) in enumerate(zip(starts[:-1], widths, strict=True)):
                 turn = 2.0 * pi if m == 0 else pi
                 project = turn * rays.weight[i] * functions[_indices(m, self.degree)]
-                here = slice(i * width, (i + 1) * width)
+                span = slice(i * width, (i + 1) * width)
                 project_radii(
-                    project, seen, int(first), width, self.radii, self.factors[m][here].reshape(-1)
+                    project, seen, int(first), width, self.radii, self.factors[m][span].reshape(-1)
                 )
                 if m == 0:
-                    self.factors[0][here, -1] = project @ bounced.reshape(angles, LANES)
+                    self.factors[0][span, -1] = project @ bounced.reshape(angles, LANES)
                     flux = turn * rays.flux[i : i + 1]
                     project_radii(flux, seen, 0, width, self.radii, self.to_sky[i].reshape(-1))
 
@@ -145,17 +145,17 @@ class SyntheticAcceleration:
 
         def solve(index: int) -> None:
             m, first = index % (self.order + 1), index // (self.order + 1) * _SUNS
-            here = slice(first, min(first + _SUNS, sun_angles))
-            width = here.stop - first
+            span = slice(first, min(first + _SUNS, sun_angles))
+            width = span.stop - first
             before = np.empty((self.sizes[m], width, LANES), np.float32)
             take_terms(field, sky, m, self.degree, first, before)
             after = before.copy()
             substitute(self.factors[m].reshape(-1), self.sizes[m], after.reshape(-1), width)
-            more[m][:, here] = after - before
+            more[m][:, span] = after - before
             if m == 0:
                 found = np.empty((radii, width, LANES), np.float32)
                 multiply(self.to_sky.reshape(-1), after.reshape(-1), width, found)
-                more_sky[:, here] = found
+                more_sky[:, span] = found
 
         run_blocks(solve, (self.order + 1) * -(-sun_angles // _SUNS))
         spread = self.spread

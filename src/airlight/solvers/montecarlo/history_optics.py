@@ -31,7 +31,7 @@ FloatArray = NDArray[np.float64]
 #: Number of steps of the extinction table: of a smooth profile, and the most.
 TABLE_STEPS: Final = 16384
 MOST_STEPS: Final = 1 << 22
-#: Points per panel, panels per leg and whether panels also end at corners, from fast to fine; the
+#: Points per panel, panels per leg and whether panels also end at breakpoints, from fast to fine; the
 #: first rule of sufficient accuracy is used.
 RULES: Final = (
     (12, 1, False),
@@ -107,7 +107,7 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
     coefficients = medium.extinction[:, wavelength]
     table = np.ascontiguousarray(coefficients @ density.at(medium.thickness * x * x))
     jumps = medium.bottom_radius + jump_altitudes(density)
-    corners = medium.bottom_radius + corner_altitudes(density)
+    breakpoints = medium.bottom_radius + breakpoint_altitudes(density)
     r, mu, length = _test_rays(medium)
     whole = columns(r, mu, length, medium.bottom_radius, density) @ coefficients
     for points, panels, cut in RULES:
@@ -116,7 +116,7 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
             medium.bottom_radius,
             medium.top_radius,
             table,
-            corners if cut else jumps,
+            breakpoints if cut else jumps,
             panels,
             rule.nodes,
             rule.weights,
@@ -163,9 +163,9 @@ def jump_altitudes(density: DensitySegments) -> FloatArray:
     return np.array(sorted(found))
 
 
-def corner_altitudes(density: DensitySegments) -> FloatArray:
-    """Altitudes of jumps, and of the corners of profiles that have few. [m]"""
-    return np.union1d(jump_altitudes(density), density.corners)
+def breakpoint_altitudes(density: DensitySegments) -> FloatArray:
+    """Altitudes of jumps, and of the breakpoints of profiles that have few. [m]"""
+    return np.union1d(jump_altitudes(density), density.breakpoints)
 
 
 def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -145,8 +145,8 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
             square = y * y
             away = sqrt(panel[1] * panel[1] + square * (2.0 * panel[0] + square))
             q = panel[0] + square
-            here = (r * mu_s + (-r * mu + panel[2] * away) * nu) / q
-            mass = weights[k] * values[k] * exp(-depth - within) * _starlight(q, here, light)
+            mu_s_point = (r * mu_s + (-r * mu + panel[2] * away) * nu) / q
+            mass = weights[k] * values[k] * exp(-depth - within) * _starlight(q, mu_s_point, light)
             lit.mass[at, k] = mass
             total += mass
         depth += panel[5]

@@ -39,7 +39,7 @@ class RefractionColumn(NamedTuple):
         See ``optics.refracting_shell``; 0 without refraction. [m⁻²]
     table : array, shape (m,)
         Density at even steps of the square root of altitude. [1]
-    lift : array, shape (rows, columns, 2)
+    refraction_table : array, shape (rows, columns, 2)
         Table from ``refraction_table``; empty without refraction. [1]
     nodes, weights : array, shape (n,)
         Quadrature rule of a panel.
@@ -47,7 +47,7 @@ class RefractionColumn(NamedTuple):
 
     strength: float
     table: FloatArray
-    lift: FloatArray
+    refraction_table: FloatArray
     nodes: FloatArray
     weights: FloatArray
 
@@ -57,10 +57,12 @@ def refraction_column(paths: RefractedGeometry, nodes: int) -> RefractionColumn:
     rule = gauss_legendre(_POINTS)
     medium = paths.medium
     if paths.shell is None:
-        return RefractionColumn(0.0, np.zeros(2), paths.lift, rule.nodes, rule.weights)
+        return RefractionColumn(0.0, np.zeros(2), paths.refraction_table, rule.nodes, rule.weights)
     x = np.linspace(0.0, 1.0, nodes)
     table = np.ascontiguousarray(medium.density.at(medium.thickness * x * x)[-1])
-    return RefractionColumn(paths.refraction_strength, table, paths.lift, rule.nodes, rule.weights)
+    return RefractionColumn(
+        paths.refraction_strength, table, paths.refraction_table, rule.nodes, rule.weights
+    )
 
 
 @inlined
@@ -159,9 +161,9 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
     """
     up, side, ahead = x / r, y / r, z / r
     true = min(max(a * up + b * side + c * ahead, -1.0), 1.0)
-    mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, refraction.lift)
+    mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, refraction.refraction_table)
     sine = sqrt(max((1.0 - true) * (1.0 + true), 0.0))
-    if refraction.lift.shape[0] == 0 or sine < 1e-9:
+    if refraction.refraction_table.shape[0] == 0 or sine < 1e-9:
         return a, b, c, true, refraction_jacobian
     level = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / sine
     a, b, c = (a - true * up) * level, (b - true * side) * level, (c - true * ahead) * level
@@ -190,7 +192,7 @@ def refracted_direct_irradiance(
     zenith = np.arccos(np.clip(mu_s, -1.0, 1.0))[:, None] - star_radius * middle
     at = r[:, None] + 0.0 * zenith
     seen, refraction_jacobian = np.empty(at.shape), np.empty(at.shape)
-    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, paths.lift, seen.ravel(),
+    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, paths.refraction_table, seen.ravel(),
           refraction_jacobian.ravel())  # fmt: skip
     horizon = -np.sqrt(np.maximum((at - bottom) * (at + bottom), 0.0)) / at
     shines = seen > horizon
@@ -202,6 +204,8 @@ def refracted_direct_irradiance(
 
 
 @compiled_loop
-def _seen(x, mu_s, bottom, top, lift, seen, refraction_jacobian):
+def _seen(x, mu_s, bottom, top, refraction_table, seen, refraction_jacobian):
     for k in range(x.size):
-        seen[k], refraction_jacobian[k], _ = apparent_sun(x[k], mu_s[k], bottom, top, lift)
+        seen[k], refraction_jacobian[k], _ = apparent_sun(
+            x[k], mu_s[k], bottom, top, refraction_table
+        )

@@ -53,7 +53,9 @@ def flattening(paths: RefractedGeometry, diameter: float = DIAMETER) -> float:
         bottom, top = paths.shell.bottom, paths.shell.top
     low = -refraction(paths, 0.0)
     limbs = [
-        asin(float(apparent_sun(bottom, sin(radians(true)), bottom, top, paths.lift)[0]))
+        asin(
+            float(apparent_sun(bottom, sin(radians(true)), bottom, top, paths.refraction_table)[0])
+        )
         for true in (low, low + diameter)
     ]
     return degrees(limbs[1] - limbs[0]) / diameter

@@ -51,7 +51,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     filter_axis: (),
     ground_axes: (),
     observer_numbers: (),
-    apparent_sun_cosine: (F32, F32, F32, F32, Table("lift", 3)),
+    apparent_sun_cosine: (F32, F32, F32, F32, Table("refraction_table", 3)),
     luminance_of: (),
     exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
     eased: (),

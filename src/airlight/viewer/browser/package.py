@@ -242,7 +242,7 @@ def solution_package(
 
 
 def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
-    """Optical radii [m] and lift of stars in a refracting atmosphere; None without refraction."""
+    """Optical radii [m] and refraction_table of stars in a refracting atmosphere; None without refraction."""
     paths, medium = solution.paths, solution.medium
     if paths.shell is None:
         return None
@@ -252,8 +252,8 @@ def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
         "excess": [float(f"{x:.9g}") for x in paths.optical_radius(true) - true],
         "bottom": float(paths.shell.bottom),
         "top": float(paths.shell.top),
-        "lift": {
-            "values": [float(f"{x:.7g}") for x in paths.lift[:, :, 0].ravel()],
-            "shape": [*paths.lift.shape[:2], 1],
+        "refraction_table": {
+            "values": [float(f"{x:.7g}") for x in paths.refraction_table[:, :, 0].ravel()],
+            "shape": [*paths.refraction_table.shape[:2], 1],
         },
     }

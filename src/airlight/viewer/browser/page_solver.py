@@ -119,7 +119,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
 def _synthetic(plan: SolverPlan) -> dict[str, Any]:
     """Parameters of synthetic acceleration, with which pages solve thick air as the CPU does."""
     setup, degree = plan.setup, int(plan.sizes["degree"])
-    cubics = finer_weights(setup.gathering.radii.size, setup.parts).astype(np.float32)
+    cubics = finer_weights(setup.gathering.radii.size, setup.refinement).astype(np.float32)
     return {
         "thicker": THICKEST,
         "degree": min(degree, DEGREE),

@@ -21,7 +21,7 @@ export function observerNumbers(planet, altitude, sun) {
   const r = paths ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = paths ? paths.bottom : radius;
   const bent = paths && !outside;
-  const seen = bent ? apparent_sun_cosine(r, sun[2], bottom, paths.top, paths.lift) : sun[2];
+  const seen = bent ? apparent_sun_cosine(r, sun[2], bottom, paths.top, paths.refraction_table) : sun[2];
   const [horizonMu, horizonSine, level, seenLevel, disc] = observer_numbers(
     r,
     bottom,

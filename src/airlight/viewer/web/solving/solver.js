@@ -117,7 +117,7 @@ export class Solver {
       if (residuals.length > this.ring.length) residuals.shift();
       this.residual = this.remainingError(change, mean, residuals, air.thick, fixed.night);
       tell(shareOf(this.residual, tolerance));
-      this.weigh(residuals, mean, sky);
+      this.updateWeights(residuals, mean, sky);
       this.run("mix");
       this.guess = "light";
       if (this.residual <= tolerance && this.sweeps > 1) break;
@@ -286,7 +286,7 @@ export class Solver {
   }
 
   /** Set the inputs of the pass `next_guess`: weights, last iterate first, and two largest values. */
-  weigh(residuals, mean, sky) {
+  updateWeights(residuals, mean, sky) {
     this.mix.fill(0);
     const iterates = this.ring.length;
     for (let lane = 0; lane < LANES; lane++) {
