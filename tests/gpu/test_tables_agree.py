@@ -315,8 +315,8 @@ CASES = [
     Case(star_lifted, (refraction.apparent_sun, refraction.refraction_table_index),
          (R, uniform(0.02, 1.0)), {"refraction_table": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
-    Case(star_in_two, (refraction.star_points,), (R, uniform(0.02, 0.2)), {"refraction_table": LIFT},
-         atol=32 * 12 * EPS),
+    Case(star_in_two, (refraction.star_points,),
+         (R, uniform(0.02, 0.2)), {"refraction_table": LIFT}, atol=32 * 12 * EPS),
     Case(star_on_level, (refraction.direct_horizontal_weights,),
          (R, uniform(0.02, 0.2)), {"refraction_table": LIFT}, atol=32 * 12 * EPS),
     # Fourth power of the value between texels.

@@ -75,7 +75,7 @@ def refraction_angle(x, mu, refraction_strength, column):
 
 @inlined
 def refraction_table_index(x, mu_s, bottom, top, refraction_table):
-    """Fractional indices in the refraction table ``refraction_table``; parameters as in ``apparent_sun``.
+    """Fractional indices in the refraction table; parameters as in ``apparent_sun``.
 
     Returns
     -------

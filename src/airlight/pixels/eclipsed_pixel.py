@@ -124,7 +124,7 @@ def eclipsed_light(
 
 @inlined
 def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
-    """Light of the sky that water at the end of a line mirrors, into ``radiance``. [sr⁻¹]
+    """Radiance of the sky mirrored by water at the end of a line, into ``found``. [sr⁻¹]
 
     Parameters
     ----------

@@ -138,7 +138,7 @@ def ground_reflectances(x, y, z, sine, angle, observer, screen, tables, work, co
     x, y, z, sine, angle, observer, screen, tables, color :
         Arguments of ``ground_color``; ``color`` is received where there is a map.
     work : MarchWorkspace
-        Workspace, whose ``irradiance`` has the irradiances by star and sky, except for Lambert's law
+        Workspace; its ``irradiance`` has direct and diffuse irradiance, except for Lambert's law
         without water and clouds.
 
     Returns

@@ -235,7 +235,7 @@ def air_between(near, stride, right, down, half_sine, screen, tables, lanes, at)
 
 @inlined
 def classify_ray(x, y, z, observer, tables):
-    """Classify a line of sight, and find its row in the table of the sky.
+    """Class of a line of sight, and its row in the sky-view table.
 
     Parameters
     ----------
@@ -298,7 +298,7 @@ def place_in_sky(x, y, row, to_ground, window):
 def sky_lookup(
     x, y, z, sine, row, to_ground, exact, window, observer, screen, tables, work
 ):  # fmt: skip
-    """Find the air's light along a line of sight, and that of a white ground behind it.
+    """Path radiance of a line of sight, and radiance of a white ground behind it.
 
     Parameters
     ----------
@@ -307,14 +307,14 @@ def sky_lookup(
     sine, row, to_ground : float, float, bool
         Results of ``classify_ray``.
     exact, window, observer, screen, tables, work :
-        Arguments of ``pixel_light``; ``work.radiance`` receives the air's radiance and, for a line to
-        the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
-        water there mirrors; with a filter Q and U, as ``march`` has them. [sr⁻¹]
+        Arguments of ``pixel_light``; ``work.radiance`` receives the path radiance and, for a line
+        to the ground, the radiance of a white Lambertian ground and, at ``MIRRORED``, of the sky
+        mirrored by water there; with a filter Q and U, as ``march`` has them. [sr⁻¹]
 
     Returns
     -------
     float
-        Angle of refraction of a line that ends on the ground. [rad]
+        Refraction angle of a line that ends on the ground. [rad]
     """
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
     refraction = 0.0

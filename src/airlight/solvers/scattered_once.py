@@ -1,9 +1,8 @@
-"""Fast light scattered once, without the phase functions: for tables of a million points.
+"""Fast single scattering without the phase functions, for tables of a million points.
 
-The integrals are those that ``single_scattering`` computes to five digits, sun_columns from tables of
-densities and of columns towards the star, two hundred times faster. By day the median error is
-1e-4; where the star is about to set on the whole line of sight, and little light is left, it
-reaches 0.1.
+The same integrals as ``single_scattering``, with densities and columns to the star read from
+tables: two hundred times faster, with a median error of 1e-4 by day. Where the star is setting
+along the whole line of sight, and radiance is low, the error reaches 0.1.
 """
 
 from __future__ import annotations
@@ -80,7 +79,7 @@ def _scattered(lines, panels, rule, ends, shell, star_radius, optics, tables, wo
 def scattered_once(
     medium: Medium, lines: LinesOfSight, *, cancel: Cancel | None = None
 ) -> FloatArray:
-    """Light of the star scattered once by each constituent, without its phase function.
+    """Single scattering by each constituent, without its phase function.
 
     Parameters
     ----------
@@ -94,7 +93,7 @@ def scattered_once(
     Returns
     -------
     array, shape (n, nc, nl)
-        Light per irradiance of the star; times p_i(ν) it is radiance per irradiance. [1]
+        Factor of the phase function p_i(ν) in the radiance per irradiance of the star. [1]
     """
     require_no_refraction(medium, "a table of single scattering")
     bottom, top = medium.bottom_radius, medium.top_radius

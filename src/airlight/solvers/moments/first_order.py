@@ -183,7 +183,8 @@ def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
 
 @inlined
 def _first_order(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out, narrow
+    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out,
+    narrow,
 ):  # fmt: skip
     """``first_order_radius``, or ``first_order_radius_narrow`` if ``narrow``, a constant."""
     # Arrays are unpacked from their tuples once: in the loop each access would count references.
@@ -400,9 +401,10 @@ def _first_order(
 
 @inlined
 def reflected_star(
-    surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions, refraction_table
+    surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions,
+    refraction_table,
 ):  # fmt: skip
-    """Irradiance of the ground at the end of a ray by the star, times the reflectance factor. [1]
+    """Direct irradiance of the ground at the end of a ray, times the reflectance factor. [1]
 
     Arguments as in ``_first_order``, and ``mu_r`` of ``direct_reflectance``.
     """
@@ -415,7 +417,7 @@ def reflected_star(
 def first_order_radius(
     i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
 ):
-    """Moments of the light scattered or reflected once, at all sun elevations of one radius.
+    """Moments of first-order radiance at one radius, for all sun angles.
 
     Parameters
     ----------
@@ -429,7 +431,8 @@ def first_order_radius(
         Table from ``refraction_table``. [1]
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out, False
+        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out,
+        sky_out, False,
     )  # fmt: skip
 
 
@@ -442,5 +445,6 @@ def first_order_radius_narrow(
     Both halves of ``share`` and of ``air`` have the same wavelengths.
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out, True
+        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out,
+        sky_out, True,
     )  # fmt: skip

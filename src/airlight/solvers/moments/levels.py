@@ -265,8 +265,9 @@ def fill_levels(values, scale, level, refinement, out):
 def cubic_bend(x, below, near, far, above, refinement):
     """Cubic through four levels minus the straight line, at x between the middle two.
 
-    Less what straight lines between the levels tabled at x = 1/refinement, 2/refinement, … add to the mean:
-    a twelfth of the second difference from one to the next, all taken off those inside the step.
+    Corrected for the trapezoidal error of straight lines between the levels x = 1/n, 2/n, … of the
+    refinement n: a twelfth of each second difference, subtracted at the levels inside the step, so
+    that the mean is that of the cubic.
 
     Parameters
     ----------

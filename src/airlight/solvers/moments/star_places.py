@@ -96,10 +96,10 @@ def fill_disc(out):
 
 @inlined
 def fill_lift(refraction_table, q, bottom, top, first, out):
-    """Row of the table ``refraction_table`` at a radius, and the true horizon's cosine there. [1]
+    """Row of the refraction table at a radius, and the true horizon's cosine there. [1]
 
-    ``out`` receives from ``first`` on the raise, and then the flattening, at its columns; 0 and 1
-    where light goes straight.
+    ``out`` receives, from ``first`` on, apparent less true cosine, then the flattening, at the
+    table's columns; 0 and 1 without refraction.
     """
     columns = max(refraction_table.shape[1], 2)
     horizon = horizon_cosine(q, bottom)

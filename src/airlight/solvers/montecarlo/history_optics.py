@@ -31,8 +31,8 @@ FloatArray = NDArray[np.float64]
 #: Number of steps of the extinction table: of a smooth profile, and the most.
 TABLE_STEPS: Final = 16384
 MOST_STEPS: Final = 1 << 22
-#: Points per panel, panels per leg and whether panels also end at breakpoints, from fast to fine; the
-#: first rule of sufficient accuracy is used.
+#: Points per panel, panels per leg and whether panels also end at breakpoints, from fast to fine;
+#: the first rule of sufficient accuracy is used.
 RULES: Final = (
     (12, 1, False),
     (16, 1, False),
@@ -164,7 +164,7 @@ def jump_altitudes(density: DensitySegments) -> FloatArray:
 
 
 def breakpoint_altitudes(density: DensitySegments) -> FloatArray:
-    """Altitudes of jumps, and of the breakpoints of profiles that have few. [m]"""
+    """Altitudes of jumps and breakpoints of the profiles. [m]"""
     return np.union1d(jump_altitudes(density), density.breakpoints)
 
 

@@ -242,7 +242,7 @@ def solution_package(
 
 
 def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
-    """Optical radii [m] and refraction_table of stars in a refracting atmosphere; None without refraction."""
+    """Optical radii [m] and refraction table of a planet; None without refraction."""
     paths, medium = solution.paths, solution.medium
     if paths.shell is None:
         return None
