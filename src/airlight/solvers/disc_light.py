@@ -1,4 +1,4 @@
-"""Light of a planet's whole disc: what it gives to a distant place, as a moon shines."""
+"""Disc-integrated reflectance of a planet: its phase curve, for planetshine."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Points of the impact parameter over the ground's disc and over the air beside it; of half a turn.
+#: Points in impact parameter over the ground's disc and over the atmospheric limb; of half a turn.
 _DISC: Final = 40
 _RIM: Final = 16
 _TURN: Final = 24
-#: Distance from which the disc is seen, over the planet's radius: far, so that lines are parallel.
+#: Distance of the observer over the planet's radius: far, so that lines of sight are parallel.
 _AWAY: Final = 1e5
 
 
 def disc_light(solution: Solution, phase: float) -> FloatArray:
-    r"""Geometric albedo times phase function of a planet, with its air.
+    r"""Geometric albedo times phase function of a planet with its atmosphere.
 
-    The irradiance at a distance d by a planet of radius R (of its ground) under the irradiance E is
-    E times this times (R/d)²:
+    A planet of ground radius R under the irradiance E gives at the distance d the irradiance
+    E p Φ (R/d)²:
 
     .. math:: p \, \Phi(\alpha) = \frac{1}{R^2} \iint \frac{L}{E} \, b \, db \, d\varphi
 
@@ -40,7 +40,7 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
     Returns
     -------
     array, shape (nl,)
-        Light. [1]
+        p Φ. [1]
 
     Raises
     ------

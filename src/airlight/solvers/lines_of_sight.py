@@ -1,4 +1,4 @@
-"""Lines of sight inside the shell, and their entry points for observers outside."""
+"""Lines of sight inside the shell, and entry points for observers outside."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ class LinesOfSight:
     Attributes
     ----------
     r, mu, mu_s, nu : array, shape (n,)
-        Start radius [m]; cosines of view zenith, sun zenith and the angle between them. [1]
+        Radius of the start [m]; cosines of view zenith angle, sun zenith angle and the angle
+        between view and sun [1].
     length : array, shape (n,)
         Length inside the shell, 0 where the line misses it. [m]
     to_ground : array of bool, shape (n,)
@@ -51,9 +52,9 @@ def enter_shell(
     ----------
     r, mu, sine, mu_s, nu : array, shape (n,)
         Coordinates of the observers; r may be larger than ``top``. ``sine`` is the sine of the
-        view's zenith angle, which cannot be recovered from the cosine far away. [m], [1]
+        view zenith angle, which the cosine loses far away. [m], [1]
     bottom, top : float
-        Radii of the ground and of the shell's top. [m]
+        Radii of the ground and of the top of the shell. [m]
     """
     outside = r > top
     nearest = -r * mu

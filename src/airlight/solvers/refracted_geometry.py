@@ -129,9 +129,9 @@ class RefractedGeometry:
         x, mu : array, shape (n,)
             Optical radius of the start [m] and zenith cosine there [1].
         true_length, longest : array, shape (n,)
-            Length along the ray, and the upper limit of the result where it leads farther. [m]
+            Length along the ray, and upper limit of the result. [m]
         quick : bool
-            Whether fewer points and steps suffice: relative error up to 1e-4, for pixels.
+            Fewer points and steps: relative error up to 1e-4, for pixels.
         """
         if self.shell is None:
             return true_length

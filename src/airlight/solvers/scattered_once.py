@@ -88,7 +88,7 @@ def scattered_once(
     lines : LinesOfSight
         Lines of sight, n of them.
     cancel : callable, optional
-        Called often; True stops with ``Cancelled``.
+        See ``airlight.kernel.threads``.
 
     Returns
     -------

@@ -1,13 +1,13 @@
-r"""Light scattered once, and sunlight reflected once by the ground, by quadrature alone.
+r"""Single scattering, and direct light reflected by the ground, by adaptive quadrature.
 
 For a constituent i with relative density ρ_i
 
 .. math:: S_i = \int_0^L \beta_i \rho_i(s)\, T(s)\, \langle T_\odot V_\odot \rangle(s)\, ds
 
-and the radiance is Σ_i p_i(ν) S_i (Chandrasekhar 1960, Radiative Transfer, §7). The star's light in
-the brackets is the mean over its disc, see ``star_light``. Panels are bisected until each agrees
-with its halves to 1e-6 of the total; the remaining error is below 1e-5, and below 1e-4 where the
-star's light grazes the ground.
+and the radiance is Σ_i p_i(ν) S_i (Chandrasekhar 1960, Radiative Transfer, §7). Brackets are means
+over the star's disc, see ``star_light``. Panels are bisected until each agrees with its halves to
+1e-6 of the total; the remaining error is below 1e-5, and below 1e-4 where the direct beam grazes
+the ground.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def _panel(
     start, end, before, ray, star_radius, shell, density, extinction, rules, workspace, scratch,
     column, out,
 ):  # fmt: skip
-    """Part of one panel in ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, shape (nc,)."""
+    """Contribution of a panel to ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, (nc,)."""
     r, mu, mu_s, nu = ray
     points, along, light = scratch
     nodes, weights, running = rules[2]
@@ -219,7 +219,7 @@ def single_scattering(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> FloatArray:
-    """Light scattered once by each constituent, without its phase function.
+    """Single scattering by each constituent, without its phase function.
 
     Parameters
     ----------
@@ -233,8 +233,8 @@ def single_scattering(
     Returns
     -------
     array, shape (n, nc, nl)
-        ∫ scattering_i ρ_i T <T_sun V_sun> ds per irradiance of the star; times the phase function
-        p_i(ν) it is the radiance. [1]
+        ∫ scattering_i ρ_i T <T_sun V_sun> ds per irradiance of the star: factor of the phase
+        function p_i(ν) in the radiance. [1]
 
     Raises
     ------
@@ -269,13 +269,13 @@ def single_scattering(
 
 @compiled_loop
 def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
-    """Columns along lines of sight that end on the ground, integrated upwards from there."""
+    """Columns along lines of sight to the ground, integrated upwards."""
     edges, distance, radius, weight = workspace
     bottom, top = shell
     for k in range(all_r.size):
         r, mu = all_r[k], all_mu[k]
         length = ray_length(r, mu, bottom, top)
-        # From the ground upwards the points are dense where the air is.
+        # Upwards, points are dense where the atmosphere is.
         up = -(length + r * mu) / bottom
         count = place_edges(bottom, up, length, PANELS, 0.0, 0.0, edges)
         count = split_at_profile_edges(bottom, up, bottom, density[2], edges, count)
@@ -290,12 +290,12 @@ def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
 
 
 def reflected_once(medium: Medium, lines: LinesOfSight) -> FloatArray:
-    """Light of the star reflected once by the ground and transmitted to the observer.
+    """Direct light reflected by the ground and transmitted to the observer.
 
     Parameters
     ----------
     medium : Medium
-        Medium with the planet's ground; its mean albedo is used, not a map.
+        Medium with the planet's ground, of its mean albedo.
     lines : LinesOfSight
         Lines of sight.
 
