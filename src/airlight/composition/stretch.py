@@ -89,6 +89,6 @@ class Air:
                 lines.r[some], lines.mu[some], lines.mu_s[some], lines.nu[some],
                 lines.length[some], lines.to_ground[some],
             )  # fmt: skip
-            marched = self.solution.segments(kept, length[some], light=self._tables)
+            marched = self.solution.segments(kept, length[some], tables=self._tables)
             radiance[some], transmittance[some] = marched
         return radiance, transmittance, length >= longest

@@ -176,7 +176,7 @@ class Pictures:
             self._read(len(self._skies) - 1, None)
         sky, law = self._skies[number], None
         if lit is not self._solution:
-            law = as_texels(lit.light.darkening, lit.wavelengths.size)
+            law = as_texels(lit.tables.darkening, lit.wavelengths.size)
         same = law is sky.law or (
             law is not None and sky.law is not None and np.array_equal(law, sky.law)
         )
