@@ -1,4 +1,4 @@
-"""Truncation of the spherical harmonics at each radius of thick air.
+"""Truncation of the spherical harmonics at each radius of an optically thick medium.
 
 Under thick cloud radiance is nearly isotropic: its moments of high degree are a millionth of the
 mean radiance, and the source function is computed without them.
@@ -24,15 +24,15 @@ _PART: Final = 0.005
 def active_degrees(batch: WavelengthBatch, field: Float32Array) -> NDArray[np.int64]:
     """Highest active degree at each radius of the grid, shape (r,).
 
-    A degree is active where its part of the source function, over that of degree 0, is not
-    negligible at any node that is not dark.
+    A degree is active unless its contribution to the source function, relative to that of degree 0,
+    is negligible at all nodes that are not dark.
 
     Parameters
     ----------
     batch : WavelengthBatch
         Set-up of the sweeps.
     field : array, shape (r, s, k, 8)
-        Moments of a guess of the light, at the radii where light is gathered.
+        Moments of an approximate solution, at the radii of the sweep.
     """
     setup, used = batch.setup, batch.used
     degree = setup.degree

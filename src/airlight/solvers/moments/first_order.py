@@ -1,4 +1,4 @@
-"""Light scattered once and sunlight reflected once: the start of the sweeps."""
+"""First order: moments of single scattering and of reflected direct light."""
 
 from __future__ import annotations
 
@@ -59,9 +59,9 @@ def transmittance_row(depths, local, x, directions):
 
 @inlined
 def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, refraction_table):
-    """Irradiance of level ground by the star itself, per irradiance at the top. [1]
+    """Direct horizontal irradiance of the ground, per irradiance at the top. [1]
 
-    Row ``local`` of ``depths`` is the ground's.
+    Row ``local`` of ``depths`` is that of the ground.
     """
     from_low, from_high, low, high = direct_horizontal_weights(
         bottom, mu_s, bottom, top, star_radius, refraction_table
@@ -74,7 +74,7 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, refr
 
 @inlined
 def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, narrow):
-    """Optical depths from a radius to the top of the shell, in the tabled directions. [1]
+    """Optical depths from a radius to the top of the shell, in the tabulated directions. [1]
 
     Parameters
     ----------
@@ -90,9 +90,9 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
     first : int
         Index of the point's first value in ``out``.
     out : array
-        Receives for each direction eight wavelengths, or four if ``narrow``.
+        Receives eight wavelengths per direction, or four if ``narrow``.
     narrow : bool
-        Whether both halves of ``extinction`` are alike; a constant.
+        Whether both halves of ``extinction`` are equal; a constant.
     """
     constituents, directions = ratios.shape[1], ratios.shape[3]
     row = min(int(x), ratios.shape[0] - 2)
@@ -132,7 +132,7 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
 
 @inlined
 def transmittance_tabled(depths, row, places, at, directions, narrow):
-    """Transmittance towards the star at one azimuth, or at two if ``narrow``. [1]
+    """Transmittance to the star at one azimuth, or at two if ``narrow``. [1]
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ def transmittance_tabled(depths, row, places, at, directions, narrow):
 
 @inlined
 def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
-    """Compute ``fill_phases`` of scatterers alone, ``nu`` and the results in the lanes."""
+    """``fill_phases`` for scattering constituents, ``nu`` and results in lanes."""
     for c in range(count):
         store(phases, LANES * c, splat(0.0))
     before, value = splat(0.0), splat(1.0)
@@ -187,7 +187,7 @@ def _first_order(
     narrow,
 ):  # fmt: skip
     """``first_order_radius``, or ``first_order_radius_narrow`` if ``narrow``, a constant."""
-    # Arrays are unpacked from their tuples once: in the loop each access would count references.
+    # Unpacked once: in the loop each access of a tuple would count references.
     bottom, top, _, sun_cosines, first_nodes, _, _ = grid
     (
         all_mu,

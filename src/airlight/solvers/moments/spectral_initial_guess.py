@@ -33,7 +33,7 @@ _WIDE: Final = 0.1
 
 
 def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[list[slice]]:
-    """Blocks of at most eight wavelengths in the order in which they are solved, by group.
+    """Batches of at most eight wavelengths, by group, in order of solution.
 
     Parameters
     ----------
