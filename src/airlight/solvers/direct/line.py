@@ -50,7 +50,7 @@ class LineOptics(NamedTuple):
         Largest extinction at any wavelength. [m⁻¹]
     nodes : tuple of arrays
         First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
-    stencil : array, shape (n,)
+    breakpoints : array, shape (n,)
         Altitudes at which a profile has a corner, ground and top included. [m]
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes. [1]
@@ -73,7 +73,7 @@ class LineOptics(NamedTuple):
     scatterers: IntArray
     strongest: FloatArray
     nodes: tuple[FloatArray, FloatArray]
-    stencil: FloatArray
+    breakpoints: FloatArray
     rows: FloatArray
     ratios: FloatArray
     rule: tuple[FloatArray, FloatArray, FloatArray]
@@ -115,7 +115,7 @@ class Line(NamedTuple):
         See ``airlight.tables.columns.trace_ray``.
     source : array, shape (p, ns·nl)
         Scattering coefficient times transmittance to the start times weight. [1]
-    through : array, shape (nl,)
+    transmittance : array, shape (nl,)
         Transmittance of the whole line. [1]
     stencil : array, shape (p, 4)
         Neighbours of each point in radius and view, as rows of the table.

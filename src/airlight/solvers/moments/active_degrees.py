@@ -41,7 +41,7 @@ def active_degrees(batch: WavelengthBatch, field: Float32Array) -> NDArray[np.in
     mean = field[:, :, 0, :used]
     lit = mean > DARK * mean.max(axis=(0, 1))
     least = _PART * setup.settings.tolerance
-    gathered = np.full(field.shape[0], min(2, degree))  # polarised light is of degree 2
+    gathered = np.full(field.shape[0], min(2, degree))  # Q and U have degree 2
     for l in range(3, degree + 1):
         first = l * (l + 1) // 2
         size = np.sqrt(np.square(field[:, :, first : first + l + 1, :used]).sum(axis=2))
