@@ -1,16 +1,16 @@
 r"""Correction of single scattering for multiple scattering within the forward peak.
 
-Delta-M scaling counts the fraction f of each scattering as unscattered, and the march adds single
+Delta-M scaling treats the fraction f of scattering as unscattered, and the march adds single
 scattering by the whole phase function with the scaled extinction (TMS: Nakajima & Tanaka 1988,
-JQSRT 40, 51). Light of the peak is then counted both as unscattered on its path and as scattered at
-each point: too much by x/(1 - exp(-x)), where x is the optical depth of the peak from the star to
-the observer, and it is not broadened by repeated scattering. This correction, like their IMS
-method, adds the small-angle multiple scattering.
+JQSRT 40, 51). The peak is then counted both as transmitted along the path and as scattered at each
+point: too much by x/(1 - exp(-x)), where x is the optical depth of the peak from the star to the
+observer, and it is not broadened by multiple scattering. Like their IMS method, this correction
+adds small-angle multiple scattering.
 
 The Legendre moments of the peak are the truncated ones: q_l = f up to the degree of the sweeps, and
-p_l, those of the phase function, beyond. In the small-angle approximation light that passes the
-depth x of the peak has the moments exp(-x (1 - χ_l)), χ_l = q_l/f (Goudsmit & Saunderson 1940,
-Phys. Rev. 57, 24); exp(-x) of it is unscattered. One n-th of n-fold scattering is attributed to
+p_l, those of the phase function, beyond. In the small-angle approximation the moments after the
+optical depth x of the peak are exp(-x (1 - χ_l)), χ_l = q_l/f (Goudsmit & Saunderson 1940,
+Phys. Rev. 57, 24), of which exp(-x) is unscattered. One n-th of n-fold scattering is attributed to
 each point of the path, so that the phase function p at a point becomes
 
 .. math:: p + f B, \quad B = \sum_l \frac{2l + 1}{4\pi} P_l(\nu)
@@ -41,32 +41,32 @@ FloatArray = NDArray[np.float64]
 ANGLES: Final = 128
 DEPTHS: Final = 20
 MIDDLE: Final = 2.0
-#: Vertical depth of the peaks below which there is no correction. [1]
+#: Vertical optical depth of the peaks below which there is no correction. [1]
 _FAINT: Final = 1e-4
-#: Numbers of moments: of most particles, and of those with sharper peaks.
+#: Numbers of Legendre moments: usual, and for sharper peaks.
 _MOMENTS: Final = (400, 4000)
-#: Moment over f below which higher ones are omitted; they contribute by their square. [1]
+#: Moment over f below which higher ones are omitted, since they contribute by their square. [1]
 _LAST: Final = 5e-3
-#: Smallest strength of the peaks on a line, which keeps their mean depth finite. [1]
+#: Smallest weight of the peaks on a line, which keeps their mean optical depth finite. [1]
 _LEAST: Final = 1e-30
 
 
 @inlined
 def reset_peaks(tables, work):
-    """Set sums over a line's peaks to zero; arguments as in ``add_peaks``."""
+    """Reset the sums of ``add_peaks``."""
     for at in range(0, 3 * tables.lanes, LANES):
         store(work.peaks, at, splat(0.0))
 
 
 @inlined
 def add_peaks(star, dimmed, spread, phase, tables, work, at):
-    """Add a point's scattering by forward peaks to the sums over its line.
+    """Add the forward-peak scattering at a point to the sums over its line.
 
     Parameters
     ----------
     star : lanes
-        Irradiance by the star at the point, times its weight, as transmitted to the line's start.
-        [m]
+        Direct irradiance at the point, times its weight and the transmittance to the start of the
+        line. [m]
     dimmed : lanes or float
         Factor of single scattering. [1]
     spread : bool
@@ -75,8 +75,8 @@ def add_peaks(star, dimmed, spread, phase, tables, work, at):
         Phase functions. [sr⁻¹]
     tables, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace with density and columns of the point, whose peaks receive
-        single scattering by constituents with peaks [sr⁻¹], the truncated part [1], and the latter
-        times the peaks' optical depth on its path. [1]
+        single scattering by peaked constituents [sr⁻¹], its truncated part [1], and the latter
+        times the optical depth of the peaks on its path. [1]
     at : int
         Index of the first lane.
     """
@@ -100,14 +100,14 @@ def add_peaks(star, dimmed, spread, phase, tables, work, at):
 
 @inlined
 def peak_gain(half_sine, tables, work, at):
-    """Gain of single scattering by peaks, f B/p. [1]
+    """Relative gain f B/p of single scattering by forward peaks. [1]
 
     Parameters
     ----------
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
     tables, work, at :
-        Arguments of ``add_peaks``, after the whole line.
+        Arguments of ``add_peaks``, after the last point of the line.
     """
     u = sqrt(sqrt(half_sine)) * (ANGLES - 1)
     node = min(int(u), ANGLES - 2)
@@ -127,13 +127,13 @@ def peak_gain(half_sine, tables, work, at):
 
 @inlined
 def peak_fraction(constituent, tables, at):
-    """Fraction of a constituent's single scattering that has the gain: 0 without a peak. [1]
+    """Fraction of a constituent's single scattering to which the gain applies; 0 without peak. [1]
 
     Parameters
     ----------
     constituent : int
         Index of the constituent.
-    light, at :
+    tables, at :
         Arguments of ``add_peaks``.
     """
     element = tables.lanes * constituent + at
@@ -146,7 +146,7 @@ def peak_fraction(constituent, tables, at):
 
 
 def inverse_peak_fraction(optics: Optics) -> FloatArray:
-    """Reciprocal 1/f of the peak's fraction of scattering, in thick air; 0 without a peak. [1]
+    """Reciprocal 1/f of the truncated fraction in the thick limit; 0 without a peak. [1]
 
     Parameters
     ----------
@@ -163,9 +163,9 @@ def inverse_peak_fraction(optics: Optics) -> FloatArray:
 
 
 def peak_broadening(optics: Optics) -> FloatArray | None:
-    """Table of the gain of single scattering by peaks, f B/p.
+    """Table of the relative gain f B/p of single scattering by forward peaks.
 
-    Constituents with peaks are mixed by their vertical scattering depths.
+    Peaked constituents are averaged by their vertical scattering optical depths.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def peak_broadening(optics: Optics) -> FloatArray | None:
     Returns
     -------
     array, shape (``DEPTHS``, ``ANGLES``, nl), or None
-        Gain, at least -1 [1]; None where nothing is truncated.
+        Gain, at least -1 [1]; None without truncation.
     """
     medium = optics.medium
     weight = inverse_peak_fraction(optics) > 0.0
@@ -213,7 +213,7 @@ def peak_broadening(optics: Optics) -> FloatArray | None:
 
 
 def _mixed_moments(medium: Medium, amount: FloatArray, part: FloatArray) -> FloatArray:
-    """Moments of the mixture, as many as count, shape (l, nl). [1]"""
+    """Legendre moments of the mean peak, up to the last significant one, shape (l, nl). [1]"""
     peaked = part > NEGLIGIBLE
     part = part[peaked]
     for count in _MOMENTS:
@@ -231,7 +231,7 @@ def _mixed_moments(medium: Medium, amount: FloatArray, part: FloatArray) -> Floa
 
 @cache
 def _quadrature(degree: int) -> tuple[FloatArray, FloatArray]:
-    """Cosines and weights over the sphere, for a peak at 1 and for moments up to a degree."""
+    """Quadrature over the sphere for a peak at 1 and for moments up to a degree."""
     narrow = np.geomspace(1e-4, 0.04, 20)
     wide = np.linspace(0.04, pi, 2 + degree // 4)
     edges = np.concatenate([[0.0], narrow, wide[1:]])

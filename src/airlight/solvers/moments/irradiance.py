@@ -1,4 +1,4 @@
-"""Irradiance of level ground and of level surfaces aloft from a solution: by star and by sky."""
+"""Direct and diffuse horizontal irradiance, at the ground and aloft, from a solution."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from airlight.tables.column_ratios import columns_to_top
 
 @inlined
 def ground_light(mu_s, orders, tables, work):
-    """Compute irradiance of level ground per irradiance of the star, in ``work.irradiance``. [1]
+    """Horizontal irradiance of the ground per irradiance of the star, to ``work.irradiance``. [1]
 
     Parameters
     ----------
     mu_s : float
-        Cosine of the star's zenith angle on the ground. [1]
+        Cosine of the star's zenith angle at the ground. [1]
     orders, tables, work :
-        Arguments of ``march``; the workspace receives the irradiances by the star and by the sky.
+        Arguments of ``march``; the workspace receives direct and diffuse irradiance.
     """
     bottom, top = tables.bottom, tables.top
     from_low, from_high, low, high = direct_horizontal_weights(
@@ -68,7 +68,7 @@ def ground_light(mu_s, orders, tables, work):
 
 @inlined
 def ground_radiance(mu_s, mu_r, nu, orders, tables, work, out):
-    """Compute radiance of the ground per irradiance of the star. [sr⁻¹]
+    """Radiance of the ground per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def ground_radiance(mu_s, mu_r, nu, orders, tables, work, out):
 
 @compiled_loop
 def direct_irradiance(r, mu_s, tables, work, out):
-    """Compute irradiance of a level surface by the star, for arrays of radii and cosines. [1]"""
+    """Direct horizontal irradiance, for arrays of radii and cosines. [1]"""
     bottom, top, lanes = tables.bottom, tables.top, tables.lanes
     for k in range(r.size):
         from_low, from_high, low, high = direct_horizontal_weights(
@@ -126,7 +126,7 @@ def direct_irradiance(r, mu_s, tables, work, out):
 
 @compiled_loop
 def direct_normal_irradiance(r, mu_s, tables, work, out):
-    """Compute irradiance by the star of surfaces that face it, arguments as above. [1]"""
+    """Direct normal irradiance; arguments as in ``direct_irradiance``. [1]"""
     bottom, top, lanes = tables.bottom, tables.top, tables.lanes
     for k in range(r.size):
         seen, low, high = star_points(
@@ -162,7 +162,7 @@ def direct_normal_irradiance(r, mu_s, tables, work, out):
 
 @compiled_loop
 def sky_irradiance(r, mu_s, radii, tables, out):
-    """Compute irradiance of a level surface by the sky, for arrays of radii and cosines. [1]
+    """Diffuse horizontal irradiance, for arrays of radii and cosines. [1]
 
     ``radii`` are those of the solution's grid. [m]
     """
@@ -170,7 +170,7 @@ def sky_irradiance(r, mu_s, radii, tables, out):
     for k in range(r.size):
         place = node_value(r[k], tables.bottom, tables.top, tables.first_nodes, tables.row)
         row = min(int(place), tables.radii - 2)
-        # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
+        # Linear in altitude: aloft, diffuse irradiance falls exponentially, like the column above.
         f = (r[k] - radii[row]) / (radii[row + 1] - radii[row])
         x = sun_index(mu_s[k], tables.place)
         sun = min(int(x), sun_angles - 2)

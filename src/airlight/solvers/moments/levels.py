@@ -1,17 +1,17 @@
-"""Radii of the moments, and interpolation between two of them.
+"""Radial grid of the moments, and interpolation between its radii.
 
-In clear air the radii are even in the distance to the horizon (Bruneton's mapping). Where the air
-scatters often, more radii follow the optical depth: their steps grow from a small part of a mean
-free path at the air's two ends, where the light has boundary layers, to two mean free paths
-inside, where it obeys diffusion and is a linear function of depth.
+In optically thin media the radii are even in the distance to the horizon (Bruneton's mapping). In
+thick ones more radii follow the optical depth: steps grow from a small fraction of a mean free path
+at top and bottom, where radiance has boundary layers, to two mean free paths inside, in the
+diffusion regime, where it is linear in depth.
 
-Linear interpolation underestimates light that is curved downwards, as if air that absorbs nothing
-absorbed some in each step. In thick air by day the moments are therefore interpolated between
-radii by the cubic through four of them. Rays read the levels that are tabled between two radii
-linearly; these are moved by so much that this neither adds nor takes light on the mean over a step,
-for deep in the air a gain of 1e-4 a scattering adds up to several per cent. As cubics run over the
-number of the level, that has to be a smooth function of depth. At night the light falls e-fold from
-one radius to the next; there ratios keep it positive.
+Linear interpolation underestimates a concave function, equivalent to spurious absorption in each
+step. By day in thick media the moments are therefore interpolated between radii by the cubic
+through four of them. Rays interpolate linearly between the levels of the refined table; these are
+shifted so that the mean over a step is that of the cubic, for deep inside a gain of 1e-4 per
+scattering accumulates to several per cent. As the cubics are functions of the level index, the
+index has to be a smooth function of depth. At night radiance falls e-fold between radii; rational
+interpolation keeps it positive.
 """
 
 from __future__ import annotations
@@ -30,35 +30,36 @@ from airlight.optics.layer_edges import ThinLayer
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Scattering optical depth about which radii begin to follow the air. [1]
+#: Scattering optical depth about which radii begin to follow the optical depth. [1]
 THICK: Final = 1.5
-#: Step next to an end of thick air, its growth with the depth from that end, and the largest
-#: step, for a grid of 24 clear radii. [1]
+#: Step in optical depth at top and bottom, its growth with the depth from there, and largest step,
+#: for a grid of 24 radii. [1]
 _FIRST_STEP: Final = 0.15
 _GROWTH: Final = 0.2
 _LAST_STEP: Final = 2.0
-#: Sharpness of the bend from growing to largest steps: a corner there cost light 0.2 %.
+#: Sharpness of the transition from growing to largest steps: a kink there lost 0.2 % of energy.
 _BEND: Final = 4.0
 #: Number of steps of that grid.
 _STEPS: Final = 23
-#: Part of the clear grid's radii that thick air does not need.
+#: Fraction of the thin grid's radii that thick media do not need.
 _SPARED: Final = 0.25
-#: Largest number of steps, over that of a clear grid.
+#: Largest number of steps, over that of the thin grid.
 _MOST: Final = 4.0
-#: Number of steps of that grid in a thin layer, beside those that follow its optical depth.
+#: Number of steps of that grid in a thin layer, in addition to those that follow optical depth.
 _LAYER_STEPS: Final = 8.0
-#: Number of cuts of a ray through thick air.
+#: Number of panel ends of a ray through optically thick media.
 _CUTS: Final = 12
 #: Points of a panel where a ray has many panels.
 FEW_NODES: Final = 8
-#: Levels tabled per step between two radii of thick air, and the thickness above which they are.
+#: Refinement in thick media: levels per step between radii, and the thickness above which it is
+#: applied.
 _PARTS: Final = 3
 _REFINED: Final = 0.5
-#: Relative distances of a cubic from the straight line: all of it is used up to the first, none of
-#: it from the second on.
+#: Relative deviations of the cubic from the straight line: it is fully used up to the first, and
+#: not from the second on.
 _CALM: Final = 0.1
 _LEAP: Final = 0.2
-#: Least mean radiance that is told from darkness. [1]
+#: Smallest mean radiance that is not treated as 0. [1]
 _LEAST: Final = 1e-30
 
 
@@ -70,9 +71,9 @@ class Depths(NamedTuple):
     altitude : array, shape (n,)
         Altitudes. [m]
     scattering : array, shape (n,)
-        Depth at the wavelength that scatters most, without forward peaks, from 0. [1]
+        Scaled scattering optical depth at the wavelength of strongest scattering, from 0. [1]
     layers : tuple of ThinLayer
-        Layers that are thin compared with the shell.
+        Geometrically thin layers.
     """
 
     altitude: FloatArray
@@ -88,16 +89,16 @@ class Depths(NamedTuple):
 
 
 class RadialGrid(NamedTuple):
-    """Levels at which light is gathered, and levels at which it is tabled.
+    """Radial grid: levels of the field, every ``refinement``-th of them a radius of the sweep.
 
     Attributes
     ----------
     altitudes : array, shape (n,)
-        Altitudes of the table's levels. [m]
+        Altitudes of the levels. [m]
     row : array, shape (m,)
-        Fractional level of the table for each altitude of ``Depths``. [1]
+        Fractional level at each altitude of ``Depths``. [1]
     refinement : int
-        Step, in levels, between those at which light is gathered.
+        Number of levels per step between radii of the sweep.
     """
 
     altitudes: FloatArray
@@ -106,12 +107,12 @@ class RadialGrid(NamedTuple):
 
 
 def radial_grid(even: FloatArray, depths: Depths, count: int) -> RadialGrid:
-    """Place the levels of a shell.
+    """Radial grid of a shell.
 
     Parameters
     ----------
     even : array, shape (m,)
-        Coordinate, 0 to 1, in which a clear grid's levels are even. [1]
+        Coordinate, 0 to 1, in which the levels of a thin medium are even. [1]
     depths : Depths
         Optical depths at the same altitudes.
     count : int
@@ -123,7 +124,7 @@ def radial_grid(even: FloatArray, depths: Depths, count: int) -> RadialGrid:
     if total > 0.0:
         follows = thick * (count - 1) / _STEPS * _steps(depths.scattering)
         most = _MOST * (count - 1)
-        # In the clearest air, of a depth of 1e-9, ``thick`` and with it ``follows`` are 0.
+        # For depths below 1e-9 ``thick``, and with it ``follows``, is 0.
         coordinate = coordinate + follows * (most / follows[-1] if follows[-1] > most else 1.0)
     refinement = _PARTS if thick > _REFINED else 1
     if depths.layers:
@@ -137,12 +138,12 @@ def radial_grid(even: FloatArray, depths: Depths, count: int) -> RadialGrid:
 
 
 def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
-    """Fractional number of the gathering level, where levels lie at the ends of thin layers.
+    """Fractional index of the radius, with radii at the boundaries of thin layers.
 
     Parameters
     ----------
     coordinate : array, shape (m,)
-        That number without thin layers.
+        That index without thin layers.
     depths : Depths
         Optical depths at the same altitudes.
     count : int
@@ -165,10 +166,10 @@ def _layered(coordinate: FloatArray, depths: Depths, count: int) -> FloatArray:
 
 
 def panel_cuts(altitudes: FloatArray, refinement: int) -> FloatArray:
-    """Altitudes at which the panels of rays end in thick air, inside the shell. [m]
+    """Altitudes of panel ends in optically thick media, inside the shell; none in thin ones. [m]
 
-    A cloud is not a smooth function of altitude as air is: a ray that crosses it in one panel has
-    a wrong optical depth, which no weights can correct. Clear air has no cuts.
+    A cloud is not a smooth function of altitude: the optical depth of a ray that crosses it in one
+    panel would be wrong.
     """
     if refinement == 1:
         return np.empty(0)
@@ -179,7 +180,7 @@ def panel_cuts(altitudes: FloatArray, refinement: int) -> FloatArray:
 def refine(
     values: Float32Array, scale: Float32Array, level: Float32Array, refinement: int
 ) -> Float32Array:
-    """Interpolate values at all levels from those at which light is gathered.
+    """Interpolate moments from the radii of the sweep to all levels.
 
     Parameters
     ----------
@@ -212,7 +213,7 @@ def refine(
 
 @compiled_loop
 def fill_levels(values, scale, level, refinement, out):
-    """``refine`` under one sun.
+    """``refine`` for one sun angle.
 
     Parameters
     ----------
@@ -287,10 +288,9 @@ def cubic_bend(x, below, near, far, above, refinement):
 
 @kernel
 def smoothness(x, near, far, bend):
-    """Part of the cubic that is used, by that of the mean radiance: where it leaps, none. [1]
+    """Weight of the cubic, from the variation of the mean radiance: 0 where it is steep. [1]
 
-    It falls steadily, for a choice between all and none flips from sweep to sweep, and light that
-    is at the choice never converges.
+    Continuous, since a binary choice could alternate between sweeps and prevent convergence.
     """
     mean = max((1.0 - x) * near + x * far, _LEAST)
     part = min(max((_LEAP - abs(bend) / mean) / (_LEAP - _CALM), 0.0), 1.0)
@@ -349,7 +349,7 @@ def _bend(values: NDArray[Any], x: float, refinement: int) -> NDArray[Any]:
 
 
 def _steps(depth: FloatArray) -> FloatArray:
-    """Integral ∫ dτ/step(τ), the step growing from both ends; the depth ascends from 0."""
+    """Integral ∫ dτ/step(τ), with steps that grow from both ends; τ ascends from 0."""
 
     def beyond_least(near: FloatArray) -> FloatArray:
         growing = 1.0 / (_FIRST_STEP + _GROWTH * near)

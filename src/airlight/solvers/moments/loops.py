@@ -1,4 +1,4 @@
-"""Compiled loops that a solve of a planet runs, for the count of what is still to be compiled."""
+"""Compiled loops of a solve, for the progress of their first compilation."""
 
 from __future__ import annotations
 

@@ -1,12 +1,11 @@
-"""Radiance along a line of sight, from a solution's moments: for queries and pictures.
+"""Ray march: radiance along a line of sight from a solution's moments, for queries and pictures.
 
-The line itself is integrated; nothing is ever the difference of two large numbers. Single
-scattering of the star uses the exact phase function and the exact shadow; light scattered before
-comes from the moments. All wavelengths are marched together: factors of geometry alone are computed
-once per point.
+The source function is integrated along the line. Single scattering uses the exact phase function
+and the exact shadow; the multiple-scattering source comes from the moments. All wavelengths are
+marched together, so that geometry is evaluated once per point.
 
-Restricted Python, the same for every processor: Numba compiles it for all wavelengths, in groups
-of eight lanes, and the emitter for a device, whose one group is a texel.
+Restricted Python, shared by all backends: Numba compiles it for groups of eight wavelengths, the
+emitter translates it to shaders, whose single group is a texel.
 """
 
 from __future__ import annotations
@@ -44,9 +43,9 @@ from airlight.solvers.moments.source import (
 from airlight.solvers.stokes_frame import VERTICAL, star_plane
 from airlight.tables.column_ratios import columns_to_top
 
-#: By day, the light scattered before is left out at points that scatter less than this part of
-#: their line, over the number of its points: less than that altogether. Where the air thins
-#: exponentially it is some 2 % of that, however many points there are.
+#: By day, multiple scattering is neglected at points whose scattering is below this fraction of
+#: their line's, over the number of points; in total less than this fraction, and some 2 % of it for
+#: an exponential profile.
 FAINT = 5e-3
 
 
@@ -55,7 +54,7 @@ def march(
     r, mu, mu_s, nu, half_sine, length, orders, air, peaks, polarised, phase, phase_f12, tables,
     work, result,
 ):  # fmt: skip
-    """Light of a stretch of air towards its start, per irradiance of the star.
+    """Path radiance and transmittance of a segment, per irradiance of the star.
 
     Parameters
     ----------
@@ -68,19 +67,19 @@ def march(
     length : float
         Length, to the ground or to the top. [m]
     orders : int
-        1: the star's light scattered once; 0: all other light; 2: both.
+        1: single scattering; 0: multiple scattering and reflected diffuse light; 2: both.
     air, peaks, polarised : bool
-        Whether the air's radiance is found, single scattering by the peaked constituents, and Q and
-        U of the air's light. Constants in a shader.
+        Whether to compute the path radiance, the single scattering of separated constituents, and Q
+        and U. Constants in a shader.
     phase, phase_f12 : array, shape (nc·w,)
         Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
         [sr⁻¹]
     tables, work : MarchTables, MarchWorkspace
-        Tables of the solution; workspace, whose totals receive the columns of the stretch [m].
+        Tables of the solution; workspace, whose totals receive the columns of the segment [m].
     result : array, shape (4·w,), or (6·w,) if ``polarised``
-        Receives the air's radiance [sr⁻¹], its transmittance, with forward peaks counted as
-        unscattered [1], the single scattering by the two peaked constituents, without their
-        phase functions [1], and Q and U in the frame of ``stokes_frame``. [sr⁻¹]
+        Receives path radiance [sr⁻¹], delta-M scaled transmittance [1], single scattering by the
+        two separated constituents without their phase functions [1], and Q and U in the frame of
+        ``stokes_frame`` [sr⁻¹].
     """
     turn_cosine, turn_sine = 1.0, 0.0
     if polarised:
@@ -124,7 +123,7 @@ def march(
 
 @inlined
 def broaden_peaks(half_sine, air, peaks, tables, work, result):
-    """Widen the forward peaks of a line's light scattered once; arguments as in ``march``."""
+    """Broaden the forward peaks of single scattering on a line; arguments as in ``march``."""
     for at in range(0, tables.lanes, LANES):
         more = peak_gain(half_sine, tables, work, at)
         if air:
@@ -142,7 +141,7 @@ def add_point(
     r, mu, mu_s, nu, k, n, orders, air, peaks, polarised, faint, turn_cosine, turn_sine, phase,
     phase_f12, tables, work, result,
 ):  # fmt: skip
-    """Add the light of one point of a panel to the result of a march.
+    """Add the source of one point of a panel to the result of a march.
 
     Parameters
     ----------
@@ -153,7 +152,7 @@ def add_point(
     k, n : int
         Index of the point, and number of points of the panel.
     faint : float
-        Light scattered before is left out if the point scatters less. [1]
+        Multiple scattering is neglected if the point scatters less. [1]
     """
     q = min(max(work.radius[k], tables.bottom), tables.top)
     t = work.distance[k]
@@ -220,14 +219,14 @@ def add_point(
 
 @inlined
 def star_columns(q, mu_s, tables, work):
-    """Visible part of the star at a point, with the columns towards it in the workspace. [m]
+    """Visible part of the star at a point, and columns towards it, in the workspace. [m]
 
     Parameters
     ----------
     q, mu_s : float
         Radius of the point [m]; cosine of the star's zenith angle there. [1]
     tables, work : MarchTables, MarchWorkspace
-        Arguments of ``march``; the workspace receives here and there.
+        Arguments of ``march``; the workspace receives the columns to the star's two points.
 
     Returns
     -------
@@ -265,13 +264,13 @@ def star_columns(q, mu_s, tables, work):
 
 @inlined
 def add_star(star, air, peaks, phase, tables, work, at, result):
-    """Add the star's light scattered once at a point, to the air's radiance and to the peaks.
+    """Add single scattering at a point to the path radiance and to the peaks.
 
     Parameters
     ----------
     star : lanes
-        Irradiance by the star at the point, times its weight, as transmitted to the line's start.
-        [m]
+        Direct irradiance at the point, times its weight and the transmittance to the start of the
+        line. [m]
     air, peaks, phase, tables, work, result :
         Arguments of ``march``.
     at : int
@@ -294,7 +293,7 @@ def add_star(star, air, peaks, phase, tables, work, at, result):
 
 @inlined
 def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, tables, work, at, result):
-    """Add Q and U of the star's light scattered once at a point; arguments as in ``add_point``."""
+    """Add Q and U of single scattering at a point; arguments as in ``add_point``."""
     once = star * single_scattering_source(
         work.point_density, tables.scattering, phase_f12, tables.constituents, tables.lanes, at
     )
@@ -305,7 +304,7 @@ def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, tables, work, at
 
 @inlined
 def add_polarised_light(transmittance, mu, near, block, f, e, tables, work, at, result):
-    """Add Q and U of the light scattered before, scattered once more into the line at a point.
+    """Add Q and U of multiple scattering at a point.
 
     Parameters
     ----------
@@ -338,7 +337,7 @@ def add_polarised_light(transmittance, mu, near, block, f, e, tables, work, at, 
 
 @kernel
 def line_azimuth(mu, mu_s, nu):
-    """Cosine of a line's azimuth from the star; that of a vertical line in ``stokes_frame``. [1]
+    """Cosine of a line's azimuth from the star; for vertical lines see ``stokes_frame``. [1]
 
     Parameters
     ----------
@@ -375,7 +374,7 @@ def field_place(q, mu, mu_s, nu, tables, work):
         Index of the first value of the node before the point in the field, and number of values of
         a node.
     f, e : float
-        Fractions of the steps to the next radius and to the next sun. [1]
+        Fractions of the steps to the next radius and to the next sun angle. [1]
     """
     work.azimuth[0] = line_azimuth(mu, mu_s, nu)
     directed_functions(
@@ -395,7 +394,7 @@ def field_place(q, mu, mu_s, nu, tables, work):
 
 @inlined
 def multiple_scattering_at(near, block, f, e, tables, work, at):
-    """Light scattered before, scattered once more into the line, from lane ``at`` on. [m⁻¹ sr⁻¹]
+    """Multiple-scattering source at a point, from lane ``at`` on. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------

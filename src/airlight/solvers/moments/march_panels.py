@@ -1,7 +1,7 @@
-"""Panels of a line of sight: their ends, their points, and the columns up to each point.
+"""Panels of a line of sight: ends, quadrature points, and columns up to each point.
 
-Restricted Python, as in ``march``: one panel is stored at a time, so that a device, which runs one
-line a thread, needs little memory for it.
+Restricted Python, as in ``march``. One panel is stored at a time, so that a GPU thread, which runs
+one line, needs little memory.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from airlight.solvers.moments.source import transmittance_columns
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import THICK, split_at_profile_edges
 
-#: A stretch is steep if its length over the shell's thickness is less; and in full daylight if
-#: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
+#: A line is steep if its length over the shell's thickness is less, and in full daylight if the
+#: star's zenith cosine is larger at both ends. The error of eight points is then below 1e-3.
 STEEP = 4.0
-#: Length over the shell's thickness above which a stretch grazes the densest air.
+#: Length over the shell's thickness above which a line grazes the densest layers.
 GRAZING = 9.0
 FULL_DAY = 0.1
 #: Transmittance below which a panel is not computed. [1]
 MIN_TRANSMITTANCE = 1e-7
-#: Numbers of edges, a panel on each leg, beyond which a line needs fewer points a panel.
+#: Numbers of edges, per panel of a leg, beyond which a panel needs fewer points.
 SOME_EDGES = 6
 MANY_EDGES = 10
 
 
 @inlined
 def place_panel(r, mu, panel, count, rule, tables, work):
-    """Find the points of a panel: positions [m], weights [m] and densities [1].
+    """Quadrature points of a panel: positions [m], weights [m] and densities [1].
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def panel_columns(rule, tables, work):
             for j in range(n):
                 share = tables.rules[rule + 1 + 2 * n + k * n + j]
                 running += share * work.amounts[c * n + j]
-            # A running integral of a steep profile may dip below its start by rounding.
+            # The running integral of a steep profile may be negative by rounding.
             work.columns[c * n + k] = work.columns_so_far[c] + max(running, 0.0)
         for k in range(n):
             work.columns_so_far[c] += work.amounts[c * n + k]
@@ -95,7 +95,7 @@ def panel_columns(rule, tables, work):
 
 @inlined
 def is_transparent(tables, work):
-    """Whether any wavelength has more than ``MIN_TRANSMITTANCE`` up to the next panel."""
+    """Whether the transmittance to the next panel exceeds ``MIN_TRANSMITTANCE`` anywhere."""
     most = np.float32(0.0)
     for at in range(0, tables.lanes, LANES):
         transmittance = transmittance_columns(
@@ -107,7 +107,7 @@ def is_transparent(tables, work):
 
 @inlined
 def columns_along(r, mu, count, rule, tables, work):
-    """Columns of a whole line, and distances of optical depths 0.5, 3 and 12.
+    """Columns of a whole line, and distances to optical depths 0.5, 3 and 12.
 
     Parameters
     ----------
@@ -147,10 +147,9 @@ def columns_along(r, mu, count, rule, tables, work):
 
 @inlined
 def columns_between(r, mu, length, tables, work):
-    """Estimate columns of a line from the table of columns to the top, where that suffices.
+    """Columns of a line from the column table.
 
-    It errs by 1e-3 of the columns of the whole ray on which the line lies, and costs a tenth of
-    ``columns_along``.
+    The error is 1e-3 of the columns of the whole ray, the cost a tenth of ``columns_along``.
 
     Parameters
     ----------
@@ -198,7 +197,7 @@ def columns_between(r, mu, length, tables, work):
 
 @inlined
 def place_panels(r, mu, mu_s, nu, length, tables, work):
-    """Cut a line into panels, and choose their quadrature.
+    """Panels of a line, and their quadrature.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
     whole line is thicker, panels end at optical depths 0.5, 3 and 12, found from first columns and
@@ -214,7 +213,7 @@ def place_panels(r, mu, mu_s, nu, length, tables, work):
     count, rule : int
         Number of edges, and start of the quadrature in ``tables.rules``.
     day : bool
-        Whether all of the line is in full daylight.
+        Whether the whole line is in full daylight.
     """
     first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, tables.bottom)
     count = place_edges(r, mu, length, tables.panels, first_cut, second_cut, work.edges)
