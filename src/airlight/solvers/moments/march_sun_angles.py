@@ -1,10 +1,9 @@
-"""March of lines of sight that differ only in the direction of the star.
+"""Ray march of lines of sight for many sun angles at once.
 
-Texels of a table with the same radius and view lie on one line, for many sun angles. Its points,
-the columns up to them and the harmonics of its direction do not depend on the sun angle, so they
-are computed once for all sun angles that cut the line into the same panels. Points and results are
-those of ``march``: the loop over sun angles is inside that over points, and sums over the degrees
-of one azimuthal order come before those over orders.
+Texels of a table with the same radius and view share a line. Its points, the columns up to them and
+the harmonics of its direction do not depend on the sun angle, and are computed once for all sun
+angles with the same panels. Points and results are those of ``march``: the loop over sun angles is
+inside that over points, and sums over the degrees of an azimuthal order precede those over orders.
 """
 
 from __future__ import annotations
@@ -69,12 +68,12 @@ class SunAngleWorkspace(NamedTuple):
         Harmonics of the line at a point times the moments' strengths. [m⁻¹]
     orders : array, shape (sun_angles·(N + 2)·w,)
         Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
-        field's scale, for each sun of the field.
+        field's scale, for each sun angle of the field.
     made : array, shape (sun_angles,)
         Whether these are computed for the point.
     sums : array, shape (n·(4 + nc)·w,)
-        Sums over the line for each sun angle: all light, three of ``add_peaks``, single scattering
-        by each constituent.
+        Sums over the line for each sun angle: path radiance, three of ``add_peaks``, single
+        scattering by each constituent.
     """
 
     edges: FloatArray
@@ -116,7 +115,7 @@ def _new_workspace(tables: MarchTables) -> SunAngleWorkspace:
 def scattering_by_constituent(
     solution: MomentsSolution, lines: LinesOfSight, orders: int, *, delta_scaled: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Radiance of the air, and single scattering by each constituent.
+    """Path radiance, and single scattering by each constituent.
 
     Parameters
     ----------
@@ -124,7 +123,7 @@ def scattering_by_constituent(
     lines : LinesOfSight
         n lines of sight; neighbours with equal radius, view and length are marched together.
     orders : int
-        Orders of the light as for ``MomentsSolution.radiance_per_irradiance``.
+        As in ``MomentsSolution.radiance_per_irradiance``.
     delta_scaled : bool
         Whether single scattering is the solution's, with delta-M scaled extinction and broadened
         forward peaks; otherwise extinction and phase functions are unscaled.
@@ -132,7 +131,7 @@ def scattering_by_constituent(
     Returns
     -------
     light : array, shape (n, nl)
-        Radiance of the air. [sr⁻¹]
+        Path radiance. [sr⁻¹]
     once : array, shape (n, nc, nl)
         Single scattering by each constituent, to be multiplied by its phase function. [1]
     """
@@ -252,19 +251,19 @@ def _march_line(
 
 @inlined
 def _next_panel(count, tables, stars):
-    """Find the nearest panel that is not marched, and the stars that share it.
+    """Nearest unmarched panel, and the sun angles that share it.
 
     Parameters
     ----------
     count : int
-        Number of stars.
+        Number of sun angles.
     tables, stars : MarchTables, SunAngleWorkspace
-        Tables of the solution; workspace, whose ``together`` receives the indices of the stars.
+        Tables of the solution; workspace, whose ``together`` receives the indices.
 
     Returns
     -------
     int
-        Number of stars; 0 at the end of the line.
+        Number of sun angles; 0 at the end of the line.
     """
     lead = -1
     for index in range(count):
@@ -442,7 +441,7 @@ def _add_degrees(row, sun, f, tables, stars):
     second = first + (degree + 2) * lanes
     for at in range(0, lanes, LANES):
         for m in range(degree + 1):
-            # Four sums that do not wait for each other.
+            # Four independent sums.
             low, high, next_low, next_high = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
             index = lanes * (m * (m + 1) // 2 + m) + at
             for l in range(m, degree + 1):
@@ -489,6 +488,6 @@ def _add_multiple_scattering(sun, share, cosine, sums, tables, stars):
             earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
         element = (degree + 1) * lanes + at
         scale = h * load(stars.orders, near + element) + e * load(stars.orders, far + element)
-        # A sum of few harmonics may be negative where there is almost no light.
+        # The truncated expansion may be negative where radiance nearly vanishes.
         source = maximum(source / scale, 0.0) * load(stars.transmittance, at)
         store(stars.sums, sums + at, load(stars.sums, sums + at) + source)

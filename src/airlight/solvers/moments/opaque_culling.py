@@ -1,4 +1,4 @@
-"""Rays for eight wavelengths without the points behind opaque air; the rest is renormalised."""
+"""Culling of ray points at optical depths that are opaque at eight wavelengths."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ Float32Array = NDArray[np.float32]
 _OPAQUE: Final = 14.0
 #: Arrays of ``Rays`` with a row for each point.
 _ALONG: Final = ("radius", "mu_along", "turn", "amount", "column")
-#: Largest correction of a ray's sum; a larger one means a ray without points that count.
+#: Largest correction of a ray's sum; a larger one indicates a ray without significant points.
 MOST: Final = 0.5
 
 
 def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
-    """Rays with only the points that are not opaque at all eight wavelengths, and their factors.
+    """Rays without points that are opaque at all eight wavelengths, and normalisation factors.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
 
 @inlined
 def emitted(tau):
-    """1 - exp(-τ) of eight wavelengths, to the same relative precision where τ is small. [1]"""
+    """1 - exp(-τ) of eight wavelengths, accurate also for small τ. [1]"""
     thin = minimum(tau, 0.05)
     # The series' next term is at most 5e-8 of the first.
     series = thin * (1.0 - thin * (0.5 - thin * (0.16666667 - thin * 0.041666667)))
@@ -78,7 +78,7 @@ def emitted(tau):
 
 @inlined
 def ray_share(first, points, columns, amounts, total, extinction, constituents):
-    """Factor with which a ray's sum is exact for a constant source function. [1]
+    """Normalisation factor that makes a ray's sum exact for a constant source function. [1]
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def ray_share(first, points, columns, amounts, total, extinction, constituents):
 
 @compiled_loop
 def share_into(starts, columns, amounts, totals, extinction, out):
-    """Fill ``out`` with the shares of all rays."""
+    """Fill ``out`` with ``ray_share`` of all rays."""
     constituents = extinction.size // LANES
     for ray in range(starts.size - 1):
         first = starts[ray]

@@ -1,4 +1,4 @@
-"""Packed arrays of the kernels: flat float32, wavelengths in whole groups of eight lanes."""
+"""Packed arrays of the kernels: flat float32, wavelengths in groups of eight lanes."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from airlight.solvers.moments.levels import THICK, fill_levels, refine
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Lower limit of the mean radiance, over its largest value, so that its root exists.
+#: Lower limit of the mean radiance over its maximum, so that its root exists.
 _FLOOR: Final = 1e-20
 #: Lower limit of the mean radiance itself. [1]
 _DARKEST: Final = 1e-30
-#: Width of dusk in sun elevation, over the horizon's dip.
+#: Width of dusk in sun elevation, over the dip of the horizon.
 _DUSK: Final = 0.3
 
 
 def filled(values: NDArray[Any]) -> NDArray[Any]:
-    """Wavelengths (..., w) in whole groups of eight lanes.
+    """Wavelengths (..., w) padded to groups of eight lanes.
 
-    Lanes without a wavelength repeat the last, so that they compute nothing exceptional; where only
-    four are used the others repeat these.
+    Padding repeats the last wavelength, so that no lane raises floating-point exceptions; with at
+    most four wavelengths the upper half repeats the lower.
     """
     missing = -values.shape[-1] % HALF_LANES
     values = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
@@ -40,12 +40,12 @@ def filled(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def pack(values: FloatArray) -> Float32Array:
-    """Pack wavelengths on the last axis as flat float32 in whole groups of eight lanes."""
+    """Wavelengths on the last axis as flat float32 in groups of eight lanes."""
     return np.ascontiguousarray(filled(values), dtype=np.float32).reshape(-1)
 
 
 def pack_rational(values: Float32Array, scale_from: Float32Array) -> Float32Array:
-    """Pack (..., k, 8) values for interpolation as ratios: (s, value·s) with s = 1/sqrt(scale).
+    """Values (..., k, 8) packed for rational interpolation: (s, value·s) with s = 1/sqrt(scale).
 
     See the head of ``sweep``; ``scale_from`` has shape (..., 8) and is positive.
     """
@@ -56,27 +56,27 @@ def pack_rational(values: Float32Array, scale_from: Float32Array) -> Float32Arra
 
 @kernel
 def rational_scale(mean, highest, level):
-    """Factor s of a node, by which its moments are multiplied for interpolation.
+    """Factor s of a node in rational interpolation.
 
     Parameters
     ----------
     mean, highest : float
-        Mean radiance at the node, positive, and the largest at any radius under the same sun.
+        Mean radiance at the node, positive, and the largest at any radius for the same sun angle.
     level : float
-        From ``level_weights``: 0 for 1/sqrt(mean), 1 for the same at all radii. [1]
+        From ``level_weights``: 0 for s = 1/sqrt(mean), 1 for the same s at all radii. [1]
     """
     return 1.0 / sqrt(mean * (highest / mean) ** level)
 
 
 def positive(values: Float32Array) -> Float32Array:
-    """Values (..., 8) with a floor far below the visible."""
+    """Values (..., 8) with a positive floor, by ``floor_below``."""
     floor = vectorized(floor_below)(values.max(axis=tuple(range(values.ndim - 1))))
     return np.asarray(np.maximum(values, floor), np.float32)
 
 
 @kernel
 def floor_below(brightest):
-    """Positive floor of values whose largest is ``brightest``. [1]"""
+    """Positive floor of values whose maximum is ``brightest``. [1]"""
     return max(_FLOOR * brightest, _DARKEST)
 
 
@@ -89,21 +89,21 @@ def pack_light(
     narrow: bool = False,
     out: Float32Array | None = None,
 ) -> tuple[Float32Array, Float32Array]:
-    """Pack moments (r, s, k, w) and irradiances (r, s, w) for the kernels.
+    """Moments (r, s, k, w) and irradiances (r, s, w) packed for the kernels.
 
     Parameters
     ----------
     field, sky : array
-        Values at the radii that gather light.
+        Values at the radii of the sweep.
     level : array, shape (s, w)
-        From ``level_weights``: where 1, s is the same at all radii, so that the moments are linear
-        between two of them; where 0 they are interpolated as ratios.
+        From ``level_weights``: 1 for linear interpolation between radii (s independent of radius),
+        0 for rational interpolation.
     refinement : int
-        See ``levels.refine``. Irradiances of only one radius stay as they are.
+        See ``levels.refine``. Irradiances of a single radius are not refined.
     narrow : bool
         Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_narrow``.
     out : array, optional
-        Earlier result for moments of the same shape, which receives them.
+        Earlier result for moments of the same shape, to be overwritten.
     """
     mean = positive(field[:, :, 0])
     received = positive(sky)
@@ -126,20 +126,20 @@ def pack_light(
 
 @compiled_loop
 def _pack_sun(field, mean, level, refinement, order, out):
-    """Pack the moments under one sun, for all levels.
+    """Packed moments of one sun angle, for all levels.
 
     Parameters
     ----------
     field : array, shape (r, k, w)
-        Moments at the radii that gather light.
+        Moments at the radii of the sweep.
     mean : array, shape (r, w)
-        Those of degree 0, positive.
+        Moments of degree 0, positive.
     level, refinement :
-        Of this sun, as in ``pack_light``.
+        For this sun angle, as in ``pack_light``.
     order : array, shape (n,)
-        What stands at each place of a node: 0 for s, 1 + k for M·s of moment k, more for nothing.
+        Content of each element of a node: 0 for s, 1 + k for M·s of moment k, more for padding.
     out : array, shape (levels, n, w)
-        Receives them.
+        Receives the packed moments.
     """
     radii, terms, width = field.shape
     levels, lanes = out.shape[0], out.shape[2]
@@ -175,9 +175,9 @@ def _pack_sun(field, mean, level, refinement, order, out):
 
 @cache
 def pair_order(count: int) -> NDArray[np.int64]:
-    """Indices of what the halves of the registers hold, of a node with ``count`` moments.
+    """Order of the half registers of a node with ``count`` moments.
 
-    Index 0 is that of the factor s, count + 1 that of an empty half.
+    0 is the factor s, count + 1 an empty half.
     """
     degree = next(n for n in range(count) if moment_count(n) == count)
     order = [0, 0]
@@ -190,11 +190,11 @@ def pair_order(count: int) -> NDArray[np.int64]:
 
 
 def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Float32Array:
-    """Weight of interpolation linear between radii: 1 where thick air is in full light.
+    """Weight of linear interpolation between radii: 1 in optically thick media by day.
 
-    By day the light inside thick air is a linear function of depth, and its slope is the flux: as
-    ratios it would be underestimated between radii, as if some were absorbed in each step. At night
-    it falls e-fold from one radius to the next, and only ratios keep it positive and smooth.
+    There radiance is linear in depth, with the flux as its slope, and rational interpolation would
+    underestimate it between radii, equivalent to spurious absorption. At night radiance falls
+    e-fold between radii, and only rational interpolation keeps it positive and smooth.
 
     Parameters
     ----------
@@ -230,7 +230,7 @@ def day_weight(sun_cosines: FloatArray, dip: float) -> FloatArray:
 
 @kernel
 def level_weight(day, depth):
-    """``level_weights`` of one sun elevation and wavelength. [1]
+    """``level_weights`` for one sun elevation and wavelength. [1]
 
     Parameters
     ----------
@@ -244,10 +244,10 @@ def level_weight(day, depth):
 
 @kernel
 def optically_thick_weight(depth):
-    """Weight of optically thick air by its vertical scattering depth: 0 clear, 1 thick. [1]"""
+    """Weight of optically thick media, 0 to 1, from the vertical scattering depth. [1]"""
     return -expm1(-((depth / THICK) ** 4))
 
 
 def optically_thick_weights(depth: FloatArray) -> FloatArray:
-    """``optically_thick_weight`` of several depths. [1]"""
+    """``optically_thick_weight`` of an array of depths. [1]"""
     return np.asarray(vectorized(optically_thick_weight)(depth))

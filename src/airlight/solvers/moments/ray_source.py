@@ -1,9 +1,8 @@
 """Source function at the points of a ray, for each sun elevation.
 
-It depends on the ray's zenith cosine at the point and on the moments between two radii, not on the
-azimuth. So the factors of a point, strengths times Legendre functions, are computed once, and
-contracted with the moments for four sun elevations at a time: each factor and each moment is loaded
-as seldom as the registers allow.
+It depends on the ray's zenith cosine at the point and on the moments at two radii, not on the
+azimuth. The factors of a point, strengths times Legendre functions, are therefore computed once and
+contracted with the moments for four sun elevations at a time, to minimise loads.
 """
 
 from __future__ import annotations
@@ -26,13 +25,13 @@ from airlight.solvers.moments.ray_optics import (
 )
 from airlight.solvers.moments.source_function import coupled_moments, first_register, odd_moment
 
-#: Numbers of a point that couple the moments of one order, in registers.
+#: Coupling coefficients of a point per order, in registers.
 _COUPLINGS = 7
 
 
 @inlined
 def order_registers(degree, narrow):
-    """Registers of a point's orders m of I, of the moments that couple, and of its Q and U.
+    """Numbers of registers of a point: orders m of I, coupled moments, and Q and U.
 
     Returns
     -------
@@ -46,7 +45,7 @@ def order_registers(degree, narrow):
 
 @inlined
 def registers_of(orders, narrow):
-    """Registers that hold a number of orders m, from 0 on."""
+    """Number of registers of the first ``orders`` orders m."""
     if narrow:
         return (orders + 1) // 2
     return orders
@@ -54,7 +53,7 @@ def registers_of(orders, narrow):
 
 @inlined
 def factor_count(degree, narrow):
-    """Registers that ``fill_factors`` fills for a point."""
+    """Number of registers of the factors of a point."""
     _, orders, _ = order_registers(degree, narrow)
     return first_register(degree + 1, narrow) + _COUPLINGS * orders
 
@@ -63,7 +62,7 @@ def factor_count(degree, narrow):
 def fill_factors(
     point, rays, air, expansion, degree, highest, functions, first, factors, narrow
 ):  # fmt: skip
-    """Factors by which the moments at a point of a ray are multiplied.
+    """Factors of the moments in the source function at a point of a ray.
 
     Parameters
     ----------
@@ -72,14 +71,14 @@ def fill_factors(
     rays, air, expansion :
         Arrays of ``sweep_radius``, without reference counts.
     degree, highest : int
-        Highest degree, and the highest that counts at this point.
+        Highest degree, and highest active degree at this point.
     functions : array
         Workspace for the Legendre functions.
     first : int
         Index of the first factor in ``factors``, in lanes.
     factors : array
-        Receives strengths times Legendre functions in the order of ``first_register``, and for each
-        order that couples seven factors of the moments of degree 2.
+        Receives strengths times Legendre functions in the order of ``first_register``, and seven
+        factors of the moments of degree 2 for each coupled order.
     narrow : bool
         See ``first_register``; a constant.
     """
@@ -152,7 +151,7 @@ def fill_factors(
 def source_four_suns(
     k, row, f, first, factors, sun_angles, field, start, wide, highest, degree, rows, narrow
 ):  # fmt: skip
-    """Source function at a point of a ray, for four sun elevations.
+    """Source function at a point of a ray, for four sun angles.
 
     Parameters
     ----------
@@ -169,13 +168,13 @@ def source_four_suns(
     field : array
         As in ``sweep_radius``.
     start : int
-        Index of the first sun; the last sun stands for those beyond it.
+        Index of the first sun angle; indices beyond the last are clamped.
     wide : int
-        Number of registers of orders m that are found.
+        Number of registers of orders m to be computed.
     highest, degree : int
-        Highest degree that counts at this point, and highest degree of the moments.
+        Highest active degree at this point, and highest degree of the moments.
     rows : array
-        Receives for each sun a node of ``source_at_point``.
+        Receives a node of ``source_at_point`` for each sun angle.
     narrow : bool
         See ``first_register``; a constant.
     """
@@ -249,7 +248,7 @@ def source_four_suns(
 
 @inlined
 def by_level(levels, count, most, order):
-    """Indices of points in the order of the radius below them, by counting.
+    """Counting sort of points by the index of the radius below them.
 
     Parameters
     ----------

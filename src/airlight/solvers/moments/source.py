@@ -39,7 +39,7 @@ def polarised_ratio_columns(columns, polarised_moments, constituents, lanes, at)
 
 @inlined
 def direct_beam(seen, low_columns, high_columns, spread, extinction, constituents, lanes, at):
-    """Direct irradiance at a point, normal to the beam, per that outside the air. [1]
+    """Direct normal irradiance at a point, per that outside the atmosphere. [1]
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def direct_beam(seen, low_columns, high_columns, spread, extinction, constituent
 
 @inlined
 def single_scattering_source(density, scattering, phase, constituents, lanes, at):
-    """Source of single scattering: Σ scattering coefficient · phase function. [m⁻¹ sr⁻¹]
+    """Single-scattering source: Σ scattering coefficient · phase function. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def multiple_scattering_source(
     density, moments, polarised_moments, field, functions, near, far, block, w00, w01, w10, w11,
     degree, constituents, lanes, at,
 ):  # fmt: skip
-    """Source of multiple scattering, from the moments of the radiance. [m⁻¹ sr⁻¹]
+    """Multiple-scattering source, from the moments of the radiance. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def multiple_scattering_source(
     moments : array, shape (nc·(N + 1)·w,)
         Moments of ``ScaledOptics``. [m⁻¹]
     polarised_moments : array, shape (nc·4·w,)
-        Elements of the phase matrix, of ``ScaledOptics``. [m⁻¹]
+        Expansion coefficients of the phase matrix, of ``ScaledOptics``. [m⁻¹]
     field : array
         Field of ``Light``.
     functions : array, shape (k,)
@@ -142,7 +142,7 @@ def multiple_scattering_source(
         )
     source = source + beta_1 * part
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
-    # A sum of few harmonics may be negative where there is almost no light.
+    # The truncated expansion may be negative where radiance nearly vanishes.
     return maximum(source / scale, 0.0)
 
 
@@ -151,7 +151,7 @@ def polarised_scattering_source(
     density, polarised_moments, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
     constituents, lanes, at,
 ):  # fmt: skip
-    """Q and U of the source of multiple scattering.
+    """Q and U of the multiple-scattering source.
 
     Parameters
     ----------
@@ -198,7 +198,7 @@ def polarised_scattering_source(
 
 @inlined
 def read_phase(half_sine, table, nodes, width, out):
-    """Phase functions of all constituents and wavelengths between the table's nodes. [sr⁻¹]
+    """Phase functions of all constituents and wavelengths, interpolated in their table. [sr⁻¹]
 
     Parameters
     ----------
@@ -222,7 +222,7 @@ def read_phase(half_sine, table, nodes, width, out):
 
 @inlined
 def direct_horizontal(below, above, from_low, from_high, extinction, constituents, lanes, at):
-    """Direct horizontal irradiance, per that outside the air. [1]
+    """Direct horizontal irradiance, per normal irradiance outside the atmosphere. [1]
 
     Parameters
     ----------
