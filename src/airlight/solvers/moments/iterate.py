@@ -1,7 +1,7 @@
 """Fixed-point iteration of the source function, eight wavelengths at a time.
 
-Each sweep is one order of scattering; synthetic acceleration adds the orders that follow along the
-vertical, and Anderson acceleration combines the last iterates.
+Each sweep is one order of scattering; synthetic acceleration adds further orders in the
+plane-parallel approximation, and Anderson acceleration combines recent iterates.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ from airlight.solvers.refracted_geometry import RefractedGeometry
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Over-relaxation factors of the polarised moments, which synthetic acceleration leaves out. In
-#: molecular air each order has 0.3 of the even ones of the order before, and no odd ones; the
-#: factors leave the smallest residual among 1.2 to 1.6, and 1 to 1.4. [1]
+#: Over-relaxation factors of the polarised moments, which synthetic acceleration omits. For
+#: Rayleigh scattering even ones decay by 0.3 per order, and odd ones vanish; the factors minimise
+#: the residual among 1.2 to 1.6 and 1 to 1.4. [1]
 POLARISED_OVER_RELAXATION: Final = np.array([1.37] * EVEN + [1.1] * (POLARISED - EVEN), np.float32)
 
 
@@ -64,7 +64,7 @@ class IterationScheme(NamedTuple):
     acceleration : float
         Weight of synthetic acceleration; 0 for plain successive orders. [1]
     relaxation : float
-        Relaxation factor. Backward peaks make successive orders alternate; 0.5 damps that. [1]
+        Relaxation factor; 0.5 damps the alternation of orders with backward peaks. [1]
     """
 
     note: str
@@ -73,7 +73,7 @@ class IterationScheme(NamedTuple):
     relaxation: float
 
 
-#: Default scheme, and those that follow, one after the other, where the iteration diverges.
+#: Default scheme, and fallbacks, in this order, if the iteration diverges.
 FALLBACK_SCHEMES: Final = (
     IterationScheme("", 1.0, 1.0, 1.0),
     IterationScheme("iteration diverged; restarted with damping 0.7", 2.0, 0.7, 1.0),
@@ -92,21 +92,21 @@ class Moments:
     grid : Grid
         Nodes of the field.
     refinement : int
-        Step, in radii of the grid, between those at which light is gathered.
+        Number of levels of the grid per radius of the sweep.
     field : array, shape (r, s, k, nl)
-        Moments of the radiance of all scattered and reflected light. [1]
+        Moments of the diffuse radiance. [1]
     sky : array, shape (r, s, nl)
-        Irradiance of a level surface by scattered light from above. [1]
+        Diffuse horizontal irradiance from above. [1]
     columns : array, shape (radii, directions, nc)
         Columns of a ``ColumnTable``. [m]
     sweeps : int
-        Number of orders of scattering that were computed one by one (the rest is extrapolated).
+        Number of sweeps.
     residual : array, shape (nl,)
-        Largest relative change of the mean radiance that all further sweeps would make. [1]
+        Estimated largest relative change of the mean radiance by further sweeps. [1]
     energy : array, shape (nl,)
-        Light that the solution makes or loses, from ``energy_error``. [1]
+        Energy balance error, from ``energy_error``. [1]
     scheme : int
-        Index among ``FALLBACK_SCHEMES`` of the last scheme.
+        Index of the last scheme in ``FALLBACK_SCHEMES``.
     """
 
     degree: int
@@ -128,12 +128,12 @@ def solve_moments(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Moments:
-    """Solve for the moments of the radiance at every wavelength of a medium.
+    """Moments of the radiance at all wavelengths of a medium.
 
     Parameters
     ----------
     paths : RefractedGeometry
-        Light paths of a medium with any number of wavelengths and constituents.
+        Refracted geometry of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
     progress, cancel : callable, optional
@@ -142,7 +142,7 @@ def solve_moments(
     Raises
     ------
     ParameterError
-        If the air is deeper than ``check_limits`` allows.
+        If the medium exceeds the limits of ``check_limits``.
     ConvergenceError
         If the tolerance is not reached within ``settings.max_sweeps``.
     Cancelled
@@ -180,7 +180,7 @@ def gather(
     cancel: Cancel | None = None,
     out: Light | None = None,
 ) -> Light:
-    """Run ``first_order_radius`` or ``sweep_radius`` at every radius, on all cores.
+    """Moments by ``first_order_radius`` or ``sweep_radius``, at all radii, on all cores.
 
     Parameters
     ----------
@@ -189,11 +189,11 @@ def gather(
     kernel : callable
         One of these two functions.
     *light : array
-        Arrays that it reads beside the set-up.
+        Its arguments after the set-up.
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     out : Light, optional
-        Arrays that receive the result.
+        Arrays for the result.
 
     Returns
     -------
@@ -214,7 +214,7 @@ def gather(
 
 
 def _arrays(batch: WavelengthBatch) -> Light:
-    """Arrays of moments and irradiances, with any contents."""
+    """Uninitialised arrays of moments and irradiances."""
     setup = batch.setup
     shape = batch.rays.mu.shape[0], setup.grid.sun_cosines.size
     return (
@@ -225,14 +225,14 @@ def _arrays(batch: WavelengthBatch) -> Light:
 
 @dataclass(frozen=True)
 class _Watch:
-    """Reporter of the progress of one batch of wavelengths."""
+    """Progress reporter of one batch of wavelengths."""
 
     progress: Progress | None
     batch: WavelengthBatch
     done: int  # wavelengths of the batches before
 
     def report(self, iteration: Iteration | None = None) -> None:
-        """Report progress over all wavelengths; this batch's share is 0 without an iteration."""
+        """Report progress over all wavelengths."""
         if self.progress is None:
             return
         which, wavelengths = self.batch.which, self.batch.setup.medium.wavelengths
@@ -253,9 +253,9 @@ def _iterate(
     spectral_guess: SpectralGuess | None = None,
     last: bool = False,
 ) -> tuple[Float32Array, Float32Array, FloatArray, int, int]:
-    """Solve one batch of wavelengths: sum of all orders, its residual, number of sweeps and scheme.
+    """Solution of one batch of wavelengths: moments, residual, number of sweeps and scheme.
 
-    ``spectral_guess`` has corrections of near wavelengths, and receives its own unless ``last``.
+    ``spectral_guess`` has corrections of other batches, and receives those of this unless ``last``.
     """
     setup, used = batch.setup, batch.used
     once, sweep = first_order_radius, sweep_radius
@@ -285,7 +285,7 @@ def _iterate(
     degrees = active_degrees(batch, light[0]) if setup.refinement > 1 else batch.all_degrees
     iterates: deque[Light] = deque(maxlen=iteration.stopping.iterates)
     best, at, scheme = light, 0, FALLBACK_SCHEMES[0]
-    # Each sweep uses the arrays of the one before: the system clears new memory page by page.
+    # Arrays are reused between sweeps: the system would clear new memory page by page.
     swept, residual, mixed = _arrays(batch), _arrays(batch), _arrays(batch)
     packed: tuple[Float32Array | None, Float32Array | None] = None, None
     while iteration.unfinished():

@@ -69,7 +69,7 @@ def sun_index(mu_s, place):
 
 @inlined
 def optical_depth(columns, first, extinction, constituents):
-    """Optical depth Σ extinction·column of eight wavelengths; the row is ``columns[first:]``. [1]"""
+    """Optical depth Σ extinction·column of eight wavelengths, from ``columns[first:]``. [1]"""
     tau = splat(0.0)
     for c in range(constituents):
         tau = tau + load(extinction, LANES * c) * np.float32(columns[first + c])

@@ -109,7 +109,7 @@ def multiple_scattering_source(
     polarised_moments : array, shape (nc·4·w,)
         Expansion coefficients of the phase matrix, of ``ScaledOptics``. [m⁻¹]
     field : array
-        Field of ``Light``.
+        Field of ``MarchTables``.
     functions : array, shape (k,)
         Harmonics of the line of sight: K_lm P_lm cos mφ. [1]
     near, far, block : int
@@ -245,9 +245,9 @@ def diffuse_horizontal(sky, place, share, lanes, at):
     Parameters
     ----------
     sky : array
-        Irradiances of ``Light``.
+        Field ``sky`` of ``MarchTables``.
     place, share : int, float
-        Index of the sun before, and share of the way to the next.
+        Index of the sun angle below, and fraction of the step to the next.
     lanes, at :
         As in ``transmittance_columns``.
     """

@@ -24,7 +24,7 @@ def first_register(l, narrow):
 
 @inlined
 def contracted(factors, first, field, low, high, f, m, degree, narrow):
-    """Moments of one m, times the scattering by a point in each degree, between two radii.
+    """Moments of order m times scattering strengths, summed over degrees, between two radii.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def contracted(factors, first, field, low, high, f, m, degree, narrow):
     f : float32
         Weight of the upper radius. [1]
     m, degree : int
-        Order of these moments, or number of their pair; and highest degree.
+        Order of these moments, or index of their pair; and highest degree.
     narrow : bool
         See ``first_register``; a constant.
     """
@@ -59,9 +59,9 @@ def contracted(factors, first, field, low, high, f, m, degree, narrow):
 
 @inlined
 def coupled_moments(field, low, high, f, m, degree, narrow):
-    """Moments of degree 2 and order m that scattering couples, times s, between two radii.
+    """Coupled moments of degree 2 and order m, times s: of I, and even polarised one.
 
-    Results are that of the radiance and the even polarised one; arguments as for ``contracted``.
+    Arguments as for ``contracted``.
     """
     g = np.float32(1.0) - f
     bright = LANES * (1 + first_register(2, narrow) + m)
@@ -76,8 +76,7 @@ def coupled_moments(field, low, high, f, m, degree, narrow):
 def odd_moment(field, low, high, f, m, degree, narrow):
     """Odd polarised moment of degree 2 and order m, times s; arguments as for ``contracted``.
 
-    Its order is 1 or 2; or if ``narrow`` 0 for that of 1, in the second half, and 1 for that of 2,
-    in the first.
+    m is 1 or 2; if ``narrow``, 0 for order 1, in the second half, and 1 for order 2, in the first.
     """
     place = first_register(degree + 1, narrow) + EVEN - 1 + m
     if narrow:
@@ -90,29 +89,29 @@ def odd_moment(field, low, high, f, m, degree, narrow):
 def source_at_point(
     rows, low, high, f, step, sine, wide, degree, bright, polarised, narrow
 ):  # fmt: skip
-    """Contribution of a point to I, Q and U of its ray, by multiple scattering. [1]
+    """Contribution of multiple scattering at a point to I, Q and U of its ray. [1]
 
     Parameters
     ----------
     rows : array
         For each node the factor s; then A_m s from ``contracted``, in the order of
-        ``first_register``; then Q_0 s, Q_1 s, Q_2 s, U_1 s and U_2 s, the polarised light of the
-        point. If ``narrow`` the latter are in three registers: Q_0 and Q_1, Q_2, U_2 and U_1.
+        ``first_register``; then the azimuthal components Q_0 s, Q_1 s, Q_2 s, U_1 s and U_2 s; if
+        ``narrow`` in three registers: Q_0 and Q_1, Q_2, U_2 and U_1.
     low, high : int
-        Index of the nodes of the lower and the higher sun, in lanes.
+        Index of the nodes of the lower and the higher sun angle, in lanes.
     f : float32
-        Weight of the higher sun. [1]
+        Weight of the higher sun angle. [1]
     step, sine : float32
         Cosine and sine of the azimuth between ray and star. [1]
     wide : int
-        Number of registers of A_m that count, from the first on: of a steep ray the others are 0.
+        Number of registers of A_m to be summed; for a steep ray the others vanish.
     degree : int
         Highest degree.
     bright, polarised : bool
-        Whether I, and whether Q and U are found; constants. The others are 0.
+        Whether to compute I, and Q and U; constants. The others are 0.
     narrow : bool
-        See ``first_register``; a constant. The results are then sums over the four lanes of each
-        wavelength's two parts: see ``folded``.
+        See ``first_register``; a constant. The halves of the results are then to be added, see
+        ``folded``.
     """
     g = np.float32(1.0) - f
     one, two = np.float32(1.0), np.float32(2.0)

@@ -1,4 +1,4 @@
-"""Places of the star as seen from the points of a ray, for eight azimuths in the lanes."""
+"""Direction and visibility of the star at the points of a ray, for eight azimuths in the lanes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from airlight.kernel.lanes import (
 )
 from airlight.mappings.transmittance import altitude_coordinate
 
-#: Nodes of the table of a star's visible part.
+#: Nodes of the table of the visible part of the star's disc.
 DISC_NODES: Final = 256
 
 
@@ -36,8 +36,8 @@ def place_stars(
 ):  # fmt: skip
     """Directions of the star at the points of a ray, for eight azimuths in the lanes.
 
-    The star's component across the plane of the ray is the same everywhere; the other two turn by
-    the angle at the planet's centre, and by that of the bending.
+    The component of the star's direction normal to the plane of the ray is constant; the others
+    rotate by the angle at the planet's centre and by the refraction angle.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def place_stars(
     first_point, points : int
         Index of the ray's first point in ``turned``, and number of its points.
     azimuths : array, shape (2·c,)
-        Cosines, then sines of the azimuths in whole groups of eight. [1]
+        Cosines, then sines of the azimuths in groups of eight. [1]
     first : int
         Index of the first azimuth.
     sine_s, mu_s : float32
@@ -56,8 +56,8 @@ def place_stars(
     sun_angles : int
         Number of sun elevations.
     columns, shares, steps, sines : array, shape (points·8,)
-        Receive the node of the lower sun, the weight of the higher, and cosine and sine of the
-        azimuth between ray and star. [1]
+        Receive the index of the lower sun angle, the weight of the higher, and cosine and sine of
+        the azimuth between ray and star. [1]
     """
     ahead = load(azimuths, first) * sine_s
     aside = load(azimuths, azimuths.size // 2 + first) * sine_s
@@ -80,7 +80,7 @@ def place_stars(
 
 @inlined
 def fill_disc(out):
-    """Visible part of a star by its elevation over its radius, from -1 to 1.
+    """Visible part of the star's disc as a function of elevation over radius, -1 to 1.
 
     ``out``, shape (3·n,), receives ``visible_fraction``, and the mean elevation of the visible part
     above the centre and its deviation, over the star's radius. [1]
@@ -124,7 +124,7 @@ def place_lights(
     turned, places, points, ahead, mu_s, star_radius, lifts, columns, disc, directions, seen,
     low_at, high_at, kinds,
 ):  # fmt: skip
-    """Star as seen from the points of a ray, for eight azimuths in the lanes: ``star_points``.
+    """``star_points`` at the points of a ray, for eight azimuths in the lanes.
 
     Parameters
     ----------
@@ -132,8 +132,8 @@ def place_lights(
         As in ``place_stars``.
     places : array, shape (points·7,)
         Radius [m], (top - radius)(top + radius) [m²], shortest distance to the top [m], steps of
-        the tabled directions over their distance [m⁻¹], cosine of the true horizon, that of the
-        geometric one, and sine of its zenith angle. [1]
+        the tabulated directions per distance [m⁻¹]; cosines of the horizon's true and geometric
+        zenith angles, and sine of the latter [1].
     points : int
     ahead : lanes
         Component of the star along the ray's plane, at its start. [1]
@@ -147,18 +147,18 @@ def place_lights(
     disc : array
         Table from ``fill_disc``.
     directions : int
-        Number of tabled directions.
+        Number of tabulated directions.
     seen : array, shape (points·8,)
         Receives the visible part of the star. [1]
     low_at, high_at : array, shape (points·8,)
         Receive the fractional indices of the two directions that represent it. [1]
     kinds : array, shape (points,)
-        Receives 0 where the star is not seen, 1 where one direction suffices, else 2.
+        Receives the number of directions: 0 where the star is hidden, 1 where one suffices, or 2.
 
     Returns
     -------
     bool
-        Whether the star is seen from any point.
+        Whether the star is visible from any point.
     """
     one = np.float32(1.0)
     nodes = disc.size // 3
@@ -220,7 +220,7 @@ def place_lights(
 
 @inlined
 def way_to_top(upwards, across):
-    """``distance_to_top`` in single precision, from q·mu and (top - q)(top + q): no difference."""
+    """``distance_to_top`` in single precision, from q·mu and (top - q)(top + q)."""
     away = maximum(upwards, 0.0 - upwards)
     far = away + square_root(away * away + across)
     return where_positive(upwards, across / maximum(far, np.float32(1e-30)), far)
