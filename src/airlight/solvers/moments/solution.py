@@ -1,4 +1,4 @@
-"""Solution of the moments solver: marches lines of sight through the moments."""
+"""Solution of the moments solver: radiance by ray marches through the moments."""
 
 from __future__ import annotations
 
@@ -41,10 +41,9 @@ from airlight.tables.columns import ColumnTable, density_table
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Altitudes between which the end of a layer divides the air, over the shell's thickness. [1]
+#: Range of altitudes in which a layer boundary needs ``cut_nodes``, over the shell's thickness. [1]
 _MIDDLE = (0.05, 0.5)
-#: Lines of sight in one block of work: an equal share of all, for all threads to have some, within
-#: these limits.
+#: Number of blocks of work, for load balancing, and limits of the lines of sight in a block.
 _SHARES, _FEWEST, _MOST = 8, 256, 2048
 
 
@@ -60,9 +59,9 @@ class MomentsSolution(Solution):
     moments : Moments
         Result of the iteration.
     seconds : float
-        Time of the solve; 0 from the cache. [s]
+        Wall time of the solve; 0 from the cache. [s]
     paths : RefractedGeometry, optional
-        Light paths of the medium, if already known.
+        Refracted geometry of the medium, if known.
     """
 
     def __init__(
@@ -92,7 +91,7 @@ class MomentsSolution(Solution):
 
     @cached_property
     def setup(self) -> Setup:
-        """Quantities that the solve derived from the medium, made again when asked for."""
+        """Grid, rays and optics derived from the medium, evaluated lazily."""
         return Setup(paths=self.paths, settings=self.settings)
 
     def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
@@ -102,12 +101,12 @@ class MomentsSolution(Solution):
         )
         other = super().with_light(source, secondary=secondary)
         other.paths = replace(self.paths, medium=self.paths.medium.with_light(source))
-        vars(other)["tables"] = tables  # all else is that of any light
+        vars(other)["tables"] = tables  # all else is independent of the source
         return other
 
     @cached_property
     def tables(self) -> MarchTables:
-        """Tables of the march, for all wavelengths, with the points and panels of queries."""
+        """Tables of the ray march, for all wavelengths, with the quadrature of queries."""
         moments, medium, settings = self.moments, self.paths.medium, self.settings
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
         field, sky = pack_light(
@@ -204,20 +203,20 @@ class MomentsSolution(Solution):
         scatterers: Sequence[int] | None = None,
         ground: bool = True,
     ) -> FloatArray:
-        """Radiance per irradiance of the star along lines of sight, or parts of it.
+        """Radiance, or a component of it, per irradiance of the star along lines of sight.
 
         Parameters
         ----------
         lines : LinesOfSight
             n lines of sight.
         orders : int
-            1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
+            1: first order of scattering and reflection; 0: all higher orders; 2: both.
         tables : MarchTables, optional
-            Replaces ``self.tables``, with some of it left out.
+            Modified tables, instead of ``self.tables``.
         scatterers : sequence of int, optional
-            Constituents that scatter the star's light; all by default.
+            Constituents of single scattering; default: all.
         ground : bool
-            Whether the ground is seen behind the air.
+            Whether to include the radiance of the ground.
 
         Returns
         -------
@@ -231,7 +230,7 @@ class MomentsSolution(Solution):
     def path_and_total_radiance(
         self, lines: LinesOfSight, orders: int
     ) -> tuple[FloatArray, FloatArray]:
-        """Radiance of the air alone along lines of sight, and that of all, the ground included.
+        """Path radiance, and total radiance with that of the ground.
 
         Parameters
         ----------
@@ -253,23 +252,24 @@ class MomentsSolution(Solution):
     def segments(
         self, lines: LinesOfSight, length: FloatArray, *, tables: MarchTables | None = None
     ) -> tuple[FloatArray, FloatArray]:
-        """Light of the air between points and what lies at a distance from them.
+        """Path radiance and transmittance of segments of lines of sight.
 
         Parameters
         ----------
         lines : LinesOfSight
             n lines of sight, from ``paths.optical_lines``.
         length : array, shape (n,)
-            Lengths, not beyond those of the lines, as ``paths.optical_length`` gives them. [m]
+            Lengths in the optical radius, from ``paths.optical_length``, at most those of the
+            lines. [m]
         tables : MarchTables, optional
-            Replaces ``self.tables``.
+            Modified tables, instead of ``self.tables``.
 
         Returns
         -------
         radiance : array, shape (n, nl)
-            Radiance of the air per irradiance of the star, all orders. [sr⁻¹]
+            Path radiance per irradiance of the star, all orders. [sr⁻¹]
         transmittance : array, shape (n, nl)
-            Transmittance, with light scattered into removed forward peaks as transmitted. [1]
+            Delta-M scaled transmittance. [1]
         """
         part = replace(lines, length=length)
         return self._lines(part, 2, self.tables if tables is None else tables, None, False)[:2]
@@ -284,10 +284,10 @@ class MomentsSolution(Solution):
         *,
         stokes: bool = False,
     ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Light of lines from ``paths.optical_lines``.
+        """March of lines from ``paths.optical_lines``.
 
-        Radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0 without
-        ``stokes`` [sr⁻¹]; radiance of the air alone, (n, nl). [sr⁻¹]
+        Results: radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0
+        without ``stokes`` [sr⁻¹]; path radiance, (n, nl) [sr⁻¹].
         """
         seen = self.paths.apparent_nu(lines)
         n, count = lines.r.size, self.wavelengths.size
@@ -341,7 +341,7 @@ class MomentsSolution(Solution):
         return self._received(x, lambda tables, out: direct_irradiance(x, mu_s, tables, work, out))
 
     def relative_facing_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Irradiance by the star of surfaces that face it, relative to that without air, (n, nl).
+        """Direct normal irradiance per that outside the atmosphere, shape (n, nl). [1]
 
         Parameters
         ----------

@@ -1,14 +1,14 @@
-"""One sweep: from the moments of the light to those of the light scattered once more.
+"""Sweep: moments of the next order of scattering from those of the previous ones.
 
-For each radius and each direction the radiance is a sum over the points of a ray, and the point's
-source is a sum over the moments there. The factors of the ray alone, the Legendre functions and
-the interpolation in radius, are contracted first, so that the inner loop over sun elevations and
-azimuths only adds up N + 1 cosines. Eight wavelengths run in the lanes of one register.
+For each radius and direction the radiance is a quadrature along a ray, and the source function at a
+point is a sum over the moments. Factors that depend on the ray alone, Legendre functions and
+interpolation in radius, are contracted first, so that the inner loop over sun angles and azimuths
+sums only N + 1 cosines. Eight wavelengths run in the lanes of a register.
 
-Between grid nodes the moments are interpolated as ratios: with s = 1/sqrt(M_00) at each node, the
-value is lerp(M·s)/lerp(s). It is exact at the nodes and, for M falling exponentially, at the
-middle between them, and M_00 stays positive, which linear interpolation does not ensure in the
-twilight, where M falls e-fold within a degree.
+Between grid nodes rational interpolation is used: with s = 1/sqrt(M_00) at each node, the value is
+lerp(M·s)/lerp(s). It is exact at the nodes and, for exponential M, half-way between them, and keeps
+M_00 positive, which linear interpolation does not in twilight, where M falls e-fold within a
+degree.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ from airlight.solvers.moments.ray_source import (
 from airlight.solvers.moments.source_function import source_at_point
 from airlight.solvers.moments.star_places import place_stars
 
-#: Legendre functions below this along a whole ray count as 0: of high orders in steep rays. [1]
+#: Legendre functions below this along a whole ray are neglected: high orders on steep rays. [1]
 _STEEP = 1e-4
-#: Rays whose points are taken together where the moments are more numbers than a cache holds.
+#: Number of rays whose points are processed together if the moments exceed the cache.
 _TOGETHER = 6
 _CACHED = 1_000_000
 
@@ -55,7 +55,7 @@ def _sweep(
     i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, narrow
 ):  # fmt: skip
     """``sweep_radius``, or ``sweep_radius_narrow`` if ``narrow``, a constant."""
-    # Arrays are unpacked from their tuples once: in the loop each access would count references.
+    # Unpacked once: in the loop each access of a tuple would count references.
     bottom, top, radii, sun_cosines, first_nodes, rows_at, places = grid
     (
         all_mu,
@@ -225,7 +225,7 @@ def _sweep(
 def sweep_radius(
     i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out
 ):  # fmt: skip
-    """Gather the light scattered once more at all sun elevations of one radius.
+    """Moments of the next order at one radius, for all sun angles.
 
     Parameters
     ----------
@@ -234,19 +234,19 @@ def sweep_radius(
     grid, rays, azimuths, air : Grid, Rays, Azimuths, ScaledOptics
         Shell, its rays, and its optics.
     share : array, shape (r·a·8,)
-        Factors from ``cull_opaque``. [1]
+        Normalisation factors from ``cull_opaque``. [1]
     expansion : Harmonics
         Harmonics of the moments.
     field : array, shape (r·s·(1 + k)·8,)
-        Moments so far, as (s, M·s) per node; see the head of this file.
+        Moments of the previous orders, as (s, M·s) per node; see the head of this file.
     ground : array, shape (s·2·8,)
-        Irradiance of the ground by the light so far, as (s, E·s) per node.
+        Diffuse irradiance of the ground by these, as (s, E·s) per node.
     degrees : array, shape (r,)
-        Highest degree of the moments that count at each radius, see ``active_degrees``.
+        Highest active degree at each radius, see ``active_degrees``.
     out : array, shape (s·k·8,)
         Receives the moments at this radius.
     sky_out : array, shape (s·8,)
-        Receives the irradiance of a level surface by the light from the upper half sphere.
+        Receives the diffuse horizontal irradiance from above.
     """
     _sweep(
         i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, False

@@ -1,13 +1,12 @@
-"""Synthetic acceleration: the plane-parallel sweep as a matrix, and its inverse.
+"""Synthetic acceleration with the plane-parallel sweep as low-order operator.
 
-In thick air light travels up and down many times before it leaves, and each order of scattering
-differs little from the last. Along the vertical, however, a sweep is a small matrix: if the star
-stood at the same height everywhere, the moments of each sun elevation and of each m would couple
-over radius and degree alone. With K that matrix and r the light that one more sweep adds,
-(1 - K)⁻¹ r is what all further sweeps add, except for the light that travels laterally. So the
-iteration, which alone is exact, ends after a few sweeps however thick the air is. This is the
-synthetic method (Kopp 1963, Nucl. Sci. Eng. 17, 65; Larsen 1982, Nucl. Sci. Eng. 82, 47) with the
-sweep's own operator in place of diffusion.
+In optically thick media successive orders of scattering converge slowly. In the plane-parallel
+approximation, with the star at the same elevation everywhere, a sweep couples moments over radius
+and degree only, for each sun elevation and order m: a small matrix K. With r the residual of a
+sweep, (1 - K)⁻¹ r is the sum of all further sweeps, except for lateral transport. The iteration,
+which converges to the exact solution, then needs only a few sweeps at any optical thickness. This
+is the synthetic method (Kopp 1963, Nucl. Sci. Eng. 17, 65; Larsen 1982, Nucl. Sci. Eng. 82, 47)
+with the plane-parallel sweep in place of diffusion.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ Float32Array = NDArray[np.float32]
 #: Moments, or their means, and irradiances.
 Light = tuple[Float32Array, Float32Array]
 
-#: Highest degree l and order m of the moments in K; higher ones converge without acceleration.
+#: Highest degree l and order m of the moments in K; higher ones converge fast without it.
 DEGREE: Final = 8
 ORDER: Final = 3
 #: Number of sun elevations solved for together.
@@ -41,7 +40,7 @@ _SUNS: Final = 14
 
 
 class SyntheticAcceleration:
-    """Synthetic acceleration for eight wavelengths: (1 - K)⁻¹, K the plane-parallel sweep.
+    """Synthetic acceleration (1 - K)⁻¹ for eight wavelengths, K the plane-parallel sweep.
 
     Parameters
     ----------
@@ -67,7 +66,7 @@ class SyntheticAcceleration:
         angles, levels = rays.mu.shape[1], grid.radii.size
         along = rays.mu_along
         cubics = finer_weights(self.radii, parts).astype(np.float32)
-        # The ground's irradiance is one more unknown beside the moments of m = 0.
+        # The irradiance of the ground is an additional unknown for m = 0.
         self.sizes = sizes = [self.radii * width + (m == 0) for m, width in enumerate(widths)]
         self.factors = [np.zeros((size, size, LANES), np.float32) for size in sizes]
         self.to_sky = np.zeros((self.radii, self.radii * widths[0], LANES), np.float32)
@@ -109,21 +108,21 @@ class SyntheticAcceleration:
         run_blocks(invert, self.order + 1, cancel=cancel)
 
     def set_lateral_scale(self, factor: float) -> None:
-        """Scale the lateral diffusion length of the correction by a factor. [1]"""
+        """Set the factor of the lateral diffusion length. [1]"""
         length, grid_diffusion = self.batch.diffusion_length, self.batch.grid_diffusion
         self.spread = lateral_diffusion_matrix(
             self.grid.sun_cosines, factor * length, factor**2 * grid_diffusion
         )
 
     def apply(self, field: Float32Array, sky: Float32Array, light: Light | None = None) -> Light:
-        """Residual plus the sum of all further sweeps, (1 - K)⁻¹ r, with lateral diffusion.
+        """Accelerated residual (1 - K)⁻¹ r, with lateral diffusion.
 
         The sum of further sweeps is multiplied by ``lateral_diffusion_matrix``. In optically deep
-        air its ratio to the light is diffused instead, since sweeps interpolate ratios there: light
-        that falls e-fold from one sun elevation to the next is not spread. The first order has
-        little light at dusk, where lateral transport dominates; its further orders are diffused
-        over the physical length first, then as a ratio by the numerical diffusion.
-        The result is overwritten by the next call.
+        media its ratio to the radiance is diffused instead, consistent with rational interpolation
+        in the sweeps, so that radiance which falls e-fold between sun elevations is not smeared
+        out. The first order nearly vanishes at dusk, where lateral transport dominates; its further
+        orders are diffused over the physical length first, then, as a ratio, over the numerical
+        one. The result is overwritten by the next call.
 
         Parameters
         ----------
@@ -164,7 +163,7 @@ class SyntheticAcceleration:
             if light is None:
                 more, more_sky = [self.diffusion @ one for one in more], self.diffusion @ more_sky
                 light, spread = (field[:, :, 0], sky), self.grid_diffusion
-            # A change cannot be larger than the light and it together.
+            # A change cannot exceed the sum of radiance and change.
             added = more[0][: radii * (self.degree + 1) : self.degree + 1]
             mean = positive(np.maximum(light[0], 0.0) + np.abs(added))
             received = positive(np.maximum(light[1], 0.0) + np.abs(more_sky))
@@ -190,7 +189,7 @@ class SyntheticAcceleration:
 
 @compiled_loop
 def take_terms(field, sky, m, degree, first, out):
-    """Take the moments of one m of some sun angles, and for m = 0 the ground's irradiance.
+    """Moments of one order m for some sun angles, and for m = 0 the irradiance of the ground.
 
     Parameters
     ----------
@@ -199,9 +198,9 @@ def take_terms(field, sky, m, degree, first, out):
     m, degree : int
         Order of the moments, and highest degree.
     first : int
-        Index of the first sun.
+        Index of the first sun angle.
     out : array, shape (n, sun_angles, 8)
-        Receives them by radius and then degree.
+        Receives the moments by radius, then degree.
     """
     row, sun_angles = 0, out.shape[1]
     given, taken = field.reshape(-1), out.reshape(-1)
@@ -218,27 +217,27 @@ def take_terms(field, sky, m, degree, first, out):
 
 @compiled_loop
 def spread_onto(matrix, values, terms, inner, scale, out):
-    """Add values at the sun angles, multiplied by a matrix (s, s) and by ``scale``, to some terms.
+    """Add values, multiplied by a matrix (s, s) over sun angles and by ``scale``, to some terms.
 
     Parameters
     ----------
     matrix : array, shape (s, s)
         Matrix from ``lateral_diffusion_matrix``. [1]
     values : array, shape (n·s·8,)
-        Values by term and sun.
+        Values by term and sun angle.
     terms : array, shape (n,)
-        Indices of their terms in ``out``.
+        Indices of the terms in ``out``.
     inner : int
-        1 if the first and the last sun elevation are left out, else 0.
+        1 to exclude the first and the last sun angle, else 0.
     scale : array, shape (s, 8)
-        Factors of the sums at each sun.
+        Factors of the sums at each sun angle.
     out : array, shape (s, k, 8)
         Receives the sums.
     """
     sun_angles = matrix.shape[0]
     for n in range(len(terms)):
         for t in range(inner, sun_angles - inner, 4):
-            # Four at a time, so that each value is loaded once for all of them.
+            # Four at a time, so that each value is loaded once.
             second, third = min(t + 1, sun_angles - 1), min(t + 2, sun_angles - 1)
             fourth = min(t + 3, sun_angles - 1)
             one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
@@ -260,16 +259,16 @@ def spread_onto(matrix, values, terms, inner, scale, out):
 
 @inlined
 def add_at(out, sun, term, value):
-    """Add eight lanes to one term of a sun, ``out[sun, term]``."""
+    """Add eight lanes to ``out[sun, term]``."""
     row = out[sun, term]
     store(row, 0, load(row, 0) + value)
 
 
 @compiled_loop
 def multiply(matrix, values, sun_angles, out):
-    """Multiply values (k, s, 8) by a matrix (r, k, 8) of each wavelength, into ``out`` (r, s, 8).
+    """Product of a matrix (r, k, 8) and values (k, s, 8) per wavelength, into ``out`` (r, s, 8).
 
-    Matrix and values are flat; ``sun_angles`` is the number s. Further values are left out.
+    Matrix and values are flat; ``sun_angles`` is s. Further values are ignored.
     """
     flat = out.reshape(-1)
     radii = out.shape[0]
@@ -288,12 +287,12 @@ def lateral_diffusion_matrix(
 ) -> Float32Array:
     """Matrix of (1 - Λ²∇²)⁻¹ on the sphere, between sun elevations, shape (s, s). [1]
 
-    Multiple scattering in a layer diffuses light laterally, about as far as the layer is thick:
-    the diffusion length L. Without it, variations over sun elevation on a smaller scale would be
-    amplified too much, and the iteration would diverge at the terminator of a vast planet.
-    Interpolation between sun elevations h apart adds numerical diffusion: where a ray of length ℓ
-    should see δ²M (ℓ/h)²/2 it sees δ²M ℓ/(2h), so that Λ² = L² + λh/2 with λ = ℓ over the loss by
-    one scattering.
+    Multiple scattering in a layer diffuses radiation laterally over about the layer's thickness,
+    the diffusion length L. Without it, variations over sun elevation on smaller scales would be
+    overestimated by the acceleration, and the iteration would diverge at the terminator of a large
+    planet. Linear interpolation between sun elevations with the step h adds numerical diffusion: a
+    ray of length ℓ gets δ²M ℓ/(2h) instead of δ²M (ℓ/h)²/2, so that Λ² = L² + λh/2 with λ = ℓ over
+    the loss per scattering.
 
     Parameters
     ----------
@@ -310,16 +309,16 @@ def lateral_diffusion_matrix(
 
 
 def lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, spread, measure):
-    """Finite-volume equations of ``lateral_diffusion_matrix``, which is spread⁻¹ diag(measure).
+    """Finite-volume discretisation of ``lateral_diffusion_matrix`` = spread⁻¹ diag(measure).
 
     Parameters
     ----------
     sun_cosines, diffusion_length, grid_diffusion :
         As in ``lateral_diffusion_matrix``.
     spread : array, shape (s·s,)
-        Receives the matrix of 1 - Λ²∇² times the cells' measure; 0 before. [1]
+        Receives the matrix of 1 - Λ²∇² times the measure of the cells; 0 before. [1]
     measure : array, shape (s,)
-        Receives the interval of cosines of each elevation's cell. [1]
+        Receives the measure of each cell, its interval of cosines. [1]
     """
     sun_angles = sun_cosines.size
     below = -1.0
