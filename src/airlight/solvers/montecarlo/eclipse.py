@@ -1,7 +1,7 @@
-"""Radiance in the shadow of a moon by histories: the judge of ``solvers.eclipsed``.
+"""Monte Carlo radiance in the shadow of a moon: reference for ``solvers.eclipsed``.
 
-Each event of a history receives the part of the star's light that the moon leaves at its own place;
-all else is as without the moon. Lines of sight have places in space here, not only angles.
+Direct irradiance at each event is multiplied by the visible fraction of the star there. Lines of
+sight have positions in space, not only angles.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def eclipsed_estimate(
     points: ArrayLike,
     directions: ArrayLike | None = None,
 ) -> Estimate:
-    """Estimate radiances, or the sky's irradiance of level surfaces, per that of the whole star.
+    """Radiance, or diffuse horizontal irradiance, per irradiance of the unocculted star.
 
     Parameters
     ----------
@@ -38,12 +38,12 @@ def eclipsed_estimate(
     points : array, shape (n, 3)
         Observers in that frame, inside the shell. [m]
     directions : array, shape (n, 3), optional
-        Unit vectors; irradiances if left out. [1]
+        Unit vectors; default: irradiances. [1]
 
     Returns
     -------
     Estimate
-        With all orders sampled.
+        Estimate with all orders sampled.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def eclipsed_estimate(
 
 
 def _frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
-    """Axes of ``events.start_vectors``: x to the star, y to the side of the line, z up. [1]"""
+    """Axes of ``events.start_vectors``: x towards the star, y sideways, z up. [1]"""
     flat = towards - (towards @ up) * up
     if np.linalg.norm(flat) < 1e-12:
         flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])

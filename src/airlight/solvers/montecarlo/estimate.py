@@ -1,9 +1,9 @@
-"""Histories in rounds, until each line of sight is known accurately enough.
+"""Rounds of Monte Carlo histories until each line of sight has the requested standard error.
 
-Every line of sight and wavelength is a task of its own, traced independently of all others. A task
-begins with two blocks of histories; their scatter determines how many more it needs, and it gets
-at most three times its previous number. The decision is made after whole rounds only, and the sums
-are added in the order of the blocks: nothing depends on the number of threads.
+Each pair of line of sight and wavelength is an independent task. A task begins with two blocks of
+histories, whose variance determines the number of further ones, at most three times the previous
+number. Decisions are made after complete rounds, and sums are added in block order, so that results
+do not depend on the number of threads.
 """
 
 from __future__ import annotations
@@ -31,31 +31,30 @@ FloatArray = NDArray[np.float64]
 BLOCK: Final = 8192
 #: Number of blocks in the first round.
 _FIRST_ROUND: Final = 2
-#: Number of blocks without light after which a task gets no more.
+#: Number of blocks without any contribution after which a task ends.
 _DARK: Final = 64
-#: Where the star is lower than this on a line of sight, half of the points are drawn in lit air;
-#: elsewhere nearly all air is lit, and the choice would only cost time. [1]
+#: Zenith cosine of the star on a line of sight below which half of the points are drawn towards
+#: sunlight; above, nearly the whole atmosphere is sunlit. [1]
 _LOW_STAR: Final = 0.0
 _SUN_SAMPLING_FRACTION: Final = 0.5
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """Estimates by histories for some lines of sight.
+    """Monte Carlo estimates for n lines of sight.
 
     Attributes
     ----------
     total, total_error : array, shape (n, nl)
-        Radiance (or irradiance) per irradiance of the star and its standard error, including the
-        orders known beforehand. [sr⁻¹] or [1]
+        Radiance (or irradiance) per irradiance of the star and its standard error, including an
+        exact first order. [sr⁻¹] or [1]
     parts, part_errors : array, shape (n, k + 1, nl)
-        Parts of each order; the last is the sum of all further ones. The parts of one line come
-        from the same histories: their errors are correlated, those of different lines or
-        wavelengths are not.
+        Contributions of each order; the last is the sum of all further ones. Errors of the orders
+        of a line are correlated, those of different lines or wavelengths are not.
     histories : array of int, shape (n, nl)
-        Number of histories followed.
+        Number of histories.
     reached : array of bool, shape (n, nl)
-        Whether the error is as small as requested.
+        Whether the requested error was reached.
     polarised, polarised_error : array, shape (n, 2, nl)
         Q and U of all orders in the frame of ``stokes``, and their standard errors; 0 without
         polarisation. [sr⁻¹]
@@ -82,11 +81,11 @@ class Question:
     lengths : array, shape (n,)
         Lengths of the lines of sight; no histories where it is 0. [m]
     hemisphere : bool
-        Whether to estimate the light from the upper hemisphere, rather than along a view.
+        Whether to estimate the irradiance from the upper hemisphere rather than a radiance.
     known : array, shape (n, 3, nl), or None
-        I, Q and U of the first order, if it need not be sampled.
+        I, Q and U of the first order, if it is not sampled.
     order : int or None
-        Order whose error decides; None is all orders together.
+        Order whose error decides; None: all orders together.
     occulted : sequence of OccultedStar, optional
         Moon in front of the star for each start, in its own frame (``events.start_vectors``), with
         all wavelengths.
@@ -109,7 +108,7 @@ def estimate(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Estimate:
-    """Follow histories until all tasks are done.
+    """Monte Carlo estimates, by rounds of histories until all tasks are done.
 
     Parameters
     ----------
@@ -198,7 +197,7 @@ def _run_block(
     """Run one block of histories of one task."""
     start = question.starts[line]
     r, mu, mu_s, nu = (float(one) for one in start)
-    # The stream belongs to the question itself, not to its index in a list of questions.
+    # The stream depends on the line of sight itself, not on its index.
     names = struct.unpack("<5Q", struct.pack("<5d", *(one + 0.0 for one in (r, mu, mu_s, nu, nm))))
     state = stream(settings.seed, *names, int(question.hemisphere), block)
     along = air.extinction
@@ -232,7 +231,7 @@ def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatAr
 def _judged(
     question: Question, means: FloatArray, errors: FloatArray, known: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Value and error of each task that decide when it is done, shape (tasks,)."""
+    """Value and error of each task for the stopping rule, shape (tasks,)."""
     if question.order is None:
         return means[:, -3] + known.ravel(), errors[:, -3]
     if question.order == 1 and question.known is not None:
@@ -249,7 +248,7 @@ def _more(
     value, error = _judged(question, means, errors, known)
     allowed = settings.relative_error * value
     ratio = np.divide(error, allowed, out=np.full(value.size, 2.0), where=allowed > 0.0)
-    # A tenth more than estimated from the scatter, so that the next round is usually the last.
+    # A tenth more than estimated from the variance, so that the next round is usually the last.
     need = np.where(ratio > 1.0, np.ceil(1.1 * blocks * np.square(np.minimum(ratio, 1e3))), blocks)
     dark = (value <= 0.0) & (blocks >= _DARK)
     wanted = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)

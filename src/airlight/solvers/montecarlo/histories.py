@@ -1,26 +1,23 @@
-"""Histories of light, followed backwards from the observer to the star.
+"""Backward Monte Carlo histories, from the observer to the star.
 
-A history starts at the observer and is forced to end its ray in an event: it scatters before the
-ray leaves the air (weight 1 - T), or is reflected by the ground (weight A T, A the part of a beam
-from there that is sent back); which of the two is drawn in proportion to these weights. Each event
-sends its share of light from a random point of the star's disc (next-event estimation), then a new
-direction is drawn from the phase function of a constituent chosen in proportion to what it scatters
-there, or from Lambert's law, weighed by the ground's. Absorption lowers the weight.
+Collisions are forced: each ray ends in a scattering event before it leaves the atmosphere (weight
+1 - T) or in a reflection by the ground (weight A T, with the directional albedo A), drawn in
+proportion to these weights. Each event contributes direct light from a random point of the star's
+disc (next-event estimation); the new direction is drawn from the phase function of a constituent,
+chosen in proportion to its scattering coefficient, or from Lambert's law, weighted by the actual
+reflection law. Absorption lowers the weight.
 
-Histories end by Russian roulette alone: once the weight is below ``KEEP`` of what it was after the
-first event, a history goes on with probability weight/KEEP, and with a weight raised accordingly;
-from event ``LONG`` on at most with ``LONG_SURVIVAL``. The expectation is that of the infinite
-series; no order is cut off.
+Histories end only by Russian roulette (``events.roulette``), so that the expectation is that of the
+infinite series of orders.
 
-Polarised light has, beside the weight, the product of the phase matrices over the phase functions
-so far (see ``stokes``); events and directions are drawn as for unpolarised light.
+Polarised histories carry the product of phase matrices over phase functions (see ``stokes``);
+events and directions are sampled as for scalar transfer.
 
-A moon in front of the star dims each share of its light by the part that it hides from the event.
+A moon in front of the star dims each contribution by the fraction that it hides from the event.
 
 Geometry: straight rays between spheres, positions and directions as vectors; the star is at
-infinity. Every angle is the local one; nothing is expanded or looked up but the air's extinction
-over altitude (see ``rays``). Where light is bent, radii are optical ones, and point and direction
-are turned at each event (see ``refracted_paths``).
+infinity. Only extinction is tabulated, over altitude (see ``rays``). With refraction, radii are
+optical ones, and point and direction are rotated at each event (see ``refracted_paths``).
 """
 
 from __future__ import annotations
@@ -75,7 +72,7 @@ def _from_star(r, mu, air, path):
 
 @inlined
 def _add_history(contribution, polarised, reached, sums):
-    """Add a history's contribution of each order, and its square, to the sums; reset it."""
+    """Add a history's contributions by order, and their squares, to the sums; reset them."""
     whole = 0.0
     for k in range(2):
         value = polarised[k]
@@ -97,7 +94,7 @@ def trace_paths(
     count, start, hemisphere, first_order, sun_sampling_fraction, air, occulted, state, paths,
     workspace, sums
 ):  # fmt: skip
-    """Trace histories and add their contributions, and the squares, to the sums of each order.
+    """Trace histories; add their contributions by order, and the squares, to the sums.
 
     Parameters
     ----------
@@ -106,15 +103,15 @@ def trace_paths(
     start : tuple of float
         Radius [m], cosines of view zenith, star zenith and the angle between them [1].
     hemisphere : bool
-        Whether to start in random directions of the upper hemisphere, for the irradiance of a
-        level surface, rather than along the view.
+        Whether to start in random directions of the upper hemisphere, for horizontal irradiance,
+        rather than along the view.
     first_order : int
-        Orders below this one are followed but not counted.
+        Lowest order that is counted.
     sun_sampling_fraction : float
-        Fraction of the points that are sampled towards the star's light; see ``lit_air``. [1]
+        Fraction of sun-biased points; see ``lit_air``. [1]
     air : HistoryOptics
     occulted : OccultedStar
-        Moon in front of the star, in the frame of ``start_vectors``; without lanes if none is.
+        Moon in front of the star, in the frame of ``start_vectors``; without lanes for none.
     state : array, shape (1,)
         State of the stream of random numbers.
     paths : tuple
@@ -124,8 +121,8 @@ def trace_paths(
         Scattering by each constituent, shape (nc,); contributions of a history to each order,
         shape (k,), and to Q and U of all, shape (2,); the product of ``stokes``, shape (3, 4).
     sums : array, shape (2, k + 3)
-        Sums and sums of squares of each order, the last order gathering all further ones, then of
-        all orders together, and of their Q and U.
+        Sums and sums of squares of each order, the last including all further ones; then of all
+        orders together, and of their Q and U.
     """
     start_r, start_mu, mu_s, nu = start
     first_path, next_path, star_path, first_lit, next_lit = paths

@@ -1,4 +1,4 @@
-"""Optical properties of a medium at one wavelength for histories, with a sufficient quadrature."""
+"""Optical properties of a medium at one wavelength for histories, and the choice of quadrature."""
 
 from __future__ import annotations
 
@@ -44,14 +44,14 @@ RULES: Final = (
     (20, 2, True),
     (24, 4, True),
 )
-#: Allowed maximum and root-mean-square error of the light lost by a ray up to each of its points,
-#: relative to the total loss, over ``_test_rays``.
+#: Largest allowed maximum and RMS error of the attenuation up to each point of a ray, relative to
+#: the total attenuation, over ``_test_rays``.
 LARGEST_ERROR: Final = 1e-3
 MEAN_ERROR: Final = 2e-4
 
 
 class HistoryOptics(NamedTuple):
-    """Optical properties of air and ground at one wavelength.
+    """Optical properties of atmosphere and ground at one wavelength.
 
     Attributes
     ----------
@@ -64,13 +64,13 @@ class HistoryOptics(NamedTuple):
     lobes : Lobes
         Phase functions.
     ground : Reflection
-        Reflection by the ground.
+        Reflectance of the ground.
     star_radius : float
         Angular radius of the star. [rad]
     light : Starlight
-        Coarse table of the star's light.
+        Coarse table of transmittance to the star.
     refraction : RefractionColumn
-        How light is bent.
+        Refraction.
     polarised : bool
         Whether histories carry polarisation.
     """
@@ -88,12 +88,12 @@ class HistoryOptics(NamedTuple):
 
 
 def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool) -> HistoryOptics:
-    """Prepare a medium at one of its wavelengths.
+    """Optical properties of a medium at one of its wavelengths.
 
     Parameters
     ----------
     paths : RefractedGeometry
-        Paths of light in the medium.
+        Refracted geometry of the medium.
     wavelength : int
         Index of the wavelength.
     polarised : bool
@@ -148,7 +148,7 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
 
 
 def jump_altitudes(density: DensitySegments) -> FloatArray:
-    """Altitudes inside the shell at which a profile is not continuous. [m]"""
+    """Altitudes inside the shell at which a profile is discontinuous. [m]"""
     found: set[float] = set()
     for edges, rows in zip(density.edges, density.coefficients, strict=True):
         for k in range(1, len(rows)):
@@ -169,7 +169,7 @@ def breakpoint_altitudes(density: DensitySegments) -> FloatArray:
 
 
 def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Rays to space from the ground to high up, from the zenith to the horizon."""
+    """Rays to space from various altitudes, from the zenith to the horizon."""
     heights = np.array([0.0, 0.003, 0.01, 0.03, 0.06, 0.1, 0.2, 0.4])
     bottom, top = medium.bottom_radius, medium.top_radius
     r = (bottom + heights * medium.thickness)[:, None]
@@ -183,7 +183,7 @@ def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @compiled_loop
 def running_depths(r, mu, extinction, path, distances, out):
-    """Compute optical depths of rays to space up to their panels' points and the panels' ends.
+    """Optical depths of rays to space up to the points and ends of their panels.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Result of the Monte Carlo solver, which answers each question with new histories."""
+"""Solution of the Monte Carlo solver: each query traces new histories."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ class MonteCarloReport(Report):
     Attributes
     ----------
     solver, settings, sweeps, residual, seconds, ground :
-        Fields of ``Report``; ``sweeps`` is the number of orders kept apart, ``residual`` the
-        largest standard error over radiance per wavelength, of the last result.
+        Fields of ``Report``; ``sweeps`` is the number of separate orders, ``residual`` the largest
+        standard error over radiance per wavelength, of the last result.
     histories : int
-        Number of histories followed for the last result.
+        Number of histories of the last result.
     unreached : int
-        Number of its lines of sight whose error is larger than requested, at some wavelength: the
-        bound on histories was reached, or no light was found.
+        Number of its lines of sight that did not reach the requested error at some wavelength, by
+        the limit of histories or without any contribution.
     lines : int
         Number of its lines of sight.
     """
@@ -70,13 +70,12 @@ class MonteCarloReport(Report):
 
 
 class MonteCarloSolution(Solution):
-    """Solution by Monte Carlo: no table of radiance, every result is traced.
+    """Monte Carlo solution: every result is traced.
 
-    The same question with the same seed gives the same histories, to the last bit, independent of
-    other questions. Errors of different lines of sight and of different wavelengths are
-    independent; those of the orders of one line are not. Order 1 is exact by quadrature unless the
-    settings say otherwise or light is bent (irradiances are always sampled whole). Nothing is kept
-    on disk.
+    Results are reproducible to the last bit for a seed, independent of other queries. Errors of
+    different lines of sight and of different wavelengths are independent; those of the orders of a
+    line are not. Order 1 is exact by quadrature, except with refraction, for irradiances, or by
+    settings. Nothing is cached on disk.
 
     Parameters
     ----------
@@ -85,7 +84,7 @@ class MonteCarloSolution(Solution):
     settings : Settings
         Stopping rule.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; used for every result.
+        See ``airlight.kernel.threads``; for every result.
     """
 
     def __init__(
@@ -120,7 +119,7 @@ class MonteCarloSolution(Solution):
         ----------
         lines : LinesOfSight
         order : int, optional
-            Order whose error decides when to stop; all orders together if left out.
+            Order whose error decides when to stop; default: all orders together.
         """
         started = perf_counter()
         known = self.first_order(lines) if self._integrates_first_order else None
@@ -132,7 +131,7 @@ class MonteCarloSolution(Solution):
         return self.answer(Question(starts, lengths, False, known, order), started)
 
     def answer(self, question: Question, started: float) -> Estimate:
-        """Answer a question that was asked at ``started``, a time of ``perf_counter``. [s]"""
+        """Estimate of a query that began at ``started``, by ``perf_counter``. [s]"""
         got = estimate(
             question,
             self.airs,
@@ -156,11 +155,10 @@ class MonteCarloSolution(Solution):
         return got
 
     def first_order(self, lines: LinesOfSight) -> FloatArray:
-        """I, Q and U scattered or reflected once, by quadrature, per the star's, (n, 3, nl). [sr⁻¹]
+        """First order of I, Q and U by quadrature, per irradiance of the star, (n, 3, nl). [sr⁻¹]
 
-        The star's light and the phase function are averaged over its disc separately: within the
-        aureole of a sun on the horizon the mean of their product differs by up to some parts in
-        1000.
+        Direct irradiance and phase function are averaged over the star's disc separately: within
+        the aureole of a sun on the horizon the mean of their product differs by some parts in 1000.
         """
         once = single_scattering(self.medium, lines, progress=self.progress, cancel=self.cancel)
         found = np.zeros((lines.r.size, 3, self.wavelengths.size))
@@ -175,7 +173,7 @@ class MonteCarloSolution(Solution):
         return found
 
     def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; orders up to ``highest_order`` can be requested."""
+        """See ``Solution``; orders up to ``highest_order``."""
         got = self.trace(lines, order=order)
         return got.total if order is None else got.parts[:, order - 1]
 
@@ -185,12 +183,12 @@ class MonteCarloSolution(Solution):
         return self.settings.polarisation
 
     def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; all orders, or only the first where that is integrated.
+        """See ``Solution``; all orders, or the first if computed by quadrature.
 
         Raises
         ------
         ParameterError
-            If another order is requested: Q and U are those of all orders together.
+            If another order is requested.
         """
         if order is None:
             got = self.trace(lines)
@@ -214,9 +212,9 @@ class MonteCarloSolution(Solution):
         order: int | None = None,
         stokes: bool = False,
     ) -> xarray.DataArray:
-        """See ``Solution``; the coordinate ``standard_error`` has the result's shape and unit.
+        """See ``Solution``; with a coordinate ``standard_error`` of the same shape and unit.
 
-        ``estimate`` returns the contributions of the orders too.
+        ``estimate`` also returns the contributions of the orders.
         """
         if stokes and order is not None:  # the first, by quadrature
             return super().radiance(
@@ -247,7 +245,7 @@ class MonteCarloSolution(Solution):
         }
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """See ``Solution``; sampled over directions, the first order too."""
+        """See ``Solution``; all orders sampled, also in direction."""
         return self._sky(r, mu_s).total
 
     def _sky(self, r: FloatArray, mu_s: FloatArray) -> Estimate:
@@ -273,34 +271,34 @@ class MonteCarloSolution(Solution):
         azimuth: Measures = 0.0,
         stokes: bool = False,
     ) -> xarray.Dataset:
-        """Radiance with its standard error, and the contribution of each order of scattering.
+        """Radiance with standard error, and contribution of each order of scattering.
 
-        The settings' error is that of the radiance; those of Q and U are about as large, in the
-        same unit.
+        The target error applies to radiance; errors of Q and U are about as large, in the same
+        unit.
 
         Parameters
         ----------
         altitude, sun_zenith, view_zenith, azimuth : array
             Arguments of ``radiance``. [m], [deg]
         stokes : bool
-            Whether to return I, Q and U too, as ``radiance`` does.
+            Whether to return also I, Q and U, as ``radiance`` does.
 
         Returns
         -------
         xarray.Dataset
             ``radiance`` and ``standard_error`` [W m⁻² sr⁻¹ nm⁻¹], ``histories`` and ``reached``
-            (whether the error is as small as requested), each of shape (..., wavelength);
+            (whether the target error was reached), each of shape (..., wavelength);
             ``order_radiance`` and ``order_standard_error`` of shape (..., order, wavelength);
-            ``higher_radiance`` and ``higher_standard_error`` of all further orders together; with
+            ``higher_radiance`` and ``higher_standard_error`` of all further orders; with
             ``stokes``, ``stokes_radiance`` and ``stokes_standard_error`` of shape
-            (..., stokes, wavelength), where those of a vertical line take the errors of Q and U as
+            (..., stokes, wavelength); for a vertical line, errors of Q and U are assumed
             independent.
 
         Raises
         ------
         ParameterError
-            If a value is out of its range, the shapes do not broadcast, or polarised light is
-            requested of scalar transfer.
+            If a value is out of its range, the shapes do not broadcast, or Stokes parameters are
+            requested of a scalar solution.
         Cancelled
             If ``cancel`` returned True.
         """
@@ -359,7 +357,7 @@ def _turned(
 
 
 def _turned_errors(got: Estimate, view_zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
-    """Standard errors of I, Q and U in that frame, shape (n, 3, nl), from each one's alone."""
+    """Standard errors of I, Q and U in that frame, shape (n, 3, nl), without covariances."""
     alone = np.eye(2)[:, None, :, None] * got.polarised_error
     q, u = (_turned(got.total_error, one, view_zenith, azimuth) for one in alone)
     return np.concatenate([q[:, :1], np.hypot(q[:, 1:], u[:, 1:])], axis=1)
@@ -368,7 +366,7 @@ def _turned_errors(got: Estimate, view_zenith: FloatArray, azimuth: FloatArray) 
 def disc_mean(
     medium: Medium, element: Callable[[FloatArray], FloatArray], nu: FloatArray
 ) -> FloatArray:
-    """Element of the phase matrices averaged over the star's disc.
+    """Element of the phase matrices, averaged over the star's disc.
 
     Parameters
     ----------
@@ -406,7 +404,7 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MonteCarloSolution:
-    """Prepare a medium for histories.
+    """Monte Carlo solution of a medium.
 
     Parameters
     ----------
@@ -415,8 +413,8 @@ def solve(
     settings : Settings
         Stopping rule.
     cache : bool
-        Ignored: nothing is kept on disk.
+        Ignored: nothing is cached on disk.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; kept for the results.
+        See ``airlight.kernel.threads``; for every result.
     """
     return MonteCarloSolution(medium, settings, progress=progress, cancel=cancel)
