@@ -1,10 +1,10 @@
-"""Iteration for the field around a moon's shadow, order by order.
+"""Successive orders of the scattering correction around a moon's shadow.
 
-Every node of the grid gathers the light of a sphere of directions, dense at its horizon, where the
-light comes from while the sky above is dark. The first sweep gathers local light less the same with
-the node's own part of the star's: the source of the deviation. Each further sweep gathers the light
-of the last one, the next order; the orders after the last are summed as a geometric series. Where
-nothing is in shadow the source is 0, whatever the grid.
+Every node of the grid integrates radiance over the sphere, with dense directions at the horizon,
+where light comes from while the sky above is dark. The source of the correction is single
+scattering with the local visible fraction of the star, less the same with the fraction at the node.
+Each sweep yields the next order; the orders after the last are summed as a geometric series.
+Outside the shadow the source vanishes, independent of the grid.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class ShadowGrid(NamedTuple):
     points : tuple of int
         Points of a panel in a sweep, as in ``quadratures``.
     tolerance : float
-        Largest part of the light of a node that the last sweep adds. [1]
+        Largest relative contribution of the last sweep at a node. [1]
     """
 
     radii: int
@@ -79,18 +79,17 @@ class ShadowGrid(NamedTuple):
     tolerance: float
 
 
-#: Resolutions by the radii of the solution's own grid: preview, default, fine.
+#: Resolutions by the number of radii of the solution: preview, default, fine.
 GRIDS: Final = {
     14: ShadowGrid(8, 13, 8, 4, 6, 4, 8, (8, 8, 10), 5e-2),
     24: ShadowGrid(13, 21, 12, 7, 9, 5, 12, (8, 10, 14), 2e-2),
     40: ShadowGrid(19, 29, 16, 10, 14, 8, 16, (12, 16, 20), 1e-2),
 }
-#: Distance of the grid's end behind the umbra, in distances to the horizon of the air's scale.
+#: Extent of the grid beyond the umbra, in horizon distances of the scale height.
 _REACH: Final = 3.0
-#: Part of the grid's coordinate behind which the field is let fade to 0.
+#: Fraction of the grid's coordinate beyond which the field is tapered to 0.
 _FADE: Final = 0.8
-#: Largest ratio of an order to the one before by which further ones are summed, and largest number
-#: of sweeps.
+#: Largest ratio of successive orders in the geometric series, and largest number of sweeps.
 _LARGEST_RATIO: Final = 0.8
 _MOST_SWEEPS: Final = 60
 #: Nodes of the stored field between those of the iteration, in distance and in angle.
@@ -106,16 +105,16 @@ def eclipsed_field(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> ShadowTables:
-    """Find the light around a moon's shadow.
+    """Field of the scattering correction around a moon's shadow.
 
     Parameters
     ----------
     solution : MomentsSolution
         Unshadowed solution, lit by the same star.
     star : OccultedStar
-        Star and moon, in the shadow's frame (``shadow_axes``), points by optical radius.
+        Star and moon, in the shadow's frame (``shadow_axes``), with optical radii.
     cache : bool
-        Whether the field is looked for on disk first, and stored there.
+        Whether to read the field from the cache on disk, and to write it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -154,7 +153,7 @@ def _key(solution: MomentsSolution, star: OccultedStar) -> str:
 
 
 def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
-    """Tables of the right size around the shadow, without deviations."""
+    """Tables around the shadow, of the final shape, without correction."""
     tables, grid = solution.tables, _grid(solution)
     degree = min(grid.degree, solution.moments.degree)
     terms = harmonics(degree)
@@ -194,7 +193,7 @@ def _axis_offset(star: OccultedStar) -> float:
 
 
 def _scale_height(solution: MomentsSolution) -> float:
-    """Mean altitude of what scatters, by the vertical scattering optical depth. [m]"""
+    """Mean altitude of scattering, weighted by vertical scattering optical depth. [m]"""
     medium = solution.paths.medium
     altitude = np.linspace(0.0, medium.thickness, 2000)
     weight = medium.scattering.max(axis=1) @ medium.density.at(altitude)
@@ -204,7 +203,7 @@ def _scale_height(solution: MomentsSolution) -> float:
 def _iterate(
     solution: MomentsSolution, empty: ShadowTables, progress: Progress | None, cancel: Cancel | None
 ) -> dict[str, NDArray[Any]]:
-    """Sweep until the field does not change: arrays by node, wavelengths last."""
+    """Sum of the orders until convergence: arrays by node, wavelengths last."""
     grid = _grid(solution)
     tables = solution.tables._replace(rules=quadratures(grid.points), panels=1)
     half, lanes = grid.turns // 2 + 1, empty.star.lanes
@@ -270,20 +269,20 @@ def _fade(distances: int) -> Float32Array:
 
 
 def _mirror_signs(degree: int) -> Float32Array:
-    """Signs by which harmonics change on the other side of the plane of axis and centre."""
+    """Parity of the harmonics under reflection at the plane of axis and centre."""
     return np.array(
         [-1.0 if m < 0 else 1.0 for l in range(degree + 1) for m in range(-l, l + 1)], np.float32
     )
 
 
 def _directions(grid: ShadowGrid) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
-    """Nodes and weights on either side of the horizon, in [0, 1], and number of azimuths."""
+    """Quadrature on either side of the horizon, in [0, 1], and number of azimuths."""
     up, down = gauss_legendre(grid.up), gauss_legendre(grid.down)
     return up.nodes, up.weights, down.nodes, down.weights, grid.azimuths
 
 
 def _local_part(shadow: ShadowTables, tables: MarchTables) -> Float32Array:
-    """Part of the star's light at every node, shape (radii, distances, angles, w). [1]"""
+    """Visible fraction of the star at every node, shape (radii, distances, angles, w). [1]"""
     out = np.empty((shadow.radii, shadow.distances, shadow.angles, shadow.star.lanes), np.float32)
     _fill_local(tables.bottom, tables.top, shadow, new_shadow_workspace(shadow), out)
     return out
@@ -301,7 +300,7 @@ def _fill_local(bottom, top, shadow, scratch, out):
 
 @compiled_loop
 def _gather(row, column, count, kind, tables, shadow, work, scratch, directions, field, sky):
-    """Gather the light of all directions at the nodes of a distance, into field and sky.
+    """Moments and diffuse irradiance of the next order at the nodes of a distance.
 
     Parameters
     ----------
@@ -314,9 +313,9 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
     directions : tuple of arrays
         Result of ``_directions``.
     field : array, shape (angles, K, w)
-        Receives the deviation d.
+        Receives the correction d.
     sky : array, shape (angles, w)
-        Receives that of the sky's irradiance, at the lowest nodes.
+        Receives the correction of diffuse irradiance, at the lowest nodes.
     """
     tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
     lanes, star = tables.lanes, shadow.star
@@ -402,7 +401,7 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
 
 
 def _refined(shadow: ShadowTables, field: Float32Array, sky: Float32Array) -> ShadowTables:
-    """Tables with nodes between those of the iteration, by smooth curves through these."""
+    """Tables with nodes interpolated between those of the iteration."""
     distances = (shadow.distances - 1) * _FINER + 1
     angles = (shadow.angles - 1) * _FINER_ANGLES + 1
     shape = (shadow.distances, shadow.angles, -1)
@@ -416,8 +415,8 @@ def _refined(shadow: ShadowTables, field: Float32Array, sky: Float32Array) -> Sh
 def _finer(values: Float32Array, distances: int, angles: int) -> Float32Array:
     """Values on a finer grid, shape (rows, distances, angles, n).
 
-    In distance by cubic splines through the axis, on whose other side the position angle is half a
-    turn farther; in angle by the trigonometric polynomial.
+    In distance by cubic splines across the axis, with the position angle shifted by half a turn on
+    the other side; in angle by trigonometric interpolation.
     """
     from scipy.interpolate import CubicSpline
 

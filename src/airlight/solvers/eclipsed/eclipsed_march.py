@@ -1,9 +1,9 @@
-"""Radiance along a line of sight through a moon's shadow on the air.
+"""Ray march through a moon's shadow on the atmosphere.
 
-The march is that of ``moments.march`` with three differences: every point has its place in space,
-at which the star's light is that part which the moon leaves; light scattered before is that of the
-unshadowed solution times the same part, and the deviation of ``ShadowTables``; and panels end where
-the line meets the umbra. Nothing is symmetric about the star's vertical plane.
+The march is that of ``moments.march`` with three differences: direct irradiance at a point is
+multiplied by the visible fraction of the star there; multiple scattering is that of the unshadowed
+solution times the same fraction, plus the correction of ``ShadowTables``; and panels end at the
+umbra. There is no symmetry about the star's vertical plane.
 """
 
 from __future__ import annotations
@@ -36,8 +36,7 @@ from airlight.solvers.moments.source import (
     transmittance_columns,
 )
 
-#: Light that a march computes: single scattering in the local shadow, the correction of multiple
-#: scattering, or both.
+#: Component of the radiance: with the local shadow, correction of multiple scattering, or both.
 LOCAL_SHADOW: Final = 0
 SCATTERING_CORRECTION: Final = 1
 TOTAL: Final = 2
@@ -52,7 +51,8 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
     Parameters
     ----------
     x, y, u, v : float
-        Components across the axis of the line's start, optical [m], and direction [1].
+        Components normal to the axis: of the start, in the optical radius [m], and of the direction
+        [1].
     length : float
         Length of the line. [m]
     shadow : ShadowTables
@@ -84,7 +84,7 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
 
 @inlined
 def seen_star_part(x, y, z, shadow, scratch):
-    """Part of the star's light at a point, less the offset, into ``scratch.seen``. [1]
+    """Visible fraction of the star at a point, less the offset, to ``scratch.seen``. [1]
 
     Parameters
     ----------
@@ -105,18 +105,18 @@ def seen_star_part(x, y, z, shadow, scratch):
 
 @inlined
 def turned_point(x, y, z, u, v, w, q, mu, angle):
-    """Point of a bent line, from that of the straight one. [m]
+    """Point of a refracted line, from that of the straight one. [m]
 
     Parameters
     ----------
     x, y, z : float
-        Point as drawn. [m]
+        Point of the straight line. [m]
     u, v, w : float
-        Direction of the line as drawn. [1]
+        Direction of the straight line. [1]
     q, mu : float
         Radius of the point [m], and cosine of the line's zenith angle there [1].
     angle : float
-        Angle by which the line has been bent. [rad]
+        Refraction angle up to the point. [rad]
     """
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     if angle == 0.0 or sine < 1e-9:
@@ -130,12 +130,12 @@ def turned_point(x, y, z, u, v, w, q, mu, angle):
 def march_eclipsed(
     x, y, z, u, v, w, half_sine, length, kind, phase, tables, shadow, work, scratch, result
 ):  # fmt: skip
-    """Light of a stretch of air towards its start, per irradiance of the unshadowed star.
+    """Path radiance and transmittance of a segment, per irradiance of the unshadowed star.
 
     Parameters
     ----------
     x, y, z : float
-        Start in the frame of the shadow, by optical radius. [m]
+        Start in the frame of the shadow, in the optical radius. [m]
     u, v, w : float
         Direction. [1]
     half_sine : float
@@ -144,16 +144,16 @@ def march_eclipsed(
         Length, to the ground or to the top. [m]
     kind : int
         ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. For the first, ``scratch.offset``
-        is subtracted from the star's light.
+        is subtracted from the visible fraction of the star.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
     tables, work : MarchTables, MarchWorkspace
         Tables of the unshadowed solution; workspace, whose totals receive the columns of the
-        stretch [m].
+        segment [m].
     shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
     result : array, shape (2·w,)
-        Receives the air's radiance [sr⁻¹] and its transmittance [1].
+        Receives path radiance [sr⁻¹] and transmittance [1].
     """
     r = sqrt(x * x + y * y + z * z)
     star = shadow.star
@@ -194,7 +194,7 @@ def march_eclipsed(
 def _add_point(
     x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, tables, shadow, work, scratch, result
 ):  # fmt: skip
-    """Add the light of one point of a panel; arguments as in ``march_eclipsed``."""
+    """Add the source of one point of a panel; arguments as in ``march_eclipsed``."""
     q = min(max(work.radius[k], tables.bottom), tables.top)
     t = work.distance[k]
     star = shadow.star
@@ -209,7 +209,7 @@ def _add_point(
         )
     px, py, pz = turned_point(x + t * u, y + t * v, z + t * w, u, v, w, q, mu_q, angle)
     mu_sq = min(max((px * star.star_x + py * star.star_y + pz * star.star_z) / q, -1.0), 1.0)
-    # The line is turned with its point: the cosine to the star, as ``refraction.turned`` has it.
+    # The line is rotated with its point: cosine to the star as in ``refraction.turned``.
     nu_q = nu
     if angle != 0.0:
         sine = sqrt(max((1.0 - mu_q) * (1.0 + mu_q), 1e-18))
@@ -272,15 +272,14 @@ def _add_point(
 
 @compiled_loop
 def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
-    """Irradiance of level ground per irradiance of the unshadowed star, in ``work.irradiance``. [1]
+    """Horizontal irradiance of the ground per that of the unshadowed star, to ``work.irradiance``.
 
     Parameters
     ----------
     x, y, z : float
         Point of the ground in the frame of the shadow, optical. [m]
     kind, tables, shadow, work, scratch :
-        Arguments of ``march_eclipsed``; the workspace receives the irradiances by the star and by
-        the sky.
+        Arguments of ``march_eclipsed``; the workspace receives direct and diffuse irradiance [1].
     """
     star = shadow.star
     q = sqrt(x * x + y * y + z * z)
@@ -305,7 +304,7 @@ def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
 
 @inlined
 def end_on_ground(x, y, z, u, v, w, length, tables, work):
-    """Point of the ground at the end of a line, and cosine of the zenith angle of the way back.
+    """Point of the ground at the end of a line, and cosine of the zenith angle of reflection.
 
     Parameters
     ----------
@@ -338,7 +337,7 @@ def line_eclipsed(
     x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, tables, shadow, work, scratch,
     result,
 ):  # fmt: skip
-    """Radiance of a whole line of sight, the ground at its end included.
+    """Radiance of a whole line of sight, including the ground.
 
     Parameters
     ----------

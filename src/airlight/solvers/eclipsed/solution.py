@@ -1,4 +1,4 @@
-"""Solution of a planet's air in the shadow of a moon: answers for points and directions."""
+"""Solution of an atmosphere in the shadow of a moon, for points and directions in space."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ _BLOCK: Final = 256
 
 
 class EclipsedSolution:
-    """Light of a planet's air and ground while a moon hides a part of the star.
+    """Radiance of a planet while a moon occults part of the star.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Solution of the planet without the moon, lit by the star.
+        Unshadowed solution of the planet.
     star : OccultedStar
         Star and moon, in any frame around the planet's centre.
     cache : bool
-        Whether the field is looked for on disk first, and stored there.
+        Whether to read the field from the cache on disk, and to write it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -122,12 +122,12 @@ class EclipsedSolution:
         return out
 
     def relative_ground_irradiance(self, points: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Irradiance of level ground by star and sky, per irradiance of the unshadowed star.
+        """Direct and diffuse irradiance of the ground, per that of the unshadowed star.
 
         Parameters
         ----------
         points : array, shape (n, 3)
-            Directions, or points, from the planet's centre; those of the ground below are taken.
+            Directions, or points, from the planet's centre, projected onto the ground.
 
         Returns
         -------
