@@ -1,4 +1,4 @@
-"""Line of sight: its points, and the light scattered or gathered there that reaches its start."""
+"""Ray march of the direct solver: single scattering and gathered radiance along a line of sight."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ IntArray = NDArray[np.int64]
 
 
 class LineOptics(NamedTuple):
-    """Properties of a medium that lines need.
+    """Optical properties of a medium for ray marches.
 
     Attributes
     ----------
     bottom, top, star_radius : float
         Radii of ground and top [m], and angular radius of the star [rad].
     scattering : array, shape (ns, nl)
-        Coefficients of the constituents that scatter. [m⁻¹]
+        Coefficients of the scattering constituents. [m⁻¹]
     extinction : array, shape (nc, nl)
         Extinction coefficients. [m⁻¹]
     scatterers : array, shape (ns,)
@@ -51,18 +51,17 @@ class LineOptics(NamedTuple):
     nodes : tuple of arrays
         First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
     breakpoints : array, shape (n,)
-        Altitudes at which a profile has a corner, ground and top included. [m]
+        Altitudes of breakpoints of the profiles, ground and top included. [m]
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes. [1]
     ratios : array, shape (radii, directions, nc, 2)
-        Table from ``rational_mean_density``: columns to the star for the orders that are gathered.
-        [1]
+        Table from ``rational_mean_density``: columns to the star for multiple scattering. [1]
     rule : tuple of arrays
         Nodes, weights and running integrals of the trapezoid.
     ground : Reflection
-        Reflection by the ground, at all wavelengths.
+        Reflectance of the ground, at all wavelengths.
     graded : bool
-        Whether the rule applies to each leg of a ray; otherwise to equal steps along all of it.
+        Whether the rule applies to each leg of a ray rather than to the whole ray.
     """
 
     bottom: float
@@ -82,7 +81,7 @@ class LineOptics(NamedTuple):
 
 
 def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
-    """Arrays of a medium for lines of ``steps`` steps."""
+    """Optical properties of a medium, for lines of ``steps`` steps."""
     scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
     radii = column_radii(medium, TABLE_SHAPE[0])
     shell = medium.bottom_radius, medium.top_radius
@@ -120,7 +119,7 @@ class Line(NamedTuple):
     stencil : array, shape (p, 4)
         Neighbours of each point in radius and view, as rows of the table.
     shares : array, shape (p, 4)
-        Shares of these rows. [1]
+        Weights of these rows. [1]
     edges, columns : array
         Workspace for ``trace_segment``.
     sun : tuple of arrays
@@ -138,7 +137,7 @@ class Line(NamedTuple):
 
 
 def new_line(air: LineOptics) -> Line:
-    """Workspace of one line; each thread needs its own."""
+    """Workspace of one line, for one thread."""
     constituents, wavelengths = air.extinction.shape
     points = air.rule[0].size * (MAX_EDGES if air.graded else 1)
     return Line(
@@ -155,14 +154,14 @@ def new_line(air: LineOptics) -> Line:
 
 @compiled_loop
 def trace_segment(r, mu, length, first_cut, second_cut, air, edges, path):
-    """Find points, densities and columns along a stretch of a ray.
+    """Points, densities and columns along a segment of a ray.
 
     Parameters
     ----------
     r, mu, length : float
         Start radius, zenith cosine and length. [m], [1], [m]
     first_cut, second_cut : float
-        Distances at which the planet's shadow begins and ends; ignored by equal steps. [m]
+        Distances at which the planet's shadow begins and ends; ignored unless graded. [m]
     air, edges, path :
         See ``LineOptics`` and ``Line``.
 
@@ -189,7 +188,7 @@ def trace_segment(r, mu, length, first_cut, second_cut, air, edges, path):
 
 @compiled_loop
 def prepare(r, mu, length, first_cut, second_cut, air, line):
-    """Follow a line and find the weights of its points at its start; return their number."""
+    """Prepare the points of a line and their weights at its start; returns their number."""
     count = trace_segment(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
     _, _, weight, density, column, total, _ = line.path
     source, transmittance = line.source, line.transmittance
@@ -214,7 +213,7 @@ def prepare(r, mu, length, first_cut, second_cut, air, line):
 
 @compiled_loop
 def place_rows(r, mu, count, axes, line):
-    """Find, for each point of a prepared line, the rows of the table around its radius and view."""
+    """Fill ``stencil`` and ``shares``: table rows around each point of a prepared line."""
     distance, radius = line.path[0], line.path[1]
     for k in range(count):
         q = min(max(radius[k], axes.bottom), axes.top)
@@ -232,7 +231,7 @@ def place_rows(r, mu, count, axes, line):
 
 @compiled_loop
 def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
-    """Add the gathered light that a prepared line scatters towards its start.
+    """Add multiple scattering along a prepared line, from the gathered radiance.
 
     Parameters
     ----------
@@ -243,7 +242,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
     axes : Layout
         Axes of the table.
     table : array, shape (radii·views, sun_angles, angles, ns·nl)
-        Gathered light, or its logarithm. [1]
+        Gathered radiance, or its logarithm. [sr⁻¹]
     logarithmic : bool
         Whether it is the logarithm.
     line : Line
@@ -279,7 +278,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
 
 @compiled_loop
 def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
-    """Add the light of the star that a prepared line scatters towards its start.
+    """Add single scattering along a prepared line.
 
     Parameters
     ----------
@@ -290,7 +289,7 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
     phase : array, shape (ns·nl,)
         Phase functions at nu. [sr⁻¹]
     nested : bool
-        Whether each column to the star is integrated by the rule; otherwise it is looked up.
+        Whether columns to the star are integrated by the rule rather than looked up.
     air, line :
         Medium, and line after ``prepare``.
     out : array, shape (nl,)
@@ -330,5 +329,5 @@ def star_columns(r, mu_s, nested, air, edges, path, out):
 
 
 def axes_shape(axes: Layout, channels: int) -> tuple[int, int, int, int]:
-    """Shape of a table of gathered light."""
+    """Shape of a table of gathered radiance."""
     return axes.radii * axes.views, axes.sun_angles, axes.angles, channels

@@ -1,4 +1,4 @@
-"""Passes over the table: light scattered once, light gathered before, light on the ground."""
+"""Passes of the direct solver: radiance of the first and of further orders, ground irradiance."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _DARK = 1e-280
 
 @compiled_loop
 def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
-    """Light scattered or reflected once that arrives at one radius: S⁽¹⁾ + D·T.
+    """First-order radiance arriving at one radius: S⁽¹⁾ + D·T.
 
     Parameters
     ----------
@@ -40,9 +40,9 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]
     lit_ground : array, shape (sun_angles, nl)
-        D, the radiance of the ground that the star lights. [sr⁻¹]
+        D, the radiance of the ground by direct irradiance. [sr⁻¹]
     out : array, shape (sun_angles, nl, nz, na)
-        Receives the light, per irradiance of the star. [sr⁻¹]
+        Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
@@ -79,22 +79,22 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
 
 @compiled_loop
 def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by_star, out):
-    """Light of the next order that arrives at one radius: S⁽ᵏ⁾ + A⁽ᵏ⁾·T.
+    """Radiance of the next order arriving at one radius: S⁽ᵏ⁾ + A⁽ᵏ⁾·T.
 
     Parameters
     ----------
     i, axes, directions, air, line :
         Arguments of ``first_pass``.
     table : array, shape (radii·views, sun_angles, angles, ns·nl)
-        G⁽ᵏ⁻¹⁾, the gathered light, or its logarithm. [sr⁻¹]
+        Gathered radiance G⁽ᵏ⁻¹⁾, or its logarithm. [sr⁻¹]
     logarithmic : bool
         Whether it is the logarithm.
     lit_ground : array, shape (sun_angles, nl)
-        Irradiance of the ground by the sky, whose reflection is A⁽ᵏ⁾. [1]
+        Diffuse irradiance of the ground, with the reflection A⁽ᵏ⁾. [1]
     by_star : bool
-        Whether the light comes from the star instead.
+        Whether it is direct irradiance instead.
     out : array, shape (sun_angles, nl, nz, na)
-        Receives the light, per irradiance of the star. [sr⁻¹]
+        Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
@@ -128,26 +128,26 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
 def add_ground(
     r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, transmittance, out
 ):  # fmt: skip
-    """Add the ground's light at the end of a line of sight.
+    """Add the attenuated radiance of the ground at the end of a line of sight.
 
     Parameters
     ----------
     r, mu, mu_s, nu, length : float
         Coordinates of the start, and length. [m], [1], [1], [1], [m]
     axes : Layout
-        Axes of the table, with the sun angles.
+        Axes of the table.
     lit_ground : array, shape (sun_angles, nl)
         Irradiance of the ground. [1]
     by_star : bool
-        Whether the light comes from the star; otherwise from the sky.
+        Whether it is direct rather than diffuse.
     logarithmic : bool
         Whether to interpolate the logarithm.
     ground : Reflection
-        Reflection by the ground.
-    through : array, shape (nl,)
+        Reflectance of the ground.
+    transmittance : array, shape (nl,)
         Transmittance of the line. [1]
     out : array, shape (nl,)
-        Receives the light, per irradiance of the star. [sr⁻¹]
+        Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
     mu_s_ground = min(max((r * mu_s + length * nu) / axes.bottom, -1.0), 1.0)
     s0, s1, e = sun_cell(mu_s_ground, axes)
@@ -171,7 +171,7 @@ def reflected(ground, l, by_star, mu_s, mu_r, nu):
     l : int
         Index of the wavelength.
     by_star : bool
-        Whether the star lights it; otherwise the sky.
+        Whether irradiance is direct rather than diffuse.
     mu_s, mu_r, nu : float
         Cosines of ``direct_reflectance``. [1]
     """
@@ -182,14 +182,14 @@ def reflected(ground, l, by_star, mu_s, mu_r, nu):
 
 @compiled_loop
 def direct_light(r, mu_s, nested, air, line, out):
-    """Irradiance of a level surface by the star itself, relative to the star's.
+    """Direct horizontal irradiance, per irradiance of the star.
 
     Parameters
     ----------
     r, mu_s : float
         Radius, and zenith cosine of the star. [m], [1]
     nested : bool
-        Whether the column is integrated by the rule; otherwise it is looked up.
+        Whether the column is integrated by the rule rather than looked up.
     air, line :
         See ``LineOptics`` and ``Line``.
     out : array, shape (nl,)
@@ -208,7 +208,7 @@ def direct_light(r, mu_s, nested, air, line, out):
 
 
 def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> FloatArray:
-    """Irradiance of level ground by the sky: the ambient pass.
+    """Ambient pass: diffuse horizontal irradiance of the ground.
 
     Parameters
     ----------
@@ -217,7 +217,7 @@ def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> 
     weights : array, shape (nz, na)
         Solid angles. [sr]
     incoming : array, shape (sun_angles, nl, nz, na)
-        Light of one order on the ground. [sr⁻¹]
+        Radiance of one order at the ground. [sr⁻¹]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Result of the direct solver: lines of sight through the tables of gathered light."""
+"""Solution of the direct solver: ray marches through the tables of gathered radiance."""
 
 from __future__ import annotations
 
@@ -41,9 +41,9 @@ FloatArray = NDArray[np.float64]
 
 #: Lines of sight per block of work.
 _BLOCK = 64
-#: Steps in zenith and azimuth for the irradiance of the sky.
+#: Steps in zenith angle and azimuth for diffuse irradiance.
 _SKY_STEPS = (12, 28)
-#: Note of a report where the air polarises light.
+#: Note of a report on neglected polarisation.
 SCALAR = "scalar transfer: without polarisation, which changes radiances by some percent"
 
 
@@ -57,11 +57,11 @@ class DirectSolution(Solution):
     settings : Settings
         Settings of the solver.
     parts : list of (Medium, Orders)
-        Medium and its orders; for the literal first notes one pair per constituent that scatters.
+        Medium and its orders; for the literal first notes one pair per scattering constituent.
     seconds : float
         Wall time. [s]
     note : str
-        What is left out of the planet; see ``Report``.
+        Neglected properties of the planet; see ``Report``.
     """
 
     def __init__(
@@ -90,7 +90,7 @@ class DirectSolution(Solution):
         )
 
     def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; each order up to ``highest_order``, or all together."""
+        """See ``Solution``; orders up to ``highest_order``, or all."""
         out = np.zeros((lines.r.size, self.wavelengths.size))
         for (medium, orders), air in zip(self.parts, self._airs, strict=True):
             out += _radiance(medium, orders, air, self.settings, lines, order)
@@ -211,7 +211,7 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> DirectSolution:
-    """Solve a medium by the notes' equations, or read its solution from the cache.
+    """Solution of a medium by the equations of the notes, computed or from the cache.
 
     Parameters
     ----------
@@ -220,14 +220,14 @@ def solve(
     settings : Settings
         Settings of the solver.
     cache : bool
-        Whether to read the solution from disk, and to keep it there.
+        Whether to read the solution from the cache on disk, and to write it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Raises
     ------
     ConvergenceError
-        If the orders do not fall.
+        If the orders do not decrease.
     """
     medium, note = without_refraction(medium)
     if medium.phase_f12(np.zeros(())).any():  # at right angles to the star
@@ -271,7 +271,7 @@ def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
 def _from_arrays(
     medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]] | None
 ) -> Orders | None:
-    """Orders from a cache file, or None if it holds something else."""
+    """Orders from the arrays of a cache file; None if they do not fit."""
     if arrays is None:
         return None
     axes = layout_for(medium, settings)
