@@ -1,4 +1,4 @@
-"""Lines of sight of an observer infinitely far away: parallel, and told by where they pass."""
+"""Parallel lines of sight of an observer at infinity, by impact parameter and position angle."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ FloatArray = NDArray[np.float64]
 def lines_into_shell(
     impact: FloatArray, mu_s: FloatArray, nu: FloatArray, bottom: float, top: float
 ) -> LinesOfSight:
-    """Lines of sight from the points where they enter the shell.
+    """Lines of sight from their entry points into the shell.
 
     Parameters
     ----------
     impact : array, shape (n,)
-        Distance of each line from the planet's centre, 0 to ``top``. [m]
+        Impact parameter, 0 to ``top``. [m]
     mu_s, nu : array, shape (n,)
-        Cosines of the sun's zenith angle at the point of entry, and of the angle between the line's
-        direction and the sun. [1]
+        Cosines of the sun's zenith angle at the entry point, and of the angle between line of sight
+        and sun. [1]
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
     """
@@ -49,9 +49,9 @@ def disc_lines(
     Parameters
     ----------
     impact, position : array, shape (n,)
-        Distance b from the disc's centre [m], and position angle ψ from the sun's side. [rad]
+        Impact parameter b [m], and position angle ψ from the sun's side [rad].
     phase : float
-        Phase angle α: that between star and observer, seen from the planet. [rad]
+        Phase angle α between star and observer at the planet. [rad]
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
     """
@@ -61,5 +61,5 @@ def disc_lines(
 
 
 def ground_edge(paths: RefractedGeometry) -> float:
-    """Radius of the ground's disc as seen from afar, enlarged by refraction. [m]"""
+    """Apparent radius of the ground from infinity, enlarged by refraction. [m]"""
     return paths.medium.bottom_radius if paths.shell is None else float(paths.shell.bottom)

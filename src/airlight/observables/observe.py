@@ -1,4 +1,4 @@
-"""Catalogue of observables: what each is, what it depends on, and its spectrum."""
+"""Catalogue of observables: description, settings and spectrum of each."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ HEIGHTS: Final = 60
 
 @dataclass(frozen=True, kw_only=True)
 class Geometry:
-    """Settings of an observable; None leaves one to the observable.
+    """Settings of an observable; None stands for the default of the observable.
 
     Numbers, texts with a unit or quantities, see ``airlight.units.values_in``.
 
@@ -71,9 +71,9 @@ class Kind:
     sentence : str
         Description.
     takes : tuple of str
-        Names of the settings in ``Geometry`` that it depends on.
+        Names of its settings in ``Geometry``.
     of : callable
-        Function of solution, geometry, progress and cancel that returns its variables and notes.
+        Function of solution, geometry, progress and cancel that returns variables and notes.
     """
 
     sentence: str
@@ -98,8 +98,8 @@ def observe(
     Parameters
     ----------
     solution : Solution, Planet, str or Path
-        Light of the planet at the wavelengths of the spectrum; a planet, the name of a preset or a
-        path is solved at its own wavelengths.
+        Solution at the wavelengths of the spectrum; a planet, the name of a preset or a path is
+        solved at the planet's wavelengths.
     of : str
         ``"geometric-albedo"``, ``"bond-albedo"``, ``"phase-curve"``, ``"transmission"``,
         ``"limb"`` or ``"disc"``.
@@ -111,14 +111,13 @@ def observe(
     Returns
     -------
     xarray.Dataset
-        Variables over ``wavelength`` with their units, the error of the integration beside each
-        integral, and what to know about them in the attribute ``notes``.
+        Variables over ``wavelength`` with units, quadrature errors of integrals, and the attribute
+        ``notes``.
 
     Raises
     ------
     ParameterError
-        If the observable is unknown, does not depend on a setting that is given, or a value is out
-        of its range.
+        If the observable is unknown or does not take a setting, or a value is out of its range.
 
     Examples
     --------
@@ -179,7 +178,7 @@ def _inside(field: str, value: Measures, low: float, high: float, unit: str) -> 
 
 
 def _radius(solution: Solution, geometry: Geometry) -> tuple[float, str]:
-    """Radius of the reference disc [m], and a line that names it."""
+    """Radius of the reference disc [m], and a note that names it."""
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     if geometry.radius is None:
         return bottom, f"per disc of the ground's radius, {bottom * 1e-3:.6g} km"
@@ -188,7 +187,7 @@ def _radius(solution: Solution, geometry: Geometry) -> tuple[float, str]:
 
 
 def _distance(solution: Solution) -> float | None:
-    """Distance of the star, where it is known. [m]"""
+    """Distance of the star, or None if unknown. [m]"""
     return None if solution.planet is None else solution.planet.star.known_distance
 
 
@@ -281,7 +280,7 @@ def _disc(
 
 
 def _polarisation(solution: Solution, stokes: FloatArray, errors: FloatArray) -> _Variables:
-    """Degree of linear polarisation of the disc with its sign; nothing in scalar transfer."""
+    """Signed degree of linear polarisation of the disc; empty in scalar transfer."""
     if not solution.polarised:
         return {}
     i, q = np.moveaxis(stokes, 1, 0)
@@ -328,7 +327,7 @@ def _transmission(
 
 
 def _star_radius(solution: Solution) -> float | None:
-    """Radius of the star, where it is known. [m]"""
+    """Radius of the star, or None if unknown. [m]"""
     if solution.planet is None or solution.planet.star.known_radius is not None:
         return None if solution.planet is None else solution.planet.star.known_radius
     distance = _distance(solution)

@@ -104,7 +104,7 @@ def solve_orders(
             each.append(gathered)
         total = linear if total is None else total + linear
         count += 1
-        from_sky = work.from_sky  # A⁽ᵏ⁾, lit by the previous order
+        from_sky = work.from_sky  # A⁽ᵏ⁾, by irradiance of the previous order
         ground = ground + from_sky
         each_ground.append(from_sky)
         residual = _share(linear, total, medium.wavelengths.size)
