@@ -24,8 +24,8 @@ from airlight.kernel import compiled_loop, kernel
 
 #: Largest number of panel edges on a ray (two legs, their halves, two ends of the shadow).
 MAX_EDGES = 64
-#: A leg begins beside its line's tangent point if that is lower by less than this fraction of the
-#: leg's height. A smaller value is less smooth, a larger one leaves few points in a low haze.
+#: A leg counts as close to its tangent point if that is lower by less than this fraction of the
+#: leg's height. A smaller value is less smooth, a larger one has few points in a low haze.
 _BESIDE = 0.02
 
 
@@ -39,7 +39,7 @@ def ray_length(r, mu, bottom_radius, top_radius):
 
 @kernel
 def shadow_edges(r, mu, mu_s, nu, bottom_radius):
-    """Distances at which the line of a ray enters and leaves the planet's geometric shadow. [m]
+    """Distances at which the line of a ray enters and leaves the planet's shadow. [m]
 
     The shadow is the half cylinder behind the planet, for a star at infinity.
 
@@ -85,7 +85,7 @@ def shadow_edges(r, mu, mu_s, nu, bottom_radius):
 
 @compiled_loop
 def insert_edge(edges, count, cut):
-    """Add a cut inside a ray to its ascending edges, unless the array is full.
+    """Insert an edge into the ascending panel edges of a ray, unless the array is full.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def insert_edge(edges, count, cut):
     count : int
         Number of edges.
     cut : float
-        Distance of the cut, ignored outside the ray. [m]
+        Distance of the new edge, ignored outside the ray. [m]
 
     Returns
     -------
@@ -113,16 +113,16 @@ def insert_edge(edges, count, cut):
 
 @compiled_loop
 def place_edges(r, mu, length, panels, first_cut, second_cut, edges):
-    """Cut a stretch of a ray into panels: at its lowest point, evenly in x, and at two more points.
+    """Panel edges of a segment of a ray: tangent point, even steps in x, and two further points.
 
     Parameters
     ----------
     r, mu, length : float
-        Start radius, zenith cosine and length of the stretch. [m], [1], [m]
+        Start radius, zenith cosine and length of the segment. [m], [1], [m]
     panels : int
-        Panels on each leg.
+        Panels per leg.
     first_cut, second_cut : float
-        Further cuts, ignored outside (0, length). [m]
+        Further edges, ignored outside (0, length). [m]
     edges : array, shape (MAX_EDGES,)
         Receives the ascending distances, 0 first and length last. [m]
 
@@ -175,7 +175,7 @@ def panel_leg(r, mu, start, end, length):
     descending : bool
         Whether the leg descends.
     low, beside : float
-        Radius from which y is counted, and its distance from the line's nearest point. [m]
+        Radius r_0 of the leg, and its distance from the tangent point of the line. [m]
     first, last : float
         Values of y at the start and end of the panel. [m^½]
     """
@@ -205,7 +205,7 @@ def panel_point(nearest, descending, low, beside, first, last, node):
     Parameters
     ----------
     nearest : float
-        Distance along the ray to its line's nearest point. [m]
+        Distance along the ray to the tangent point of its line. [m]
     descending, low, beside, first, last :
         Values from ``panel_leg``.
     node : float

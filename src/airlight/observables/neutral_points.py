@@ -44,7 +44,7 @@ def principal_plane(
     ParameterError
         If the solution is scalar, or a value is out of its range.
     """
-    view = np.arange(-90.0 + 0.5 * _STEP, 90.0, _STEP)  # without the zenith, which has no plane
+    view = np.arange(-90.0 + 0.5 * _STEP, 90.0, _STEP)  # without the zenith, of undefined plane
     light = solution.radiance(
         altitude=altitude, sun_zenith=sun_zenith, view_zenith=np.abs(view),
         azimuth=np.where(view < 0.0, 180.0, 0.0), stokes=True,
