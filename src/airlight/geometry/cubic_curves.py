@@ -150,7 +150,7 @@ def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> F
 
 @compiled_loop
 def _solve_tridiagonal(below, middle, above, wanted):
-    """Solution of a tridiagonal system by elimination, in place; pivots of a spline are positive."""
+    """Solution of a tridiagonal system by elimination, in place; pivots are positive."""
     for k in range(1, middle.size):
         factor = below[k] / middle[k - 1]
         middle[k] -= factor * above[k - 1]

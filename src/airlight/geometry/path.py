@@ -1,12 +1,12 @@
-"""Points along a ray through the shell, placed where the air changes.
+"""Quadrature points along a ray through the shell.
 
-A ray is cut at its lowest point into legs. On a leg the radius is ``r = r_0 + y²``, and y is the
-variable of the Gauss-Legendre panels: next to a tangent point y is proportional to the distance,
-on a steep leg the points are dense at its lower end, where r_0 is. A leg that begins slightly
-beside the tangent point of its line has r_0 there, since the distance is not a smooth function of a
-y counted from any other radius (the column would err by 1e-2 with 10 points, 1e-3 with 2 x 20).
-So 16 points per leg integrate exponential air to 2e-5, and the panels' running integrals give the
-column from the observer to every point without a sum of short steps.
+A ray is split at its tangent point into legs. On a leg the radius is ``r = r_0 + y²``, and y is the
+variable of the Gauss-Legendre panels: next to a tangent point y is proportional to the distance; on
+a steep leg, points are dense at its lower end, r_0. For a leg that begins close to the tangent
+point of its line, r_0 is the tangent radius, since the distance is not a smooth function of y for
+any other r_0 (column errors of 1e-2 with 10 points, 1e-3 with 2 x 20). 16 points per leg integrate
+an exponential profile to 2e-5, and the running integrals of the panels yield the column up to every
+point.
 """
 
 from __future__ import annotations

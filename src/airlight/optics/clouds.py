@@ -1,8 +1,7 @@
-"""Flat layer of clouds above the ground: where lines cross it, and the light that it leaves.
+"""Thin cloud layer above the ground: intersection with lines of sight, and effective reflectance.
 
-A cloud is a Lambert surface. Where the line of sight crosses the layer, the cover hides its share
-of the ground; where the star's light crosses it, the cover shades its share of the ground and
-lets through, as diffuse light, what it does not reflect.
+Clouds are Lambertian. On the line of sight, the cover hides its fraction of the ground; on the
+direct beam, it shadows its fraction, and transmits as diffuse light what it does not reflect.
 """
 
 from __future__ import annotations
@@ -18,8 +17,7 @@ def layer_distance(cosine, bottom, altitude):
 
     .. math:: s = \frac{h (2R + h)}{\sqrt{R^2\mu^2 + h (2R + h)} + R\mu}
 
-    which is h/μ for a steep line; a level one meets the sphere of the layer at
-    :math:`\sqrt{h (2R + h)}`, so that no line runs off.
+    which is h/μ for a steep line and :math:`\sqrt{h (2R + h)}` for a horizontal one.
 
     Parameters
     ----------

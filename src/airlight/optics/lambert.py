@@ -1,4 +1,4 @@
-"""Reflection alike into all directions (Lambert 1760)."""
+"""Lambertian reflection (Lambert 1760)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ LARGEST_ALBEDO = 1.0
 
 @kernel
 def brdf_direct(ground, mu_s, mu_r, nu):
-    """Reflectance factor in the light of a star: the albedo.
+    """Direct reflectance factor: the albedo.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def brdf_direct(ground, mu_s, mu_r, nu):
 
 @kernel
 def brdf_diffuse(ground, mu_r):
-    """Reflectance factor under a uniform sky: the albedo.
+    """Diffuse reflectance factor: the albedo.
 
     Parameters
     ----------

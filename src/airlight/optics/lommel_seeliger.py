@@ -1,9 +1,8 @@
-"""Reflection by dark, porous ground, as of the Moon and of airless rocks: Lommel and Seeliger.
+"""Lommel-Seeliger reflection, of dark porous ground such as the Moon's.
 
-Light scattered once in a half space of isotropic grains (Seeliger 1888; Hapke 2012, "Theory of
-Reflectance and Emittance Spectroscopy", eq. 8.35a; spherical albedo as there): the BRDF is
-proportional to 1/(μ₀ + μ). The factor is chosen so that the ground under a uniform sky reflects
-the fraction ``albedo``.
+Single scattering in a half space of isotropic grains (Seeliger 1888; Hapke 2012, "Theory of
+Reflectance and Emittance Spectroscopy", eq. 8.35a): the BRDF is proportional to 1/(μ₀ + μ). It is
+normalised so that the spherical albedo is ``albedo``.
 """
 
 from __future__ import annotations
@@ -14,15 +13,15 @@ from airlight.kernel import kernel
 
 #: 3/(8 (1 - ln 2)): the hemispherical mean of c (1 - μ ln((1 + μ)/μ)), doubled, is then 1.
 _SCALE = 3.0 / (8.0 * (1.0 - log(2.0)))
-#: Albedo above which the ground would send back more of a level beam than arrives: 0.409.
+#: Albedo above which the directional albedo at grazing incidence would exceed 1: 0.409.
 LARGEST_ALBEDO = 0.5 / _SCALE
-#: Smallest sum of the cosines, for lines that graze the ground while the star sets.
+#: Smallest sum of the cosines, at grazing incidence and reflection.
 _LEVEL = 1e-4
 
 
 @kernel
 def brdf_direct(ground, mu_s, mu_r, nu):
-    """Reflectance factor in the light of a star: c/(μ₀ + μ) of the albedo.
+    """Direct reflectance factor: c/(μ₀ + μ) times the albedo.
 
     Parameters
     ----------
@@ -46,7 +45,7 @@ def brdf_direct(ground, mu_s, mu_r, nu):
 
 @kernel
 def brdf_diffuse(ground, mu_r):
-    """Reflectance factor under a uniform sky: 2c (1 - μ ln((1 + μ)/μ)) of the albedo.
+    """Diffuse reflectance factor: 2c (1 - μ ln((1 + μ)/μ)) times the albedo.
 
     Parameters
     ----------
