@@ -1,10 +1,10 @@
-"""Reflection by the sea: mirroring facets, foam, and light that comes back from below.
+"""Reflection by the sea: glint, whitecaps, and water-leaving radiance.
 
-The facets are Cox and Munk's (``cox_munk``), their refractive index that of sea water at all
-wavelengths. Foam covers a share of the sea that grows with the wind (Monahan & O'Muircheartaigh
-1980, J. Phys. Oceanogr. 10, 2094, eq. 5) and reflects 0.22 of the light alike into all directions,
-the mean over a patch's life (Koepke 1984, Appl. Opt. 23, 1816). What is left goes below: of it the
-fraction ``albedo`` of all light comes back, through the surface both ways.
+Glint is that of Cox-Munk facets (``cox_munk``), with one refractive index of sea water at all
+wavelengths. Whitecap coverage increases with wind (Monahan & O'Muircheartaigh 1980, J. Phys.
+Oceanogr. 10, 2094, eq. 5); the effective reflectance of foam is 0.22, Lambertian, the mean over a
+patch's lifetime (Koepke 1984, Appl. Opt. 23, 1816). The rest is transmitted into the water;
+``albedo`` is the fraction of incident light that leaves it again, with both transmissions.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from __future__ import annotations
 from airlight.kernel import kernel
 from airlight.optics.cox_munk import glint_factor, mean_mirrored, mirrored_fraction
 
-#: Largest albedo that conserves energy: what the surface lets through at all winds.
+#: Largest albedo that conserves energy: the transmittance of the surface at all winds.
 LARGEST_ALBEDO = 0.93
 #: Reflectance of foam. [1]
 FOAM = 0.22
@@ -20,7 +20,7 @@ FOAM = 0.22
 
 @kernel
 def foam_fraction(wind):
-    """Share of the sea that foam covers, 2.95e-6 U^3.52. [1]
+    """Whitecap coverage, 2.95e-6 U^3.52. [1]
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def foam_fraction(wind):
 
 @kernel
 def mean_specular(wind):
-    """Fraction of a uniform sky's light that surface and foam send back. [1]
+    """Spherical albedo of surface and foam. [1]
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def mean_specular(wind):
 
 @kernel
 def water_reflectances(wind, mu_s, mu_r, nu):
-    """Both shares of water at once, which a pixel asks for.
+    """``brdf_direct`` and ``brdf_diffuse`` of water together, for renderers.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def water_reflectances(wind, mu_s, mu_r, nu):
 
 @kernel
 def brdf_direct(ground, mu_s, mu_r, nu):
-    """Reflectance factor in the light of a star: what comes from below, and the glint with foam.
+    """Direct reflectance factor: water-leaving light (diffuse), glint and foam (specular).
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def brdf_direct(ground, mu_s, mu_r, nu):
 
 @kernel
 def brdf_diffuse(ground, mu_r):
-    """Reflectance factor under a uniform sky: what comes from below, and mirrored sky with foam.
+    """Diffuse reflectance factor: water-leaving light (diffuse), mirrored sky and foam (specular).
 
     Parameters
     ----------
