@@ -107,7 +107,7 @@ class SurroundingLight:
         held = np.clip(r, medium.bottom_radius, medium.top_radius)
         sine = np.sqrt(np.maximum(1.0 - mu_s**2, 0.0))
         facing = np.maximum(normals[:, 0] * sine + normals[:, 2] * mu_s, 0.0) * lit
-        star = self._solution.relative_facing_irradiance(held, mu_s) * facing[:, None]
+        star = self._solution.relative_normal_irradiance(held, mu_s) * facing[:, None]
         share = _harmonics(normals) * _RECEIVED
         # between four nodes, whose harmonics are the same for all pictures of this solution
         rise = np.log1p((held - medium.bottom_radius) / _HIGH) / _RISE

@@ -108,7 +108,7 @@ class AirLight:
 
         With all orders, the light scattered once is that of single scattering proper, and what
         forward peaks scatter again is in the rest, unless it counts as scattered once. The first
-        order alone is the solution's own, in air thinned by its peaks.
+        order alone is the solution's own, in air delta-M scaled.
 
         Returns
         -------

@@ -31,7 +31,7 @@ Row = tuple[FloatArray, FloatArray]
 #: Largest magnitude of a term of a layer; beyond it the sum suffers cancellation.
 _LARGEST_TERM: Final = 1e6
 #: Largest number of inner edges that count as breakpoints; more represent a smooth curve.
-_MOST_CORNERS: Final = 12
+_MOST_BREAKPOINTS: Final = 12
 #: Density over its largest above which a layer counts as dense.
 DENSE: Final = 0.01
 #: Largest width of a thin layer, aloft and on the ground, over the thickness of the shell.
@@ -177,7 +177,7 @@ class DensitySegments:
         found: set[float] = set()
         for edges, profile in zip(self.edges, self.at_nodes, strict=True):
             inside = np.unique(edges[(edges > edges[0]) & (edges < edges[-1])])
-            if not 0 < inside.size <= _MOST_CORNERS:
+            if not 0 < inside.size <= _MOST_BREAKPOINTS:
                 ends = np.ravel(thin_runs(profile, self.node_altitudes))
                 inside = ends[(ends > 0.0) & (ends < self.thickness)]
             found.update(inside.tolist())

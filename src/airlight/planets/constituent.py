@@ -63,7 +63,7 @@ class Constituent(Record):
         Substance, a gas mixture or particles; then ``scattering`` is not given, and ``absorption``
         ``absorption`` comes on top of the matter's own.
     amount : float
-        Factor of scattering and absorption at all wavelengths, 0 to 100; the bending of light by a
+        Factor of scattering and absorption at all wavelengths, 0 to 100; refraction by a
         gas is unchanged. [1]
 
     Notes

@@ -14,7 +14,7 @@ from airlight.solvers.refracted_geometry import RefractedGeometry
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
 
-#: Wavelength whose bending is meant. [nm]
+#: Wavelength whose refractivity is used. [nm]
 _WAVELENGTH = 550.0
 #: Halvings of the interval of apparent zenith angles.
 _HALVINGS = 50

@@ -17,7 +17,7 @@ section 14.1). From the ground, half of the weight lies within a few scale heigh
 as air can be seen above the horizon; from far away it is spread over the disc.
 
 Left out: light that is scattered more than twice after the ground, which comes from farther away;
-the place of the star, so that one solution serves a day; the bending of light.
+the place of the star, so that one solution serves a day; refraction.
 """
 
 from __future__ import annotations

@@ -340,7 +340,7 @@ class MomentsSolution(Solution):
         x = self.paths.optical_radius(r)
         return self._received(x, lambda tables, out: direct_irradiance(x, mu_s, tables, work, out))
 
-    def relative_facing_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+    def relative_normal_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """Direct normal irradiance per that outside the atmosphere, shape (n, nl). [1]
 
         Parameters

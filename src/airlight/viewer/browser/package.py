@@ -228,7 +228,7 @@ def solution_package(
         "radius": float(medium.bottom_radius),
         "thickness": float(medium.thickness),
         "star": float(star.angular_radius),
-        "paths": light_paths(solution),
+        "paths": refracted_geometry(solution),
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
         "body": None if solution.planet is None else solution.planet.body,
         "second": second_light_data(solution),
@@ -241,7 +241,7 @@ def solution_package(
     return numbers, tables
 
 
-def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
+def refracted_geometry(solution: MomentsSolution) -> dict[str, Any] | None:
     """Optical radii [m] and refraction table of a planet; None without refraction."""
     paths, medium = solution.paths, solution.medium
     if paths.shell is None:
