@@ -88,7 +88,7 @@ def test_edited_air_is_that_of_an_edited_medium(
     tables = {
         "extinction": air.extinction, "moments": air.moments,
         "polarised_moments": air.polarised_moments, "albedo": air.ground.albedo,
-        "true_extinction": pack(paths.medium.extinction),
+        "unscaled_extinction": pack(paths.medium.extinction),
     }  # fmt: skip
     for name, table in tables.items():
         wanted = table.reshape(-1, 8)[:, :4].reshape(-1)

@@ -35,7 +35,7 @@ export function isPlain({ amounts, ground }) {
  * @param {object} air
  * @param {{amounts: number[], ground: number}} edit
  * @returns {object} Tables by name, four wavelengths per texel: `extinction`, `moments` and
- *     `polarised_moments` with delta-M scaling, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
+ *     `polarised_moments` with delta-M scaling, `unscaled_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
  *     of each constituent; `thick`, the weight of the night side, and `transport`, the depth in which
  *     each scattering counts by 1 - g, of each wavelength.
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
@@ -58,7 +58,7 @@ export function editedAir(air, { amounts, ground }) {
   const whole = scattering.values.map((x, i) => x + absorption.values[i]);
   return {
     extinction,
-    true_extinction: Float32Array.from(whole),
+    unscaled_extinction: Float32Array.from(whole),
     scattering: Float32Array.from(scattering.values),
     moments,
     polarised_moments,

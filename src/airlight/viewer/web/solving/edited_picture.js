@@ -26,7 +26,7 @@ export async function editedPicture(plain, { plan, scalars, fixed }, air, light,
   const [start, length] = plain.uniforms.table_basis;
   const basis = old.spectra.slice(4 * start, 4 * (start + length)).map((x) => x * ground);
   const { scattering, moments, polarised_moments, albedo } = air;
-  const [scaled_extinction, extinction] = [air.scaled_extinction, air.extinction];
+  const [scaled_extinction, extinction] = [air.extinction, air.unscaled_extinction];
   const tables = { scaled_extinction, extinction, scattering, moments };
   const spectra = { ...tables, polarised_moments, albedo, basis };
   const nodes = levels * sun_angles;
