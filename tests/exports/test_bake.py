@@ -204,7 +204,7 @@ def test_a_table_ends_at_the_lowest_sun_asked_for(earth: Any) -> None:
 @pytest.mark.parametrize("packing", ["separate", "combined"])
 def test_higher_orders_are_the_light_less_the_first_order(earth: Any, packing: str) -> None:
     # A law: all light is the first order and the others, by the solver itself, at the texels. Its
-    # first order is that of air delta-M scaled: 4e-4 more than single scattering proper.
+    # first order is delta-M scaled: 4e-4 more than unscaled single scattering.
     baked = bake(
         earth, size=(6, 12, 8, 5), points=20, higher_orders=True, packing=packing, balance=False
     )

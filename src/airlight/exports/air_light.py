@@ -104,16 +104,15 @@ class AirLight:
         return np.asarray(sum(rest)), first
 
     def once_and_rest(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
-        """Air's light in the solution's own parts, if it is a moments solution.
+        """Path radiance split into single scattering and the rest, for a moments solution.
 
-        With all orders, the light scattered once is that of single scattering proper, and what
-        forward peaks scatter again is in the rest, unless it counts as scattered once. The first
-        order alone is the solution's own, in air delta-M scaled.
+        With all orders, single scattering is unscaled, and multiple scattering within forward peaks
+        belongs to the rest. The first order alone is that of the solution, with delta-M scaling.
 
         Returns
         -------
         once : array, shape (n, nc, nl)
-            Light scattered once by each constituent, to be multiplied by its phase function. [1]
+            Single scattering by each constituent, to be multiplied by its phase function. [1]
         rest : array, shape (n, nl)
             Radiance of all other orders that are included. [sr⁻¹]
         """
