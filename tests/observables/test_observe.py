@@ -67,7 +67,7 @@ def test_the_bond_albedo_is_the_mean_over_the_stars_light(solution: MomentsSolut
     sun = solution.lights[0].irradiance
     wanted = (sun * data["spherical_albedo"].values).sum() / sun.sum()  # two wavelengths: trapezia
     assert_allclose(float(data["bond_albedo"]), wanted)
-    assert "the rest of the spectrum is not in it" in data.attrs["notes"]
+    assert "other wavelengths are not included" in data.attrs["notes"]
 
 
 def test_what_is_not_known_of_the_star_is_left_out_and_said(solved: Solved) -> None:

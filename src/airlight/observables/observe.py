@@ -191,7 +191,7 @@ def _distance(solution: Solution) -> float | None:
     return None if solution.planet is None else solution.planet.star.known_distance
 
 
-_UNSEEN: Final = "distance of the star not known: contrast left out"
+_UNSEEN: Final = "distance of the star unknown: contrast omitted"
 
 
 def _geometric_albedo(
@@ -220,7 +220,7 @@ def _bond_albedo(
         over = f"the star's light from {nm.min():g} to {nm.max():g} nm"
     else:
         mean, over = float(values.mean()), f"{nm[0]:g} nm alone"
-    notes = [line, f"bond_albedo is the mean over {over}; the rest of the spectrum is not in it"]
+    notes = [line, f"bond_albedo is the mean over {over}; other wavelengths are not included"]
     return {
         "spherical_albedo": (("wavelength",), values, "1", "spherical albedo"),
         "error": (("wavelength",), errors, "1", "error of the integrals over the disc"),
@@ -245,7 +245,7 @@ def _phase_curve(
         "phase_angle": (("phase_angle",), angles, "degree", "phase angle"),
         "reflectance": (both, values[:-1], "1", "geometric albedo times phase function"),
         "error": (both, errors[:-1], "1", "error of the integral over the disc"),
-        "phase_function": (both, curve, "1", "brightness over that at full phase"),
+        "phase_function": (both, curve, "1", "brightness relative to full phase"),
         **_polarisation(solution, stokes[:-1], both_errors[:-1]),
     }, [line, *_plane(solution)]
 
@@ -262,7 +262,7 @@ def _disc(
     sun = solution.lights[0].irradiance
     variables: _Variables = {
         "phase_angle": (("phase_angle",), angles, "degree", "phase angle"),
-        "reflectance": (both, values, "1", "brightness over that of a white disc at full phase"),
+        "reflectance": (both, values, "1", "reflectance relative to a white disc at full phase"),
         "error": (both, errors, "1", "error of the integral over the disc"),
         "radiance": (
             both, values * sun / math.pi, "W m-2 sr-1 nm-1", "mean radiance of the reference disc",
@@ -275,7 +275,7 @@ def _disc(
     if distance is None:
         return variables, [*notes, _UNSEEN]
     contrast = values * (radius / distance) ** 2
-    variables["contrast"] = (both, contrast, "1", "light of the planet over that of the star")
+    variables["contrast"] = (both, contrast, "1", "planet-to-star contrast")
     return variables, [*notes, f"star at {distance:.4g} m"]
 
 
@@ -299,7 +299,9 @@ def _plane(solution: Solution) -> list[str]:
     """Note on the sign of the polarisation."""
     if not solution.polarised:
         return []
-    return ["polarisation is positive across the plane of star, planet and observer; U is 0"]
+    return [
+        "polarisation is positive perpendicular to the plane of star, planet and observer; U is 0"
+    ]
 
 
 def _transmission(
@@ -307,10 +309,10 @@ def _transmission(
 ) -> tuple[_Variables, list[str]]:
     found = transit(solution)
     bottom = solution.medium.bottom_radius
-    ends = "refraction (lower ones come from beside the star)" if found.bent else "the ground"
+    ends = "refraction (lower rays miss the star)" if found.bent else "the ground"
     notes = [
         f"rays end {(found.lowest - bottom) * 1e-3:.3g} km above the ground, by {ends}",
-        "direct light of a uniform star; light scattered forward is left out",
+        "direct light of a uniform star; forward scattering is neglected",
     ]
     line = ("wavelength",)
     variables: _Variables = {
@@ -320,9 +322,9 @@ def _transmission(
     }
     star = _star_radius(solution)
     if star is None:
-        return variables, [*notes, "radius of the star not known: transit depth left out"]
+        return variables, [*notes, "radius of the star unknown: transit depth omitted"]
     depth = (found.radius / star) ** 2
-    variables["transit_depth"] = (line, depth, "1", "share of the star's light that is blocked")
+    variables["transit_depth"] = (line, depth, "1", "blocked fraction of the star's irradiance")
     return variables, [*notes, f"star of radius {star:.4g} m"]
 
 
@@ -350,7 +352,7 @@ def _limb(
         f"sun at the tangent point: zenith angle {sun:g} deg, {around:g} deg from the line of sight"
     ]
     if (heights < 0.0).any():
-        notes.append("lines below height 0 end on the ground, whose light is in them")
+        notes.append("below tangent height 0 the radiance includes the ground")
     return {
         "tangent_height": (("tangent_height",), heights, "m", "tangent height"),
         "radiance": (
@@ -363,22 +365,22 @@ def _limb(
 #: Every observable by name.
 KINDS: Final[dict[str, Kind]] = {
     "geometric-albedo": Kind(
-        "brightness at full phase over that of a white disc", ("radius",), _geometric_albedo
+        "brightness at full phase relative to a white disc", ("radius",), _geometric_albedo
     ),
     "bond-albedo": Kind(
-        "share of the star's light that the planet sends back", ("radius",), _bond_albedo
+        "scattered and reflected fraction of the star's irradiance", ("radius",), _bond_albedo
     ),
     "phase-curve": Kind(
         "brightness of the disc over the phase angle", ("radius", "phase_angles"), _phase_curve
     ),
-    "transmission": Kind("effective radius in front of the star", (), _transmission),
+    "transmission": Kind("effective radius in transit", (), _transmission),
     "limb": Kind(
-        "radiance beside the planet's edge over the tangent height",
+        "limb radiance by tangent height",
         ("tangent_heights", "sun_zenith", "azimuth"),
         _limb,
     ),
     "disc": Kind(
-        "light of the whole disc at a phase angle, and against the star",
+        "disc-integrated radiance at a phase angle, and contrast to the star",
         ("radius", "phase_angles"),
         _disc,
     ),

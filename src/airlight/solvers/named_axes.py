@@ -173,7 +173,7 @@ class NamedAxes:
             elif numbers[name].ndim > 1:
                 raise ParameterError(
                     name, f"an array of {numbers[name].ndim} dimensions without names",
-                    "a labelled array, beside labelled arrays",
+                    "a labelled array, like the others",
                 )  # fmt: skip
             else:
                 dims = (name,) * numbers[name].ndim

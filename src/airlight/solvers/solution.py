@@ -390,13 +390,13 @@ class Solution(ABC):
         if air_mass != "pickering":
             raise ParameterError("air_mass", air_mass, "'pickering', or none for true columns")
         for name, value, allowed in (
-            ("altitude", float(altitude.max()), "0 m beside an air mass"),
-            ("view_zenith", float(view_zenith.max()), "0 to 90 deg beside an air mass"),
+            ("altitude", float(altitude.max()), "0 m with an air mass"),
+            ("view_zenith", float(view_zenith.max()), "0 to 90 deg with an air mass"),
         ):
             if value > (90.0 if name == "view_zenith" else 0.0):
                 raise ParameterError(name, value, allowed)
         if distance is not None:
-            raise ParameterError("distance", distance, "none beside an air mass")
+            raise ParameterError("distance", distance, "not available with an air mass")
         medium = self.medium
         nm = medium.wavelengths[:1]
         formula = air_mass_pickering2002(90.0 - view_zenith)

@@ -87,7 +87,7 @@ def test_what_is_not_reached_is_said(earth: Planet) -> None:
     data = solution.estimate(**WHERE)
     assert data["histories"].values.max() <= 20_000
     assert not data["reached"].values.any()
-    assert "3 of 3 lines of sight NOT within the error asked" in str(solution.report)
+    assert "3 of 3 lines of sight NOT within the requested error" in str(solution.report)
     assert data.attrs["solver"] == solution.report.provenance
 
 

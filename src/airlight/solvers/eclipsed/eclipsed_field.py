@@ -253,7 +253,7 @@ def _iterate(
             tail, sky_tail = _tail(more[..., 0, :], last[..., 0, :]), _tail(more_sky, last_sky)
             return {"field": field + more * tail[..., None, :], "sky": sky + more_sky * sky_tail}
         last, last_sky = more, more_sky
-    raise ConvergenceError(f"light in the shadow still changes after {_MOST_SWEEPS} sweeps")
+    raise ConvergenceError(f"light in the shadow has not converged after {_MOST_SWEEPS} sweeps")
 
 
 def _tail(last: Float32Array, before: Float32Array) -> Float32Array:

@@ -84,7 +84,7 @@ def _computed(
     paths = RefractedGeometry.of(medium)
     started = perf_counter()
     count = medium.wavelengths.size
-    with timed("solve", solve_work(settings, count), f"solving the light of {count} wavelengths"):
+    with timed("solve", solve_work(settings, count), f"solving {count} wavelengths"):
         moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
     return MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
 

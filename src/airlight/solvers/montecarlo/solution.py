@@ -59,10 +59,12 @@ class MonteCarloReport(Report):
     def _described(self, took: str) -> str:
         ground = f"; {self.ground}" if self.ground else ""
         if not self.lines:
-            return f"{self.solver}: nothing asked yet ({self.settings}){ground}"
+            return f"{self.solver}: no result yet ({self.settings}){ground}"
         missed = ""
         if self.unreached:
-            missed = f", {self.unreached} of {self.lines} lines of sight NOT within the error asked"
+            missed = (
+                f", {self.unreached} of {self.lines} lines of sight NOT within the requested error"
+            )
         return (
             f"{self.solver}: {self.histories:.3g} histories, largest error "
             f"{max(self.residual):.1e}{missed}{took} ({self.settings}){ground}"
