@@ -396,7 +396,7 @@ class Solution(ABC):
             if value > (90.0 if name == "view_zenith" else 0.0):
                 raise ParameterError(name, value, allowed)
         if distance is not None:
-            raise ParameterError("distance", distance, "not available with an air mass")
+            raise ParameterError("distance", distance, "none with an air mass")
         medium = self.medium
         nm = medium.wavelengths[:1]
         formula = air_mass_pickering2002(90.0 - view_zenith)
