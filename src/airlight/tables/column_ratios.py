@@ -1,4 +1,4 @@
-"""Column table interpolated as ratios: fast columns to the top, accurate to 1e-3."""
+"""Column table with rational interpolation: columns to the top, accurate to 1e-3."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from airlight.tables.columns import ColumnTable, table_rays
 
 FloatArray = NDArray[np.float64]
 
-#: Mean relative density below which a constituent has none: 1/sqrt of it is a number in single
-#: precision too. [1]
+#: Mean relative density that is treated as 0, so that 1/sqrt of it is finite in single precision.
+#: [1]
 _LEAST: Final = 1e-30
 
 
 def rational_mean_density(table: ColumnTable) -> FloatArray:
-    """Convert a column table for interpolation as ratios: (s, m·s), m the mean density on the ray.
+    """Column table for rational interpolation: (s, m·s), m the mean density on the ray.
 
-    With m = column/distance and s = 1/sqrt(m), the ratio of the two interpolated numbers is exact
-    at the nodes, halfway between them where m falls exponentially (with altitude, or away from the
-    horizon), and everywhere in flat air, where m does not depend on direction. The column is the
-    ratio times the distance to the top. Below 1e-6 of its largest value m is interpolated linearly.
+    With m = column/distance and s = 1/sqrt(m), lerp(m·s)/lerp(s) is exact at the nodes, half-way
+    between them for exponential m (in altitude, or away from the horizon), and everywhere in
+    plane-parallel geometry, where m does not depend on direction. The column is this ratio times
+    the distance to the top. Below 1e-6 of its largest value m is interpolated linearly.
 
     Parameters
     ----------
     table : ColumnTable
-        The columns.
+        Columns.
 
     Returns
     -------

@@ -28,7 +28,7 @@ FloatArray = NDArray[np.float64]
 
 #: Shape of the table for look-ups: radii, directions.
 TABLE_SHAPE = (160, 288)
-#: A ray with a larger optical depth gets more panels at its start. [1]
+#: Optical depth of a ray above which more panels are placed at its start. [1]
 THICK = 15.0
 #: Rays in one block of work.
 _BLOCK = 1024
@@ -41,12 +41,12 @@ def density_table(density: DensitySegments) -> FloatArray:
 
 @compiled_loop
 def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
-    """Densities at the points of a ray, and the columns up to each.
+    """Densities at the points of a ray, and columns up to each.
 
     Parameters
     ----------
     count : int
-        Number of points, those of one rule for each panel.
+        Number of points, of all panels.
     rule, bottom_radius, thickness, nodes :
         Arguments of ``trace_ray``.
     path : tuple of arrays
@@ -74,7 +74,7 @@ def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
                 running_column = 0.0
                 for j in range(n):
                     running_column += running[k, j] * column[i, first + j]
-                # A running integral of a steep profile may dip below its start by rounding.
+                # The running integral of a steep profile may be negative by rounding.
                 scratch[k] = so_far + max(running_column, 0.0)
             for k in range(n):
                 column[i, first + k] = scratch[k]
@@ -84,7 +84,7 @@ def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
 
 @compiled_loop
 def trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path):
-    """Find points along a ray, with the air's densities there and the columns up to them.
+    """Points along a ray, with densities and columns up to them.
 
     Parameters
     ----------
@@ -117,11 +117,11 @@ def trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, p
 def trace_resolved(
     r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, strongest, path
 ):
-    """As ``trace_ray``, with more panels where the start of a thick ray would fall between points.
+    """``trace_ray`` with more panels at the start of an optically thick ray.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
-    whole ray is thicker, panels end at optical depths 0.5, 3 and 12, found from a first trace and
-    once more from the better one.
+    whole ray is thicker, panels end at optical depths 0.5, 3 and 12, from a first trace and again
+    from the refined one.
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
 
 @compiled_loop
 def split_at_profile_edges(r, mu, bottom_radius, breakpoints, edges, count):
-    """Add panel edges where a ray crosses the altitudes at which a profile has a corner.
+    """Add panel edges where a ray crosses breakpoints of the profiles.
 
     Parameters
     ----------
@@ -239,12 +239,12 @@ def columns(
     nodes: int = 24,
     panels: int = 6,
 ) -> FloatArray:
-    """Columns along stretches of rays, by quadrature.
+    """Columns along segments of rays, by quadrature.
 
     Parameters
     ----------
     r, mu, length : array, shapes that broadcast to (...)
-        Start radius [m], cosine of the view zenith angle [1] and length [m] of each stretch,
+        Start radius [m], cosine of the view zenith angle [1] and length [m] of each segment,
         which must lie inside the shell.
     bottom_radius : float
         Radius of the ground. [m]
@@ -256,7 +256,7 @@ def columns(
     Returns
     -------
     array, shape (..., constituents)
-        [m]
+        Columns. [m]
     """
     r, mu, length = np.broadcast_arrays(*(np.asarray(x, float) for x in (r, mu, length)))
     constituents = density.edges.shape[0]
@@ -302,7 +302,7 @@ class ColumnTable:
         shape: tuple[int, int] = TABLE_SHAPE,
         radii: FloatArray | None = None,
     ) -> ColumnTable:
-        """Integrate every entry of the table (relative error below 1e-5).
+        """Table by quadrature of every entry (relative error below 1e-5).
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Texels of the solver's passes that pack a light field: at all levels, and as ratios.
+"""Texels of passes that pack the field: at all levels, for rational interpolation.
 
 See ``rays`` for how a texel is related to its index.
 """
@@ -179,7 +179,7 @@ def node_scale(index, sizes, tables, fine, heights):
 
 @inlined
 def packed(index, sizes, fine, scales):
-    """Moments and irradiances as ratios, for a march and the next sweep.
+    """Moments and irradiances in the form of rational interpolation, for march and next sweep.
 
     Texels (level, sun, 1 + moments): s, then the moments times s; after them (level, sun, 2):
     s, then the irradiance times s.
