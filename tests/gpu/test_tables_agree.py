@@ -470,7 +470,7 @@ WHOLE = {
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
         "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
-        "refined", "row", "share", "sound", "strength", "transmittance", "ray_share",
+        "refined", "row", "share", "sound", "strength", "transmittance", "ray_norm",
         "depth_in_row", "direct_light", "scattered_once", "contracted", "gathered",
         "direct_reflectance", "diffuse_reflectance", "polarised_again", "azimuthal_once",
         "azimuthal_weight", "coupled_moments", "fill_phase_f12", "polarised_functions",

@@ -25,8 +25,8 @@ from airlight.tables.refraction_table import NONE, refraction_angles, refraction
 FloatArray = NDArray[np.float64]
 
 #: Number of refraction tables in the cache.
-_KEPT: Final = 4
-_lifts: OrderedDict[tuple[Any, ...], FloatArray] = OrderedDict()
+_CACHE_SIZE: Final = 4
+_refraction_tables: OrderedDict[tuple[Any, ...], FloatArray] = OrderedDict()
 _lock = threading.Lock()
 #: Newton steps from a true length to a length by optical radius; each squares the error.
 _STEPS: Final = 6
@@ -154,14 +154,14 @@ def _refraction_table_of(shell: RefractingShell) -> FloatArray:
     refraction_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
     key = (shell.bottom, shell.top, shell.refraction_strength, *refraction_row)
     with _lock:
-        if key in _lifts:
-            _lifts.move_to_end(key)
-            return _lifts[key]
+        if key in _refraction_tables:
+            _refraction_tables.move_to_end(key)
+            return _refraction_tables[key]
     made = refraction_table(shell.bottom, shell.top, shell.density, shell.refraction_strength)
     with _lock:
-        _lifts[key] = made
-        while len(_lifts) > _KEPT:
-            _lifts.popitem(last=False)
+        _refraction_tables[key] = made
+        while len(_refraction_tables) > _CACHE_SIZE:
+            _refraction_tables.popitem(last=False)
     return made
 
 

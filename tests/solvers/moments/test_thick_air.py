@@ -156,7 +156,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
     grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)), np.arange(4097.0))
     rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), (6,), 14)
     air = Optics(medium, 8).air(slice(0, 1))
-    near, share = cull_opaque(rays, air)
+    near, norm = cull_opaque(rays, air)
     assert near.radius.size < rays.radius.size
     extinction = float(air.extinction[0])
     for i in (0, 5, 11):
@@ -165,7 +165,7 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
             transmittance = np.exp(-extinction * near.column[here, 0])
             total = (transmittance * near.amount[here, 0]).sum() * extinction
             whole = -np.expm1(-extinction * rays.total[i, a, 0])
-            assert_allclose(share.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
+            assert_allclose(norm.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
 
 
 def test_lateral_diffusion_conserves_light() -> None:

@@ -29,7 +29,7 @@ from airlight.solvers.moments.harmonics import (
     legendre_function,
     polarised_functions,
 )
-from airlight.solvers.moments.opaque_culling import ray_share
+from airlight.solvers.moments.opaque_culling import ray_norm
 from airlight.solvers.moments.ray_optics import (
     mu_r_at_end,
     optical_depth,
@@ -106,7 +106,7 @@ def share(index, sizes, tables):
     total = optical_depth(
         tables.total, index * sizes.constituents, tables.extinction, sizes.constituents
     )
-    return ray_share(
+    return ray_norm(
         first,
         int(tables.start[i, a + 1]) - first,
         tables.column,

@@ -152,7 +152,7 @@ def _iterate(
         if progress is not None:
             still = float(iteration.remaining_error.max())
             message = f"orders of scattering: remaining error {still:.1e}"
-            progress(round(100 * iteration.share), 100, message)
+            progress(round(100 * iteration.progress), 100, message)
     return iteration.sweeps, iteration.remaining_error
 
 

@@ -321,7 +321,7 @@ def panel_ends(medium: Medium, grid: Grid, refinement: int, *, sweeps: bool = Fa
     layers, thin = medium.thin_layers, layer_ends(medium)
     if refinement == 1:
         edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
-        return np.union1d(_beside(edges, layers, medium.thickness), thin)
+        return np.union1d(_outside_thin_layers(edges, layers, medium.thickness), thin)
     cuts = panel_cuts(grid.radii - grid.bottom_radius, refinement)
     if not sweeps:
         return np.union1d(cuts, thin)
@@ -329,10 +329,14 @@ def panel_ends(medium: Medium, grid: Grid, refinement: int, *, sweeps: bool = Fa
     edges = layer_edges(medium.density, strength, faint_and_wide=least)
     near = _NEAR_EDGE * medium.thickness
     kept = [cut for cut in cuts if not (np.abs(edges - cut) < near).any() or thin.size]
-    return np.unique(np.concatenate([kept, _beside(edges, layers, medium.thickness), thin]))
+    return np.unique(
+        np.concatenate([kept, _outside_thin_layers(edges, layers, medium.thickness), thin])
+    )
 
 
-def _beside(edges: FloatArray, layers: tuple[ThinLayer, ...], thickness: float) -> FloatArray:
+def _outside_thin_layers(
+    edges: FloatArray, layers: tuple[ThinLayer, ...], thickness: float
+) -> FloatArray:
     """Layer boundaries away from thin layers, which have panel ends of their own. [m]"""
     near = _NEAR_EDGE * thickness
     for layer in layers:

@@ -183,7 +183,7 @@ def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
 
 @inlined
 def _first_order(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out,
+    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out,
     narrow,
 ):  # fmt: skip
     """``first_order_radius``, or ``first_order_radius_narrow`` if ``narrow``, a constant."""
@@ -296,7 +296,7 @@ def _first_order(
             whole = transmittance_ray(extinction, totals[i, a], 0, constituents) * INVERSE_PI
             mu_r = mu_r_at_end(ends, i, a, mu)
         legendre_functions(mu, expansion, functions)
-        exact = load(share, LANES * (i * angles + a))
+        exact = load(norm, LANES * (i * angles + a))
         step = 1
         if narrow:
             step = 2
@@ -415,13 +415,13 @@ def reflected_star(
 
 @compiled_loop
 def first_order_radius(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
+    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
 ):
     """Moments of first-order radiance at one radius, for all sun angles.
 
     Parameters
     ----------
-    i, grid, rays, share, azimuths, air, expansion, out, sky_out :
+    i, grid, rays, norm, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``. [1]
@@ -431,20 +431,20 @@ def first_order_radius(
         Table from ``refraction_table``. [1]
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out,
+        i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out,
         sky_out, False,
     )  # fmt: skip
 
 
 @compiled_loop
 def first_order_radius_narrow(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
+    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
 ):  # fmt: skip
     """``first_order_radius`` for at most four wavelengths, two azimuths in a register.
 
-    Both halves of ``share`` and of ``air`` have the same wavelengths.
+    Both halves of ``norm`` and of ``air`` have the same wavelengths.
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, refraction_table, out,
+        i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out,
         sky_out, True,
     )  # fmt: skip

@@ -205,7 +205,7 @@ def gather(
 
     def radius(i: int) -> None:
         kernel(
-            i, setup.grid, batch.rays, batch.share, setup.azimuths, batch.air, setup.expansion,
+            i, setup.grid, batch.rays, batch.norm, setup.azimuths, batch.air, setup.expansion,
             *light, moments[i].reshape(-1), sky[i].reshape(-1),
         )  # fmt: skip
 
@@ -237,7 +237,7 @@ class _Watch:
             return
         which, wavelengths = self.batch.which, self.batch.setup.medium.wavelengths
         nm = wavelengths[which]
-        share = 0.0 if iteration is None else iteration.share
+        share = 0.0 if iteration is None else iteration.progress
         still = 1.0 if iteration is None else float(iteration.remaining_error.max())
         self.progress(
             round(100 * (self.done + share * nm.size)),

@@ -22,7 +22,7 @@ from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.first_order import first_order_radius_narrow
 from airlight.solvers.moments.iterate_update import _accelerate, _add_orders, _fill_quantities
-from airlight.solvers.moments.opaque_culling import share_into
+from airlight.solvers.moments.opaque_culling import norms_into
 from airlight.solvers.moments.packing import _pack_sun
 from airlight.solvers.moments.rays import trace_into
 from airlight.solvers.moments.sweep import sweep_radius_narrow
@@ -46,7 +46,7 @@ LOOPS: Final = (
     _interpolate,
     delta_m_scaling,
     trace_into,
-    share_into,
+    norms_into,
     table_rays,
     _columns,
     first_order_radius_narrow,

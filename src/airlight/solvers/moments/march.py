@@ -101,7 +101,7 @@ def march(
     reset_peaks(tables, work)
     for panel in range(count - 1):
         points = n
-        if tables.hides > 0 and not is_transparent(tables, work):
+        if tables.culls_opaque > 0 and not is_transparent(tables, work):
             points = 0
         place_panel(r, mu, panel, count, rule, tables, work)
         panel_columns(rule, tables, work)

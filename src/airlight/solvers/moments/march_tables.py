@@ -40,7 +40,7 @@ class MarchTables(NamedTuple):
         Number of lanes w: a multiple of ``LANES``; in a shader one texel is one group of lanes.
     panels : int
         Number of panels per leg of a line; 1 in a shader.
-    hides : int
+    culls_opaque : int
         1 if opaque panels are culled; 0 in a shader, where lines run in lockstep.
     constituents, degree, radii, sun_angles, phase_nodes : int
         Sizes of the tables.
@@ -105,7 +105,7 @@ class MarchTables(NamedTuple):
     refraction_strength: float
     lanes: Annotated[int, Always(1)]
     panels: Annotated[int, Always(1)]
-    hides: Annotated[int, Always(0)]
+    culls_opaque: Annotated[int, Always(0)]
     constituents: int
     degree: int
     radii: int

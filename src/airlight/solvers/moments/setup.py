@@ -59,7 +59,7 @@ _ALIASED: Final = 0.4
 _CLOSE_TO_TOP: Final = 0.05
 _MORE_DIRECTIONS: Final = 8
 #: Number of column tables in the cache: edits of coefficients do not change them.
-_KEPT: Final = 4
+_CACHE_SIZE: Final = 4
 
 _tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
 _lock = threading.Lock()
@@ -269,7 +269,7 @@ class Setup:
             if self.refinement > 1
             else self.rays
         )
-        rays, share = cull_opaque(rays, air)
+        rays, norm = cull_opaque(rays, air)
         transport = self.optics.transport_depth[which]
         thick = filled(optically_thick_weights(self.optics.scattering_depth[which]))
         depth_ratio = np.maximum(filled(transport) / TRANSPORT_DEPTH_SCALE, 1.0)
@@ -280,7 +280,7 @@ class Setup:
             which=which,
             air=air,
             rays=rays,
-            share=share,
+            norm=norm,
             level=self.level(which),
             thick=thick,
             lateral_threshold=thick
@@ -306,7 +306,7 @@ class WavelengthBatch:
         Optics of these wavelengths.
     rays : Rays
         Rays without points that are opaque at all of these wavelengths.
-    share : array, shape (r·a·8,)
+    norm : array, shape (r·a·8,)
         Normalisation factors from ``cull_opaque``. [1]
     level : array, shape (s, 8)
         Weights from ``level_weights``. [1]
@@ -325,7 +325,7 @@ class WavelengthBatch:
     which: slice
     air: ScaledOptics
     rays: Rays
-    share: Float32Array
+    norm: Float32Array
     level: Float32Array
     thick: FloatArray
     lateral_threshold: FloatArray
@@ -371,6 +371,6 @@ def _columns(
     made = table, rational_mean_density(table)
     with _lock:
         _tables[key] = made
-        while len(_tables) > _KEPT:
+        while len(_tables) > _CACHE_SIZE:
             _tables.popitem(last=False)
     return made

@@ -126,7 +126,7 @@ class MomentsSolution(Solution):
             refraction_strength=self.paths.refraction_strength,
             lanes=air.ground.albedo.size,
             panels=settings.cut_panels if cut else settings.march_panels,
-            hides=1,
+            culls_opaque=1,
             constituents=len(medium.names),
             degree=expansion.degree,
             radii=grid.radii.size,

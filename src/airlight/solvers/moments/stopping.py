@@ -248,7 +248,7 @@ class Iteration:
         return weights
 
     @property
-    def share(self) -> float:
+    def progress(self) -> float:
         """Logarithmic progress: 0 at a remaining error of 1, 1 at the tolerance."""
         largest = float(self.remaining_error.max())
         if largest <= self.tolerance:

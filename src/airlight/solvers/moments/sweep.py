@@ -52,7 +52,7 @@ _CACHED = 1_000_000
 
 @inlined
 def _sweep(
-    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, narrow
+    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, narrow
 ):  # fmt: skip
     """``sweep_radius``, or ``sweep_radius_narrow`` if ``narrow``, a constant."""
     # Unpacked once: in the loop each access of a tuple would count references.
@@ -172,7 +172,7 @@ def _sweep(
             factor = diffuse_reflectance(surface, 0, mu_r_at_end(ends, i, a, mu))
             reflected = factor * INVERSE_PI * transmittance
         legendre_functions(mu, expansion, functions)
-        exact = load(share, LANES * (i * angles + a))
+        exact = load(norm, LANES * (i * angles + a))
         for j in range(sun_angles):
             mu_s = sun_cosines[j]
             sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
@@ -223,7 +223,7 @@ def _sweep(
 
 @compiled_loop
 def sweep_radius(
-    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out
+    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
 ):  # fmt: skip
     """Moments of the next order at one radius, for all sun angles.
 
@@ -233,7 +233,7 @@ def sweep_radius(
         Index of the radius.
     grid, rays, azimuths, air : Grid, Rays, Azimuths, ScaledOptics
         Shell, its rays, and its optics.
-    share : array, shape (r·a·8,)
+    norm : array, shape (r·a·8,)
         Normalisation factors from ``cull_opaque``. [1]
     expansion : Harmonics
         Harmonics of the moments.
@@ -249,19 +249,19 @@ def sweep_radius(
         Receives the diffuse horizontal irradiance from above.
     """
     _sweep(
-        i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, False
+        i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, False
     )  # fmt: skip
 
 
 @compiled_loop
 def sweep_radius_narrow(
-    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out
+    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
 ):  # fmt: skip
     """``sweep_radius`` for at most four wavelengths, two moments in a register.
 
-    Both halves of ``share`` and of ``air`` have the same wavelengths; ``field`` has pairs of
+    Both halves of ``norm`` and of ``air`` have the same wavelengths; ``field`` has pairs of
     moments, see ``packing.pair_order``.
     """
     _sweep(
-        i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, True
+        i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, True
     )  # fmt: skip

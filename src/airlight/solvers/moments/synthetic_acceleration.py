@@ -51,7 +51,7 @@ class SyntheticAcceleration:
     """
 
     def __init__(self, batch: WavelengthBatch, cancel: Cancel | None = None) -> None:
-        setup, rays, share, air = batch.setup, batch.rays, batch.share, batch.air
+        setup, rays, norm, air = batch.setup, batch.rays, batch.norm, batch.air
         grid, expansion, parts = setup.grid, setup.expansion, setup.refinement
         self.batch, self.grid = batch, grid
         self.set_lateral_scale(1.0)
@@ -76,7 +76,7 @@ class SyntheticAcceleration:
             weights = np.empty(angles * levels * int(starts[-1]) * LANES, np.float32)
             bounced = np.empty(angles * LANES, np.float32)
             synthetic_rows(
-                i, grid, rays, share, along, air, expansion, self.degree, self.order,
+                i, grid, rays, norm, along, air, expansion, self.degree, self.order,
                 weights, bounced,
             )  # fmt: skip
             seen = weights

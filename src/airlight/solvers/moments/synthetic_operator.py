@@ -18,12 +18,12 @@ from airlight.solvers.moments.ray_optics import mu_r_at_end, optical_depth, tran
 
 
 @compiled_loop
-def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
+def synthetic_rows(i, grid, rays, norm, mu_along, air, expansion, degree, order, out, bounced):
     """Weights of the moments at all levels in the radiance of the rays from one radius.
 
     Parameters
     ----------
-    i, grid, rays, share, air, expansion :
+    i, grid, rays, norm, air, expansion :
         As in ``sweep_radius``.
     mu_along : array, shape (p,)
         Zenith cosine of the rays at their points. [1]
@@ -47,7 +47,7 @@ def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order
     out[:] = 0.0
     bounced[:] = 0.0
     for a in range(angles):
-        exact = load(share, LANES * (i * angles + a))
+        exact = load(norm, LANES * (i * angles + a))
         for k in range(starts[i, a], starts[i, a + 1]):
             legendre_functions(mu_along[k], expansion, functions)
             depth = optical_depth(depths[k], 0, extinction, constituents)
