@@ -39,7 +39,7 @@ LAWS: Final[dict[str, Any]] = {
 
 
 def law_number(name: str) -> int:
-    """Number by which kernels know a law.
+    """Index of a law in ``LAWS``.
 
     Parameters
     ----------
@@ -54,21 +54,20 @@ WATER: Final = law_number("water")
 
 
 class Reflection(NamedTuple):
-    """Ground as an argument of kernels.
+    """Reflectance of the ground, as an argument of kernels.
 
     Attributes
     ----------
     albedo : array, shape (w,), or float
-        Fraction of diffuse light that is reflected; wavelengths in the lanes, or one of them. [1]
+        Spherical albedo; wavelengths in the lanes, or a single one. [1]
     law : int
-        Number of the law, its position in ``LAWS``.
+        Index of the law in ``LAWS``.
     wet : bool
         Whether some of the ground is water, by the law or by a map.
     wind : float
         Wind speed over water. [m s⁻¹]
     cover, cloud_albedo : float
-        Mean cover of the clouds that hide the ground, and the albedo of full cover, which reflects
-        by Lambert's law. [1]
+        Mean cloud cover, and albedo of the Lambertian clouds. [1]
     """
 
     albedo: Annotated[Any, SPECTRA]
@@ -95,14 +94,14 @@ brdf_diffuse = chosen_kernel("brdf_diffuse", [law.brdf_diffuse for law in LAWS.v
 
 @inlined
 def _with_clouds(factor, ground):
-    """Reflectance factor of ground and of the clouds above it, from that of the ground. [1]"""
+    """Reflectance factor with clouds, from that of the ground. [1]"""
     cloud = ground.cover * ground.cloud_albedo
     return factor * np.float32(1.0 - ground.cover) + np.float32(cloud)
 
 
 @inlined
 def direct_reflectance(ground, at, mu_s, mu_r, nu):
-    """Reflectance factor of the ground in the light of a star. [1]
+    """Bidirectional reflectance factor of the ground, π times its BRDF. [1]
 
     Parameters
     ----------
@@ -112,9 +111,9 @@ def direct_reflectance(ground, at, mu_s, mu_r, nu):
     mu_s : float
         Cosine of the star's zenith angle at the ground. [1]
     mu_r : float
-        Cosine of the zenith angle of the reflected light, towards the observer. [1]
+        Cosine of the zenith angle of reflection, towards the observer. [1]
     nu : float
-        Cosine between the line of sight, as it arrives at the ground, and the star. [1]
+        Cosine between the line of sight towards the ground and the direction to the star. [1]
 
     Returns
     -------
@@ -128,10 +127,9 @@ def direct_reflectance(ground, at, mu_s, mu_r, nu):
 
 @inlined
 def diffuse_reflectance(ground, at, mu_r):
-    """Reflectance factor of the ground under a uniform sky. [1]
+    """Hemispherical-directional reflectance factor of the ground, for isotropic illumination. [1]
 
-    By reciprocity this is also the total reflected fraction of a beam from the direction
-    ``mu_r``.
+    By reciprocity it is also the directional albedo, for a beam from the direction ``mu_r``.
 
     Parameters
     ----------
@@ -153,12 +151,12 @@ def diffuse_reflectance(ground, at, mu_r):
 
 @inlined
 def cos_reflected(r, mu, bottom):
-    """Cosine of the zenith angle at which light leaves the ground along a straight line. [1]
+    """Cosine of the zenith angle of reflection at the ground end of a straight line. [1]
 
     Parameters
     ----------
     r, mu : float
-        Radius at which the line is seen [m], and its zenith cosine there, towards the ground [1].
+        Radius of the start of the line [m], and its zenith cosine there, towards the ground [1].
     bottom : float
         Radius of the ground. [m]
     """
@@ -168,7 +166,7 @@ def cos_reflected(r, mu, bottom):
 
 @inlined
 def direct_reflectance_at(ground, l, mu_s, mu_r, nu):
-    """``direct_reflectance`` at one of the wavelengths, in double precision. [1]"""
+    """``direct_reflectance`` at wavelength l, in double precision. [1]"""
     diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
     clear = diffuse * ground.albedo[l] + specular
     return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
@@ -176,7 +174,7 @@ def direct_reflectance_at(ground, l, mu_s, mu_r, nu):
 
 @inlined
 def diffuse_reflectance_at(ground, l, mu_r):
-    """``diffuse_reflectance`` at one of the wavelengths, in double precision. [1]"""
+    """``diffuse_reflectance`` at wavelength l, in double precision. [1]"""
     diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
     clear = diffuse * ground.albedo[l] + specular
     return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
@@ -184,7 +182,7 @@ def diffuse_reflectance_at(ground, l, mu_r):
 
 @compiled_loop
 def direct_reflectances(ground, mu_s, mu_r, nu, out):
-    """Write ``direct_reflectance`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
+    """``direct_reflectance`` of n lines at all wavelengths, to ``out``, shape (n, nl). [1]"""
     for k in range(mu_s.size):
         for l in range(out.shape[1]):
             out[k, l] = direct_reflectance_at(ground, l, mu_s[k], mu_r[k], nu[k])
@@ -192,7 +190,7 @@ def direct_reflectances(ground, mu_s, mu_r, nu, out):
 
 @compiled_loop
 def diffuse_reflectances(ground, mu_r, out):
-    """Write ``diffuse_reflectance`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
+    """``diffuse_reflectance`` of n lines at all wavelengths, to ``out``, shape (n, nl). [1]"""
     for k in range(mu_r.size):
         for l in range(out.shape[1]):
             out[k, l] = diffuse_reflectance_at(ground, l, mu_r[k])
