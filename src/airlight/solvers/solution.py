@@ -253,7 +253,7 @@ class Solution(ABC):
             If a value is out of its range, the shapes do not broadcast, or Stokes parameters are
             requested of a scalar solution.
         """
-        arrays, lines, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
         self.check_order(order)
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         if not stokes:
@@ -296,9 +296,9 @@ class Solution(ABC):
         ParameterError
             If a value is out of its range, or the shapes do not broadcast.
         """
-        return self._questions(altitude, sun_zenith, view_zenith, azimuth)[1:]
+        return self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)[1:]
 
-    def _questions(
+    def _rays_from_arguments(
         self,
         altitude: Measures,
         sun_zenith: Measures,

@@ -15,7 +15,7 @@ from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
-from airlight.solvers.montecarlo.estimate import Estimate, Question
+from airlight.solvers.montecarlo.estimate import Estimate, Query
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 
 FloatArray = NDArray[np.float64]
@@ -77,8 +77,8 @@ def eclipsed_estimate(
         )
         lengths = np.maximum(lines.length, np.where(lines.to_ground, 1e-3, 0.0))
         starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
-    question = Question(starts, lengths, hemisphere, None, None, frames)
-    return solution.answer(question, started)
+    query = Query(starts, lengths, hemisphere, None, None, frames)
+    return solution.answer(query, started)
 
 
 def _frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:

@@ -71,7 +71,7 @@ class Estimate:
 
 
 @dataclass(frozen=True)
-class Question:
+class Query:
     """Quantities to be estimated.
 
     Attributes
@@ -100,7 +100,7 @@ class Question:
 
 
 def estimate(
-    question: Question,
+    query: Query,
     airs: Sequence[HistoryOptics],
     wavelengths: FloatArray,
     settings: Settings,
@@ -112,7 +112,7 @@ def estimate(
 
     Parameters
     ----------
-    question : Question
+    query : Query
     airs : sequence of HistoryOptics, length nl
         Optical properties at each wavelength.
     wavelengths : array, shape (nl,)
@@ -126,14 +126,14 @@ def estimate(
     Cancelled
         If ``cancel`` returned True.
     """
-    n, count = question.starts.shape[0], len(airs)
+    n, count = query.starts.shape[0], len(airs)
     bins = settings.kept_orders + 1
     sums = np.zeros((n * count, 2, bins + 3))
     blocks = np.zeros(n * count, np.int64)
     most = max(1, settings.most_histories // BLOCK)
-    all_known = np.zeros((n, 3, count)) if question.known is None else question.known
+    all_known = np.zeros((n, 3, count)) if query.known is None else query.known
     known = all_known[:, 0]
-    open_ = np.repeat(question.lengths > 0.0, count)
+    open_ = np.repeat(query.lengths > 0.0, count)
     wanted = np.where(open_, min(_FIRST_ROUND, most), 0)
     done_before = 0
     while True:
@@ -152,7 +152,7 @@ def estimate(
             task, block = units[index]
             line, at = divmod(task, count)
             nm = float(wavelengths[at])
-            _run_block(question, line, at, airs[at], nm, block, settings, out[index])
+            _run_block(query, line, at, airs[at], nm, block, settings, out[index])
 
         def shown(done: int, total: int, message: str, before: int = done_before) -> None:
             if progress is not None:
@@ -163,19 +163,19 @@ def estimate(
         for (task, _), result in zip(units, results, strict=True):
             sums[task] += result
         blocks = np.maximum(blocks, wanted)
-        wanted = _more(question, sums, blocks, known, open_, settings, most)
+        wanted = _more(query, sums, blocks, known, open_, settings, most)
     histories = blocks.reshape(n, count) * BLOCK
     means, errors = _statistics(sums, blocks * BLOCK)
     parts = np.moveaxis(means[:, :bins].reshape(n, count, bins), 1, 2)
     part_errors = np.moveaxis(errors[:, :bins].reshape(n, count, bins), 1, 2)
-    if question.known is not None:
+    if query.known is not None:
         parts[:, 0] = known
     stokes, stokes_errors = (
         np.moveaxis(rows[:, bins + 1 :].reshape(n, count, 2), 1, 2) for rows in (means, errors)
     )
     total = means[:, bins].reshape(n, count) + known
     total_error = errors[:, bins].reshape(n, count)
-    judged, judged_error = _judged(question, means, errors, known)
+    judged, judged_error = _judged(query, means, errors, known)
     reached = judged_error <= settings.relative_error * judged
     reached = (reached & (judged > 0.0)) | ~open_
     return Estimate(
@@ -191,31 +191,31 @@ def estimate(
 
 
 def _run_block(
-    question: Question, line: int, at: int, air: HistoryOptics, nm: float, block: int,
+    query: Query, line: int, at: int, air: HistoryOptics, nm: float, block: int,
     settings: Settings, out: FloatArray,
 ) -> None:  # fmt: skip
     """Run one block of histories of one task."""
-    start = question.starts[line]
+    start = query.starts[line]
     r, mu, mu_s, nu = (float(one) for one in start)
     # The stream depends on the line of sight itself, not on its index.
     names = struct.unpack("<5Q", struct.pack("<5d", *(one + 0.0 for one in (r, mu, mu_s, nu, nm))))
-    state = stream(settings.seed, *names, int(question.hemisphere), block)
+    state = stream(settings.seed, *names, int(query.hemisphere), block)
     along = air.extinction
     paths = (new_trace(along), new_trace(along), new_trace(along), new_lit(along), new_lit(along))
     workspace = (
         np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1), np.zeros(2),
         np.zeros((3, 4)),
     )  # fmt: skip
-    first_order = 1 if question.known is None else 2
-    end_r = np.sqrt(max(r * r + question.lengths[line] * (question.lengths[line] + 2 * r * mu), 1))
-    end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
-    lowest = mu_s if question.hemisphere else min(mu_s, end_mu_s)
+    first_order = 1 if query.known is None else 2
+    end_r = np.sqrt(max(r * r + query.lengths[line] * (query.lengths[line] + 2 * r * mu), 1))
+    end_mu_s = (r * mu_s + query.lengths[line] * nu) / end_r
+    lowest = mu_s if query.hemisphere else min(mu_s, end_mu_s)
     sun_sampling_fraction = _SUN_SAMPLING_FRACTION if lowest < _LOW_STAR else 0.0
     occulted = OccultedStar.whole()
-    if question.occulted is not None:
-        occulted = question.occulted[line].lane(at)
+    if query.occulted is not None:
+        occulted = query.occulted[line].lane(at)
     trace_paths(
-        BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, sun_sampling_fraction, air,
+        BLOCK, (r, mu, mu_s, nu), query.hemisphere, first_order, sun_sampling_fraction, air,
         occulted, state, paths, workspace, out,
     )  # fmt: skip
 
@@ -229,23 +229,23 @@ def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatAr
 
 
 def _judged(
-    question: Question, means: FloatArray, errors: FloatArray, known: FloatArray
+    query: Query, means: FloatArray, errors: FloatArray, known: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Value and error of each task for the stopping rule, shape (tasks,)."""
-    if question.order is None:
+    if query.order is None:
         return means[:, -3] + known.ravel(), errors[:, -3]
-    if question.order == 1 and question.known is not None:
+    if query.order == 1 and query.known is not None:
         return known.ravel(), np.zeros(known.size)
-    return means[:, question.order - 1], errors[:, question.order - 1]
+    return means[:, query.order - 1], errors[:, query.order - 1]
 
 
 def _more(
-    question: Question, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
+    query: Query, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
     open_: NDArray[np.bool_], settings: Settings, most: int,
 ) -> NDArray[np.int64]:  # fmt: skip
     """Number of blocks of each task after the next round, shape (tasks,)."""
     means, errors = _statistics(sums, blocks * BLOCK)
-    value, error = _judged(question, means, errors, known)
+    value, error = _judged(query, means, errors, known)
     allowed = settings.relative_error * value
     ratio = np.divide(error, allowed, out=np.full(value.size, 2.0), where=allowed > 0.0)
     # A tenth more than estimated from the variance, so that the next round is usually the last.

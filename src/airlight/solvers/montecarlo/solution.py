@@ -17,7 +17,7 @@ from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
 from airlight.solvers.lines_of_sight import LinesOfSight
-from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
+from airlight.solvers.montecarlo.estimate import Estimate, Query, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.refracted_paths import refracted_direct_irradiance
 from airlight.solvers.montecarlo.settings import Settings
@@ -130,12 +130,12 @@ class MonteCarloSolution(Solution):
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
         starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
-        return self.answer(Question(starts, lengths, False, known, order), started)
+        return self.answer(Query(starts, lengths, False, known, order), started)
 
-    def answer(self, question: Question, started: float) -> Estimate:
+    def answer(self, query: Query, started: float) -> Estimate:
         """Estimate of a query that began at ``started``, by ``perf_counter``. [s]"""
         got = estimate(
-            question,
+            query,
             self.airs,
             self.medium.wavelengths,
             self.settings,
@@ -226,7 +226,7 @@ class MonteCarloSolution(Solution):
         if stokes:
             self.check_polarised()
         self.check_order(order)
-        arrays, lines, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
         got = self.trace(lines, order=order)
         values, errors = got.total, got.total_error
         if order is not None:
@@ -254,8 +254,8 @@ class MonteCarloSolution(Solution):
         up = np.ones_like(r)
         r = self.paths.optical_radius(r)
         lengths = vectorized(distance_to_top)(r, up, self.paths.medium.top_radius)
-        question = Question(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
-        return self.answer(question, perf_counter())
+        query = Query(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
+        return self.answer(query, perf_counter())
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; by quadrature."""
@@ -306,7 +306,7 @@ class MonteCarloSolution(Solution):
         """
         if stokes:
             self.check_polarised()
-        arrays, lines, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
         got = self.trace(lines)
         sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
