@@ -182,7 +182,7 @@ def test_white_light_is_dimmed_by_the_star_s_mean_transmittance(earth: MomentsSo
 def test_bent_light_reaches_the_same_distance(solved) -> None:
     # By a second method: Solution.transmittance, by quadrature of the profiles along the bent ray.
     solution = solved(load_planet("earth"), (680.0, 550.0, 440.0), "preview")
-    assert solution.paths.shell is not None
+    assert solution.geometry.shell is not None
     camera, place = looking(500.0, 25.0, size=(8, 6)), Placement(sun_zenith=60.0)
     rays = directions(camera)
     black = np.zeros((6, 8, 3))

@@ -81,15 +81,15 @@ def light_of(plan, sweeper, texture):
 def test_each_order_is_that_of_the_cpu(device, name, changes):
     # The same functions on the same tables; the differences are single precision of radii (0.5 m),
     # cosines and look-ups: 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
-    paths = RefractedGeometry.of(medium_of(name, **changes))
-    plan = plan_for(paths, PREVIEW)
-    batch = Setup(paths=paths, settings=PREVIEW).batch(slice(None))
+    geometry = RefractedGeometry.of(medium_of(name, **changes))
+    plan = plan_for(geometry, PREVIEW)
+    batch = Setup(geometry=geometry, settings=PREVIEW).batch(slice(None))
     first, first_sky = gather(
         batch,
         first_order_radius,
         batch.setup.column_rows,
         batch.setup.star_ratios,
-        paths.refraction_table,
+        geometry.refraction_table,
     )
     packed = pack_light(first, first_sky[:1], batch.level, batch.setup.refinement)
     second, second_sky = gather(batch, sweep_radius, *packed, batch.all_degrees)

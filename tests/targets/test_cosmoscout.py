@@ -162,7 +162,7 @@ def test_illuminance_and_sunlight_are_the_solutions(written):
 def test_bending_is_that_of_the_horizon_and_of_a_setting_star(written):
     solution, folder, _ = written
     tables = CosmoScoutTables.read(folder)
-    paths = RefractedGeometry.of(solution.medium)
+    geometry = RefractedGeometry.of(solution.medium)
     ground = np.array([tables.bottom_radius])
     # 34 arc minutes on the horizon: the refraction of almanacs, for 10 deg C and 1010 hPa.
     bent, lowest = tables.refraction_angle(ground, np.array([1e-4]))
@@ -172,8 +172,10 @@ def test_bending_is_that_of_the_horizon_and_of_a_setting_star(written):
     high = np.array([tables.bottom_radius + 60e3])
     horizon = -math.sqrt(1.0 - (tables.bottom_radius / high[0]) ** 2)
     above, _ = tables.refraction_angle(high, np.array([horizon + 0.005]))
-    optical = paths.optical_radius(high)
-    assert_allclose(above, paths.refraction_angle(optical, np.array([horizon + 0.005])), rtol=0.05)
+    optical = geometry.optical_radius(high)
+    assert_allclose(
+        above, geometry.refraction_angle(optical, np.array([horizon + 0.005])), rtol=0.05
+    )
     _, below = tables.refraction_angle(high, np.array([horizon - 0.02]))
     assert below[0] < 0.0  # meets the ground
 

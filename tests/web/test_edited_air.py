@@ -78,9 +78,9 @@ def test_edited_air_is_that_of_an_edited_medium(
         absorption=factors * solution.medium.absorption,
         ground_albedo=ground * solution.medium.ground_albedo,
     )
-    paths = RefractedGeometry.of(medium)
+    geometry = RefractedGeometry.of(medium)
     degree = int(data["plan"]["sizes"]["degree"])
-    optics = Optics(paths.medium, degree)
+    optics = Optics(geometry.medium, degree)
     air, depth = optics.air(slice(None)), optics.scattering_depth
     grid = solution.moments.grid  # the suns are the same for every degree
     dip = acos(grid.bottom_radius / grid.top_radius)
@@ -88,7 +88,7 @@ def test_edited_air_is_that_of_an_edited_medium(
     tables = {
         "extinction": air.extinction, "moments": air.moments,
         "polarised_moments": air.polarised_moments, "albedo": air.ground.albedo,
-        "unscaled_extinction": pack(paths.medium.extinction),
+        "unscaled_extinction": pack(geometry.medium.extinction),
     }  # fmt: skip
     for name, table in tables.items():
         wanted = table.reshape(-1, 8)[:, :4].reshape(-1)
@@ -96,8 +96,8 @@ def test_edited_air_is_that_of_an_edited_medium(
     wanted = level_weights(grid.sun_cosines, dip, depth)
     assert_allclose(np.reshape(got["level"], (-1, 4))[:, :3], wanted, rtol=1e-6, atol=1e-7)
     assert_allclose(got["thick"][:3], optically_thick_weights(depth), rtol=1e-6)
-    assert_allclose(got["strongest"], paths.medium.extinction.max(axis=1), rtol=1e-6)
-    assert_allclose(got["brightest"], paths.medium.scattering.max(axis=1), rtol=1e-6)
+    assert_allclose(got["strongest"], geometry.medium.extinction.max(axis=1), rtol=1e-6)
+    assert_allclose(got["brightest"], geometry.medium.scattering.max(axis=1), rtol=1e-6)
 
 
 def test_air_that_is_too_thick_is_refused_in_one_line(
@@ -125,8 +125,8 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     settings = dataclasses.replace(settings, thick_degree=4)
     medium = Medium.from_planet(load_planet("titan"), WAVELENGTHS)
     data = solver_data(SimpleNamespace(medium=medium), settings)  # type: ignore[arg-type]
-    paths = RefractedGeometry.of(medium)
-    plan = plan_for(paths, settings)
+    geometry = RefractedGeometry.of(medium)
+    plan = plan_for(geometry, settings)
     assert plan.sizes["parts"] > 1
     assert plan.setup.optics.transport_depth.max() > data["synthetic"]["thicker"]
     rays = {}

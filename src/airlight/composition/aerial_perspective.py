@@ -271,7 +271,7 @@ class _March:
         lines = enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
         sky, star = (np.zeros((mu.size, LANES), np.float32) for _ in range(2))
         sky[:, :3] = np.maximum(self.solution.relative_radiance(lines) @ self._radiance, 0.0)
-        free = ~self.solution.paths.optical_lines(lines).to_ground
+        free = ~self.solution.geometry.optical_lines(lines).to_ground
         _, through, _ = self._air.before(directions[free], np.full(int(free.sum()), np.inf))
         star[free, :3] = np.maximum(self._disc * through @ self._radiance, 0.0)
         return sky, star

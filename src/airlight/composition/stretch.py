@@ -67,18 +67,18 @@ class Air:
         whole : array of bool, shape (n,)
             Whether a point lies at the end of its line in the air, or beyond.
         """
-        paths = self.solution.paths
+        geometry = self.solution.geometry
         mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])
         nu = np.clip(directions @ self._sun, -1.0, 1.0)
         r, mu_s = np.full_like(mu, self._r), np.full_like(mu, self._sun[2])
         entered = enter_shell(r, mu, sine, mu_s, nu, self._bottom, self._top)
-        lines = paths.optical_lines(entered)
+        lines = geometry.optical_lines(entered)
         way = np.zeros_like(mu)
         if not self.inside:
             chord = np.sqrt(np.maximum(self._top**2 - np.square(r * sine), 0.0))
             way = np.where(entered.length > 0.0, -r * mu - chord, 0.0)
         wanted = np.minimum(np.maximum(distances - way, 0.0), 1e3 * self._top)
-        asked = paths.optical_length(lines.r, lines.mu, wanted, lines.length, quick=True)
+        asked = geometry.optical_length(lines.r, lines.mu, wanted, lines.length, quick=True)
         longest = np.where(below & lines.to_ground, _BELOW * lines.length, lines.length)
         length = np.minimum(asked, longest)
         radiance = np.zeros((mu.size, self.solution.wavelengths.size))

@@ -121,7 +121,7 @@ class AirLight:
         whole = None in self.orders
         if whole and not self.peaks_once:
             light, once = scattering_by_constituent(solution, lines, 2, delta_scaled=False)
-            own = solution.medium.phase_function(solution.paths.apparent_nu(lines))
+            own = solution.medium.phase_function(solution.geometry.apparent_nu(lines))
             return once, np.maximum(light - (once * own).sum(axis=1), 0.0)
         light, once = scattering_by_constituent(
             solution, lines, 0 if whole else 1, delta_scaled=True

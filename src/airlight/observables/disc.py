@@ -129,7 +129,7 @@ def _reflected(solution: Solution, phase: float, points: int) -> FloatArray:
     """Integrals of I and Q over the disc, per irradiance of the star, shape (2, nl). [m²]"""
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
-    made = disc_points(ground_edge(solution.paths), top, phase, points)
+    made = disc_points(ground_edge(solution.geometry), top, phase, points)
     lines = disc_lines(made.impact, made.position, phase, bottom, top)
     if not solution.polarised:
         whole = made.area @ solution.relative_radiance(lines)

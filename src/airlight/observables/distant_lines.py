@@ -60,6 +60,6 @@ def disc_lines(
     return lines_into_shell(impact, mu_s, np.full(mu_s.shape, -np.cos(phase)), bottom, top)
 
 
-def ground_edge(paths: RefractedGeometry) -> float:
+def ground_edge(geometry: RefractedGeometry) -> float:
     """Apparent radius of the ground from infinity, enlarged by refraction. [m]"""
-    return paths.medium.bottom_radius if paths.shell is None else float(paths.shell.bottom)
+    return geometry.medium.bottom_radius if geometry.shell is None else float(geometry.shell.bottom)

@@ -66,7 +66,7 @@ def transit(solution: Solution) -> Transit:
     solution : Solution
     """
     top = solution.medium.top_radius
-    edge = ground_edge(solution.paths)
+    edge = ground_edge(solution.geometry)
     lowest = _lowest_ray(solution, edge)
     fine, coarse = (_effective_radius(solution, lowest, top, n) for n in (_POINTS, _FEWER))
     return Transit(fine, np.abs(fine - coarse), lowest, bool(lowest > edge))
@@ -86,18 +86,18 @@ def _effective_radius(solution: Solution, lowest: float, top: float, points: int
 
 def _lowest_ray(solution: Solution, edge: float) -> float:
     """Impact parameter of the lowest ray that meets the star's disc. [m]"""
-    paths = solution.paths
-    if paths.shell is None:
+    geometry = solution.geometry
+    if geometry.shell is None:
         return edge
     known = None if solution.planet is None else solution.planet.star.known_distance
     distance = math.inf if known is None else known
     radius = solution.lights[0].angular_radius
 
     def shows(b: float) -> bool:
-        bend = 2.0 * float(paths.refraction_angle(np.array([b]), np.zeros(1))[0])
+        bend = 2.0 * float(geometry.refraction_angle(np.array([b]), np.zeros(1))[0])
         return abs(bend - b / distance) < radius
 
-    low, high = edge, paths.medium.top_radius
+    low, high = edge, geometry.medium.top_radius
     if shows(low):
         return edge
     for _ in range(_HALVINGS):

@@ -354,7 +354,11 @@ class _Picture:
         inside, edge = np.zeros(len(rays), bool), np.zeros(len(rays), bool)
         margin = 2.0 * self.camera.pixel_angle
         bend = max(
-            (item.solution.paths.max_refraction for item in self.items if isinstance(item, _Air)),
+            (
+                item.solution.geometry.max_refraction
+                for item in self.items
+                if isinstance(item, _Air)
+            ),
             default=0.0,
         )
         shown = np.any(rays != 0.0, axis=-1)

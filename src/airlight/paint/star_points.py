@@ -154,13 +154,16 @@ def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) 
     array, shape (n, 3)
         Unit vectors in the observer's local frame.
     """
-    paths = solution.paths
-    if paths.shell is None:
+    geometry = solution.geometry
+    if geometry.shell is None:
         return true
     r = np.array(solution.medium.bottom_radius + altitude)
-    place = float(paths.optical_radius(r)), paths.shell.bottom, paths.shell.top
+    place = float(geometry.optical_radius(r)), geometry.shell.bottom, geometry.shell.top
     seen = np.array(
-        [apparent_sun_cosine(place[0], z, *place[1:], paths.refraction_table) for z in true[:, 2]]
+        [
+            apparent_sun_cosine(place[0], z, *place[1:], geometry.refraction_table)
+            for z in true[:, 2]
+        ]
     )
     flat = np.hypot(true[:, 0], true[:, 1])
     level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))

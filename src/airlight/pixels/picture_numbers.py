@@ -55,19 +55,21 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     dict
         Values by name.
     """
-    camera, medium = scene.camera, solution.paths.medium
+    camera, medium = scene.camera, solution.geometry.medium
     if scene.altitude < 0.0:
         allowed = "0 m or more above the ground of the solution: see airlight.lowered_ground"
         raise ParameterError("scene.altitude", scene.altitude, allowed)
     true_r = solution.medium.bottom_radius + scene.altitude
-    r = float(solution.paths.optical_radius(np.array(true_r)))
+    r = float(solution.geometry.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
     sun = scene.sun_direction
-    seen, paths = sun[2], solution.paths
-    if paths.shell is not None and not outside:
+    seen, geometry = sun[2], solution.geometry
+    if geometry.shell is not None and not outside:
         seen = float(
-            apparent_sun(r, sun[2], paths.shell.bottom, paths.shell.top, paths.refraction_table)[0]
+            apparent_sun(
+                r, sun[2], geometry.shell.bottom, geometry.shell.top, geometry.refraction_table
+            )[0]
         )
     axes = camera.axes
     assert camera.field_of_view is not None
@@ -225,7 +227,7 @@ def overlay_numbers(solution: MomentsSolution) -> dict[str, float]:
         Solution, lit by one of the lights.
     """
     medium, altitude = solution.medium, solution.medium.cloud_altitude
-    radius = solution.paths.optical_radius(np.array(medium.bottom_radius + altitude))
+    radius = solution.geometry.optical_radius(np.array(medium.bottom_radius + altitude))
     return lamp_numbers(solution) | {
         "clouded": float(medium.ground_clouds is not None),
         "cloud_altitude": altitude,

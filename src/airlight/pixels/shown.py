@@ -48,7 +48,7 @@ def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     tuple of int
         Indices in ``medium.names``, the strongest scatterer first.
     """
-    medium = solution.paths.medium
+    medium = solution.geometry.medium
     u = np.linspace(0.0, np.sin(np.radians(5.0)), 201)
     at = np.linspace(0.0, 1.0, medium.phase_table.shape[2])
     depth = medium.scattering.max(axis=1) * medium.columns
@@ -70,7 +70,7 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     points are done, and all loops of a shader after 65 535 iterations.
     """
     tables, degree = solution.tables, solution.moments.degree
-    constituents = len(solution.paths.medium.names)
+    constituents = len(solution.geometry.medium.names)
     # Two legs, the ends of the shadow and the cuts of a thick line; water's mirrored sky has one.
     legs, more = tables.ends.size + 1, 5
     panels = 2 * legs + more + (legs + more if tables.ground.wet else 0)

@@ -91,7 +91,7 @@ class Drawing:
         self._screen = screen_from(numbers, camera, self._ground, self._overlay, SkyLayers.none())
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius
-        self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.max_refraction
+        self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.geometry.max_refraction
 
     def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
         """Fill the table of the sky, if there is one, before any row is drawn.

@@ -37,7 +37,9 @@ def straight_lines(
     mu = np.clip(directions[:, 2], -1.0, 1.0)
     sine = np.hypot(directions[:, 0], directions[:, 1])
     r = np.full(mu.shape, bottom + altitude)
-    return solution.paths.optical_lines(enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top))
+    return solution.geometry.optical_lines(
+        enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top)
+    )
 
 
 def leaving_direction(
@@ -59,12 +61,12 @@ def leaving_direction(
     array, shape (n, 3)
         Unit vectors; those that meet the ground are returned unchanged.
     """
-    if solution.paths.shell is None or len(directions) == 0:
+    if solution.geometry.shell is None or len(directions) == 0:
         return directions
     lines = straight_lines(directions, solution, altitude)
     free = ~lines.to_ground & (lines.length > 0.0)
     angle = np.zeros(len(directions))
-    angle[free] = solution.paths.refraction_angle(lines.r[free], lines.mu[free])
+    angle[free] = solution.geometry.refraction_angle(lines.r[free], lines.mu[free])
     level = np.hypot(directions[:, 0], directions[:, 1])
     height = np.arctan2(directions[:, 2], level) - angle
     scale = np.divide(np.cos(height), level, out=np.ones_like(level), where=level > 0.0)

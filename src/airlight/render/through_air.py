@@ -34,17 +34,17 @@ def through_air(
     directions : array, shape (n, 3)
         Unit vectors behind the air, lowered by the angle of refraction.
     """
-    medium, paths = solution.medium, solution.paths
+    medium, geometry = solution.medium, solution.geometry
     r = np.full(len(directions), medium.bottom_radius + altitude)
     mu = np.clip(directions[:, 2], -1.0, 1.0)
     sine = np.hypot(directions[:, 0], directions[:, 1])
     zero = np.zeros_like(mu)
-    lines = paths.optical_lines(
+    lines = geometry.optical_lines(
         enter_shell(r, mu, sine, zero, zero, medium.bottom_radius, medium.top_radius)
     )
     transmittance = np.ones((len(mu), solution.wavelengths.size))
     crossing = np.flatnonzero((lines.length > 0.0) & ~lines.to_ground)
-    drawn = paths.medium
+    drawn = geometry.medium
     if crossing.size:
         depth = columns(
             lines.r[crossing], lines.mu[crossing], lines.length[crossing], drawn.bottom_radius,

@@ -59,7 +59,7 @@ class ShadowLight:
     """
 
     def __init__(self, solution: Solution, distance: float) -> None:
-        medium, paths = solution.medium, solution.paths
+        medium, geometry = solution.medium, solution.geometry
         if not distance > medium.top_radius:
             raise ParameterError("distance", distance, f"above {medium.top_radius:.7g} m")
         source = solution.lights[0]
@@ -68,7 +68,7 @@ class ShadowLight:
         count = solution.wavelengths.size
         self._law = np.tile(UNIFORM, (count, 1)) if law is None else law(solution.wavelengths)
         self._solution, self._distance = solution, distance
-        drawn = paths.medium
+        drawn = geometry.medium
         bottom, top = drawn.bottom_radius, drawn.top_radius
         step = (top - bottom) / _RAYS
         impact = np.asarray(bottom + step * (np.arange(_RAYS) + 0.5), np.float64)
@@ -78,7 +78,7 @@ class ShadowLight:
         #: Sines of the angles between the rays and the planet's centre, and their weights.
         self._sine = impact / distance
         self._weight = self._sine * step / distance
-        self._turned = np.arcsin(self._sine) - 2.0 * paths.refraction_angle(impact, straight)
+        self._turned = np.arcsin(self._sine) - 2.0 * geometry.refraction_angle(impact, straight)
         self._through = np.exp(-depth)
         #: Angular radii of the planet and of its atmosphere. [rad]
         self.planet_radius = float(np.arcsin(bottom / distance))

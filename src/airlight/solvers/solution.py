@@ -134,7 +134,7 @@ class Solution(ABC):
         return provenance(self.planet, self.report.provenance, self.report.settings)
 
     @cached_property
-    def paths(self) -> RefractedGeometry:
+    def geometry(self) -> RefractedGeometry:
         """Refracted geometry of the medium."""
         return RefractedGeometry.of(self.medium)
 
@@ -359,18 +359,18 @@ class Solution(ABC):
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
         r, view = bottom + arrays[0], np.radians(arrays[1])
         mu, sine, zero = np.cos(view), np.sin(view), np.zeros_like(view)
-        lines = self.paths.optical_lines(enter_shell(r, mu, sine, zero, zero, bottom, top))
+        lines = self.geometry.optical_lines(enter_shell(r, mu, sine, zero, zero, bottom, top))
         length = lines.length
         blocked = lines.to_ground
         if distance is not None:
             half_chord = np.sqrt(np.maximum(top**2 - (r * sine) ** 2, 0.0))
             way = np.where(r > top, -r * mu - half_chord, 0.0)
-            asked = self.paths.optical_length(
+            asked = self.geometry.optical_length(
                 lines.r, lines.mu, np.maximum(arrays[2] - way, 0.0), length
             )
             blocked = blocked & (asked > length * (1.0 + 1e-12))
             length = np.minimum(length, asked)
-        drawn = self.paths.medium
+        drawn = self.geometry.medium
         depth = columns(lines.r, lines.mu, length, drawn.bottom_radius, drawn.density)
         if air_mass is not None:
             self._replace_air_mass(depth, air_mass, arrays[0], arrays[1], distance)

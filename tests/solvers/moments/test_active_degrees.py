@@ -21,7 +21,7 @@ def batch_of(name: str, tolerance: float = 1e-2) -> WavelengthBatch:
     planet = load_planet(name)
     settings = replace(settings_for("preview"), tolerance=tolerance)
     medium = Medium.from_planet(planet, planet.wavelengths[:3])
-    return Setup(paths=RefractedGeometry.of(medium), settings=settings).batch(slice(None))
+    return Setup(geometry=RefractedGeometry.of(medium), settings=settings).batch(slice(None))
 
 
 def test_light_from_all_sides_has_few_degrees_and_a_level_between_those_of_both_ends() -> None:
@@ -45,8 +45,8 @@ def test_light_from_all_sides_has_few_degrees_and_a_level_between_those_of_both_
 def test_light_of_few_degrees_is_that_of_all(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     # a second method: all degrees everywhere; both stop at a change of 1e-2 of the mean radiance
     batch = batch_of(name)
-    paths, settings = batch.setup.paths, batch.setup.settings
-    few = iterate.solve_moments(paths, settings)
+    geometry, settings = batch.setup.geometry, batch.setup.settings
+    few = iterate.solve_moments(geometry, settings)
     found: list[np.ndarray] = []
 
     def kept(batch: WavelengthBatch, field: np.ndarray) -> np.ndarray:
@@ -54,7 +54,7 @@ def test_light_of_few_degrees_is_that_of_all(name: str, monkeypatch: pytest.Monk
         return batch.all_degrees
 
     monkeypatch.setattr(iterate, "active_degrees", kept)
-    every = iterate.solve_moments(paths, settings)
+    every = iterate.solve_moments(geometry, settings)
     assert few.sweeps == every.sweeps
     assert name != "venus" or found[0].min() < batch.setup.degree
     mean = every.field[:, :, 0]

@@ -52,7 +52,7 @@ def test_many_stars_have_the_light_of_each(planet: str, refraction: str) -> None
     assert isinstance(solution, MomentsSolution)
     lines = _lines(solution)
     own = solution.medium.phase_function(
-        solution.paths.apparent_nu(solution.paths.optical_lines(lines))
+        solution.geometry.apparent_nu(solution.geometry.optical_lines(lines))
     )
     air = solution.tables._replace(broadened=False, scaled_extinction=solution.tables.extinction)
     for orders, delta_scaled, light in ((2, False, air), (0, True, None), (2, True, None)):

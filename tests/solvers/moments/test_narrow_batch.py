@@ -24,12 +24,12 @@ def test_pairs_give_the_orders_that_eight_wavelengths_give(name: str) -> None:
     # azimuths and an even one.
     planet = load_planet(name)
     medium = Medium.from_planet(planet, planet.wavelengths[:3])
-    batch = Setup(paths=RefractedGeometry.of(medium), settings=settings_for("preview")).batch(
+    batch = Setup(geometry=RefractedGeometry.of(medium), settings=settings_for("preview")).batch(
         slice(None)
     )
     assert batch.narrow
     setup = batch.setup
-    once = (setup.column_rows, setup.star_ratios, setup.paths.refraction_table)
+    once = (setup.column_rows, setup.star_ratios, setup.geometry.refraction_table)
     first, sky = gather(batch, first_order_radius_narrow, *once)
     wanted, wanted_sky = gather(batch, first_order_radius, *once)
     mean = wanted[:, :, :1].clip(1e-12)

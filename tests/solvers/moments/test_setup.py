@@ -17,7 +17,7 @@ NM = [450.0, 530.0, 600.0, 680.0]
 def setup_of(name: str, quality: str = "preview", **changes: float) -> Setup:
     changed = {path.replace("__", "."): value for path, value in changes.items()}
     medium = Medium.from_planet(load_planet(name, changed), NM)
-    return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
+    return Setup(geometry=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
 def test_lanes_without_a_wavelength_repeat_others():

@@ -490,7 +490,7 @@ class Pictures:
             return [Band(0, height, True, True, True)]
         star = (numbers["seen_x"], 0.0, numbers["seen_z"])
         reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
-        return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.max_refraction)
+        return bands(scene, numbers["horizon_mu"], star, reach + solution.geometry.max_refraction)
 
     def _fill_sky(
         self, number: int, light: LitScene, numbers: Mapping[str, float], exact: bool

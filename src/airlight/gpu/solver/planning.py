@@ -28,13 +28,13 @@ _SPAN: Final = 4 << 20
 
 
 def plan_for(
-    paths: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
+    geometry: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
 ) -> SolverPlan:
     """Make the plan of a medium's solve.
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
         Paths in a medium of at most four wavelengths.
     settings : Settings
         Grid sizes.
@@ -46,10 +46,10 @@ def plan_for(
     ParameterError
         If the wavelengths or constituents exceed the capacity of the shaders.
     """
-    medium = paths.medium
+    medium = geometry.medium
     constituents = len(medium.names)
     check_capacity(medium.wavelengths.size, constituents)
-    setup = Setup(paths=paths, settings=settings, extinction_headroom=extinction_headroom)
+    setup = Setup(geometry=geometry, settings=settings, extinction_headroom=extinction_headroom)
     batch = setup.batch(slice(None))
     grid, rays, air = setup.grid, batch.rays, batch.air
     azimuths, expansion, table = setup.azimuths, setup.expansion, setup.table
@@ -65,7 +65,7 @@ def plan_for(
         "sines": azimuths.sines,
         "harmonic": expansion.start, "ahead": expansion.ahead, "back": expansion.back,
         "column_rows": setup.column_rows, "ratios": setup.ratios,
-        "refraction_table": paths.refraction_table,
+        "refraction_table": geometry.refraction_table,
         "level": batch.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
         "polarised_moments": _lanes(air.polarised_moments),

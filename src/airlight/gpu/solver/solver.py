@@ -87,10 +87,10 @@ def solve_on(
         If ``cancel`` requested it.
     """
     started = perf_counter()
-    paths = RefractedGeometry.of(medium)
-    if Optics.chosen(paths.medium, settings).transport_depth.max() > THICKEST:
+    geometry = RefractedGeometry.of(medium)
+    if Optics.chosen(geometry.medium, settings).transport_depth.max() > THICKEST:
         raise ThickAir
-    plan = plan_for(paths, settings)
+    plan = plan_for(geometry, settings)
     count = medium.wavelengths.size
     with borrowed_sweeper(device) as sweeper:
         sweeper.load(plan)
@@ -110,7 +110,7 @@ def solve_on(
     )
     if makes_light(moments.energy, settings.energy_tolerance):
         raise ThickAir
-    solution = MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
+    solution = MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
     _fields[solution] = device, fields
     return solution
 

@@ -194,7 +194,7 @@ def _axis_offset(star: OccultedStar) -> float:
 
 def _scale_height(solution: MomentsSolution) -> float:
     """Mean altitude of scattering, weighted by vertical scattering optical depth. [m]"""
-    medium = solution.paths.medium
+    medium = solution.geometry.medium
     altitude = np.linspace(0.0, medium.thickness, 2000)
     weight = medium.scattering.max(axis=1) @ medium.density.at(altitude)
     return float(np.trapezoid(weight * altitude, altitude) / np.trapezoid(weight, altitude))

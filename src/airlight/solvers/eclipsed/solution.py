@@ -68,7 +68,7 @@ class EclipsedSolution:
     ) -> None:
         self.solution = solution
         self.axes = shadow_axes(star)
-        drawn = solution.paths.medium.bottom_radius
+        drawn = solution.geometry.medium.bottom_radius
         scale = solution.medium.bottom_radius / drawn
         self._star = star.moved(self.axes, scale)
         self.shadow: ShadowTables = eclipsed_field(
@@ -85,7 +85,7 @@ class EclipsedSolution:
         directions : array, shape (n, 3)
             Unit vectors. [1]
         """
-        solution, paths = self.solution, self.solution.paths
+        solution, geometry = self.solution, self.solution.geometry
         at = np.atleast_2d(np.asarray(points, float)) @ self.axes.T
         along = np.atleast_2d(np.asarray(directions, float)) @ self.axes.T
         at, along = (np.ascontiguousarray(one) for one in np.broadcast_arrays(at, along))
@@ -98,10 +98,10 @@ class EclipsedSolution:
             r, mu, sine, np.clip(up @ towards, -1.0, 1.0), np.clip(along @ towards, -1.0, 1.0),
             solution.medium.bottom_radius, solution.medium.top_radius,
         )  # fmt: skip
-        drawn = paths.optical_lines(lines)
-        seen = paths.apparent_nu(drawn)
+        drawn = geometry.optical_lines(lines)
+        seen = geometry.apparent_nu(drawn)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))
-        phase = pack(paths.medium.phase_function(seen)).reshape(r.size, -1)
+        phase = pack(geometry.medium.phase_function(seen)).reshape(r.size, -1)
         way = np.where(r > solution.medium.top_radius, _way(r, mu, sine, solution), 0.0)
         start = at + way[:, None] * along
         start *= (drawn.r / np.linalg.norm(start, axis=-1))[:, None]

@@ -122,7 +122,7 @@ class Moments:
 
 
 def solve_moments(
-    paths: RefractedGeometry,
+    geometry: RefractedGeometry,
     settings: Settings,
     *,
     progress: Progress | None = None,
@@ -132,7 +132,7 @@ def solve_moments(
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
         Refracted geometry of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
@@ -148,7 +148,7 @@ def solve_moments(
     Cancelled
         If ``cancel`` returned True.
     """
-    setup = Setup(paths=paths, settings=settings)
+    setup = Setup(geometry=geometry, settings=settings)
     check_limits(setup.optics)
     count = setup.medium.wavelengths.size
     radii = setup.gathering.radii.size
@@ -267,7 +267,7 @@ def _iterate(
         once,
         setup.column_rows,
         setup.star_ratios,
-        setup.paths.refraction_table,
+        setup.geometry.refraction_table,
         cancel=cancel,
     )
     if not (first_field[:, :, 0] > 0.0).any():

@@ -135,15 +135,15 @@ def scattering_by_constituent(
     once : array, shape (n, nc, nl)
         Single scattering by each constituent, to be multiplied by its phase function. [1]
     """
-    tables, paths = solution.tables, solution.paths
-    lines = paths.optical_lines(lines)
-    seen = paths.apparent_nu(lines)
+    tables, geometry = solution.tables, solution.geometry
+    lines = geometry.optical_lines(lines)
+    seen = geometry.apparent_nu(lines)
     n, count, constituents = lines.r.size, solution.wavelengths.size, tables.constituents
     out, once = np.empty((n, count)), np.empty((n, constituents, count))
 
     def run(index: int) -> None:
         rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
-        phase = pack(paths.medium.phase_function(seen[rows])).reshape(seen[rows].size, -1)
+        phase = pack(geometry.medium.phase_function(seen[rows])).reshape(seen[rows].size, -1)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
         result = np.empty((phase.shape[0], (1 + constituents) * tables.lanes), np.float32)
         _march_all(

@@ -71,7 +71,7 @@ class Setup:
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
         Refracted geometry of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
@@ -80,14 +80,14 @@ class Setup:
         increase extinction reuse them. [1]
     """
 
-    paths: RefractedGeometry
+    geometry: RefractedGeometry
     settings: Settings
     extinction_headroom: float = 1.0
 
     @property
     def medium(self) -> Medium:
         """Medium in the optical radius."""
-        return self.paths.medium
+        return self.geometry.medium
 
     @cached_property
     def optics(self) -> Optics:
@@ -174,7 +174,7 @@ class Setup:
             self.extinction_headroom * self.medium.extinction.max(axis=1),
             self.zenith_angles,
             self.ray_nodes,
-            refraction_strength=self.paths.refraction_strength,
+            refraction_strength=self.geometry.refraction_strength,
             ends=self.ends,
         )
 

@@ -60,7 +60,7 @@ class MomentsSolution(Solution):
         Result of the iteration.
     seconds : float
         Wall time of the solve; 0 from the cache. [s]
-    paths : RefractedGeometry, optional
+    geometry : RefractedGeometry, optional
         Refracted geometry of the medium, if known.
     """
 
@@ -70,10 +70,10 @@ class MomentsSolution(Solution):
         settings: Settings,
         moments: Moments,
         seconds: float,
-        paths: RefractedGeometry | None = None,
+        geometry: RefractedGeometry | None = None,
     ) -> None:
         self.medium = medium
-        self.paths = RefractedGeometry.of(medium) if paths is None else paths
+        self.geometry = RefractedGeometry.of(medium) if geometry is None else geometry
         self.settings = settings
         self.moments = moments
         unbalanced = imbalance(moments.energy, medium.wavelengths, settings.energy_tolerance)
@@ -92,7 +92,7 @@ class MomentsSolution(Solution):
     @cached_property
     def setup(self) -> Setup:
         """Grid, rays and optics derived from the medium, evaluated lazily."""
-        return Setup(paths=self.paths, settings=self.settings)
+        return Setup(geometry=self.geometry, settings=self.settings)
 
     def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
         """See ``Solution``."""
@@ -100,14 +100,14 @@ class MomentsSolution(Solution):
             star_radius=source.angular_radius, darkening=pack(source.darkenings.T)
         )
         other = super().with_light(source, secondary=secondary)
-        other.paths = replace(self.paths, medium=self.paths.medium.with_light(source))
+        other.geometry = replace(self.geometry, medium=self.geometry.medium.with_light(source))
         vars(other)["tables"] = tables  # all else is independent of the source
         return other
 
     @cached_property
     def tables(self) -> MarchTables:
         """Tables of the ray march, for all wavelengths, with the quadrature of queries."""
-        moments, medium, settings = self.moments, self.paths.medium, self.settings
+        moments, medium, settings = self.moments, self.geometry.medium, self.settings
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
         field, sky = pack_light(
             filled(moments.field), filled(moments.sky), level, moments.refinement
@@ -123,7 +123,7 @@ class MomentsSolution(Solution):
             bottom=grid.bottom_radius,
             top=grid.top_radius,
             star_radius=self.lights[0].angular_radius,
-            refraction_strength=self.paths.refraction_strength,
+            refraction_strength=self.geometry.refraction_strength,
             lanes=air.ground.albedo.size,
             panels=settings.cut_panels if cut else settings.march_panels,
             culls_opaque=1,
@@ -141,7 +141,7 @@ class MomentsSolution(Solution):
             density=density_table(medium.density),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
-            refraction_table=self.paths.refraction_table,
+            refraction_table=self.geometry.refraction_table,
             ends=ends,
             row=grid.row,
             place=grid.place,
@@ -187,7 +187,7 @@ class MomentsSolution(Solution):
         """See ``Solution``; all orders, or only the first."""
         orders = 2 if order is None else 1
         return self._lines(
-            self.paths.optical_lines(lines), orders, self.tables, None, True, stokes=True
+            self.geometry.optical_lines(lines), orders, self.tables, None, True, stokes=True
         )[2]
 
     def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
@@ -223,7 +223,7 @@ class MomentsSolution(Solution):
         array, shape (n, nl)
             Radiance. [sr⁻¹]
         """
-        lines = self.paths.optical_lines(lines)
+        lines = self.geometry.optical_lines(lines)
         chosen = self.tables if tables is None else tables
         return self._lines(lines, orders, chosen, scatterers, ground)[0]
 
@@ -245,7 +245,7 @@ class MomentsSolution(Solution):
             Radiance per irradiance of the star. [sr⁻¹]
         """
         whole, _, _, air = self._lines(
-            self.paths.optical_lines(lines), orders, self.tables, None, True
+            self.geometry.optical_lines(lines), orders, self.tables, None, True
         )
         return air, whole
 
@@ -257,9 +257,9 @@ class MomentsSolution(Solution):
         Parameters
         ----------
         lines : LinesOfSight
-            n lines of sight, from ``paths.optical_lines``.
+            n lines of sight, from ``geometry.optical_lines``.
         length : array, shape (n,)
-            Lengths in the optical radius, from ``paths.optical_length``, at most those of the
+            Lengths in the optical radius, from ``geometry.optical_length``, at most those of the
             lines. [m]
         tables : MarchTables, optional
             Modified tables, instead of ``self.tables``.
@@ -284,12 +284,12 @@ class MomentsSolution(Solution):
         *,
         stokes: bool = False,
     ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """March of lines from ``paths.optical_lines``.
+        """March of lines from ``geometry.optical_lines``.
 
         Results: radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0
         without ``stokes`` [sr⁻¹]; path radiance, (n, nl) [sr⁻¹].
         """
-        seen = self.paths.apparent_nu(lines)
+        seen = self.geometry.apparent_nu(lines)
         n, count = lines.r.size, self.wavelengths.size
         out, transmittance, air = (np.empty((n, count)) for _ in range(3))
         polarised = np.zeros((n, 3, count))
@@ -298,7 +298,7 @@ class MomentsSolution(Solution):
 
         def run(index: int) -> None:
             rows = slice(index * block, min((index + 1) * block, n))
-            phases = self.paths.medium.phase_function(seen[rows])
+            phases = self.geometry.medium.phase_function(seen[rows])
             if scatterers is not None:
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
@@ -306,7 +306,7 @@ class MomentsSolution(Solution):
             half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
             phase_f12 = phase[:, :0]
             if stokes:
-                phase_f12 = pack(self.paths.medium.phase_f12(seen[rows])).reshape(phase.shape)
+                phase_f12 = pack(self.geometry.medium.phase_f12(seen[rows])).reshape(phase.shape)
             result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
             _march_all(
                 lines.r[rows],
@@ -337,7 +337,7 @@ class MomentsSolution(Solution):
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
         work = new_workspace(self.tables)
-        x = self.paths.optical_radius(r)
+        x = self.geometry.optical_radius(r)
         return self._received(x, lambda tables, out: direct_irradiance(x, mu_s, tables, work, out))
 
     def relative_normal_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
@@ -349,14 +349,14 @@ class MomentsSolution(Solution):
             Radii [m] and cosines of the star's zenith angle [1].
         """
         work = new_workspace(self.tables)
-        x = self.paths.optical_radius(r)
+        x = self.geometry.optical_radius(r)
         return self._received(
             x, lambda tables, out: direct_normal_irradiance(x, mu_s, tables, work, out)
         )
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        x = self.paths.optical_radius(r)
+        x = self.geometry.optical_radius(r)
         radii = self.moments.grid.radii
         return self._received(x, lambda tables, out: sky_irradiance(x, mu_s, radii, tables, out))
 

@@ -81,12 +81,12 @@ def solve(
 def _computed(
     medium: Medium, settings: Settings, *, progress: Progress | None, cancel: Cancel | None
 ) -> MomentsSolution:
-    paths = RefractedGeometry.of(medium)
+    geometry = RefractedGeometry.of(medium)
     started = perf_counter()
     count = medium.wavelengths.size
     with timed("solve", solve_work(settings, count), f"solving {count} wavelengths"):
-        moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
-    return MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
+        moments = solve_moments(geometry, settings, progress=progress, cancel=cancel)
+    return MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
 
 
 def _stored(key: str, medium: Medium, settings: Settings) -> MomentsSolution | None:
@@ -94,9 +94,9 @@ def _stored(key: str, medium: Medium, settings: Settings) -> MomentsSolution | N
     stored = disk.load(key)
     if stored is None:
         return None
-    paths = RefractedGeometry.of(medium)
-    moments = _from_arrays(Setup(paths=paths, settings=settings), stored)
-    return None if moments is None else MomentsSolution(medium, settings, moments, 0.0, paths)
+    geometry = RefractedGeometry.of(medium)
+    moments = _from_arrays(Setup(geometry=geometry, settings=settings), stored)
+    return None if moments is None else MomentsSolution(medium, settings, moments, 0.0, geometry)
 
 
 def _keep(key: str, moments: Moments) -> None:

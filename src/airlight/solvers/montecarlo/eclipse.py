@@ -61,18 +61,18 @@ def eclipsed_estimate(
         np.clip(np.einsum("nk,nk->n", *pair), -1.0, 1.0)
         for pair in ((up, along), (up, towards + 0.0 * up), (along, towards + 0.0 * along))
     )
-    medium, paths = solution.medium, solution.paths
-    scale = medium.bottom_radius / paths.medium.bottom_radius
+    medium, geometry = solution.medium, solution.geometry
+    scale = medium.bottom_radius / geometry.medium.bottom_radius
     frames = [
         star.moved(_frame(up[k], along[k], towards), scale) for k in range(len(at))
     ]  # fmt: skip
     if hemisphere:
-        r = paths.optical_radius(r)
-        lengths = vectorized(distance_to_top)(r, mu, paths.medium.top_radius)
+        r = geometry.optical_radius(r)
+        lengths = vectorized(distance_to_top)(r, mu, geometry.medium.top_radius)
         starts = np.stack([r, mu, mu_s, mu_s], axis=1)
     else:
         sine = np.linalg.norm(np.cross(up, along), axis=-1)
-        lines: LinesOfSight = paths.optical_lines(
+        lines: LinesOfSight = geometry.optical_lines(
             enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
         )
         lengths = np.maximum(lines.length, np.where(lines.to_ground, 1e-3, 0.0))

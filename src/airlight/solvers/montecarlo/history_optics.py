@@ -87,19 +87,21 @@ class HistoryOptics(NamedTuple):
     polarised: bool
 
 
-def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool) -> HistoryOptics:
+def history_optics(
+    geometry: RefractedGeometry, wavelength: int, *, polarised: bool
+) -> HistoryOptics:
     """Optical properties of a medium at one of its wavelengths.
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
         Refracted geometry of the medium.
     wavelength : int
         Index of the wavelength.
     polarised : bool
         Whether histories carry polarisation.
     """
-    medium = paths.medium
+    medium = geometry.medium
     density = medium.density
     finest = float(np.diff(density.first_nodes).max())
     steps = min(int(max(CELLS * finest, TABLE_STEPS)), MOST_STEPS)
@@ -142,7 +144,7 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
         ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
         star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
-        refraction=refraction_column(paths, steps + 1),
+        refraction=refraction_column(geometry, steps + 1),
         polarised=polarised,
     )
 

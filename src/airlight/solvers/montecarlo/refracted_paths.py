@@ -52,16 +52,18 @@ class RefractionColumn(NamedTuple):
     weights: FloatArray
 
 
-def refraction_column(paths: RefractedGeometry, nodes: int) -> RefractionColumn:
+def refraction_column(geometry: RefractedGeometry, nodes: int) -> RefractionColumn:
     """Refraction column of a medium, tabulated at ``nodes`` altitudes."""
     rule = gauss_legendre(_POINTS)
-    medium = paths.medium
-    if paths.shell is None:
-        return RefractionColumn(0.0, np.zeros(2), paths.refraction_table, rule.nodes, rule.weights)
+    medium = geometry.medium
+    if geometry.shell is None:
+        return RefractionColumn(
+            0.0, np.zeros(2), geometry.refraction_table, rule.nodes, rule.weights
+        )
     x = np.linspace(0.0, 1.0, nodes)
     table = np.ascontiguousarray(medium.density.at(medium.thickness * x * x)[-1])
     return RefractionColumn(
-        paths.refraction_strength, table, paths.refraction_table, rule.nodes, rule.weights
+        geometry.refraction_strength, table, geometry.refraction_table, rule.nodes, rule.weights
     )
 
 
@@ -171,19 +173,19 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
 
 
 def refracted_direct_irradiance(
-    paths: RefractedGeometry, star_radius: float, r: FloatArray, mu_s: FloatArray
+    geometry: RefractedGeometry, star_radius: float, r: FloatArray, mu_s: FloatArray
 ) -> FloatArray:
     """Direct horizontal irradiance with refraction, per irradiance of the star, (n, nl). [1]
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
     star_radius : float
         Angular radius of the star. [rad]
     r, mu_s : array, shape (n,)
         Optical radius [m], and zenith cosine of the star's true centre [1].
     """
-    medium = paths.medium
+    medium = geometry.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     # Strips of equal height on the disc, each with its true area.
     middle = (np.arange(_STRIPS) + 0.5) * (2.0 / _STRIPS) - 1.0
@@ -192,7 +194,7 @@ def refracted_direct_irradiance(
     zenith = np.arccos(np.clip(mu_s, -1.0, 1.0))[:, None] - star_radius * middle
     at = r[:, None] + 0.0 * zenith
     seen, refraction_jacobian = np.empty(at.shape), np.empty(at.shape)
-    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, paths.refraction_table, seen.ravel(),
+    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, geometry.refraction_table, seen.ravel(),
           refraction_jacobian.ravel())  # fmt: skip
     horizon = -np.sqrt(np.maximum((at - bottom) * (at + bottom), 0.0)) / at
     shines = seen > horizon

@@ -103,7 +103,7 @@ class MonteCarloSolution(Solution):
         self.cancel = cancel
         self.highest_order = settings.kept_orders
         self.airs = [
-            history_optics(self.paths, k, polarised=settings.polarisation)
+            history_optics(self.geometry, k, polarised=settings.polarisation)
             for k in range(medium.wavelengths.size)
         ]
         self.report: MonteCarloReport = MonteCarloReport(
@@ -125,7 +125,7 @@ class MonteCarloSolution(Solution):
         """
         started = perf_counter()
         known = self.first_order(lines) if self._integrates_first_order else None
-        lines = self.paths.optical_lines(lines)
+        lines = self.geometry.optical_lines(lines)
         lengths = lines.length
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
@@ -202,7 +202,7 @@ class MonteCarloSolution(Solution):
 
     @property
     def _integrates_first_order(self) -> bool:
-        return self.settings.exact_first_order and self.paths.shell is None
+        return self.settings.exact_first_order and self.geometry.shell is None
 
     def radiance(
         self,
@@ -252,17 +252,19 @@ class MonteCarloSolution(Solution):
 
     def _sky(self, r: FloatArray, mu_s: FloatArray) -> Estimate:
         up = np.ones_like(r)
-        r = self.paths.optical_radius(r)
-        lengths = vectorized(distance_to_top)(r, up, self.paths.medium.top_radius)
+        r = self.geometry.optical_radius(r)
+        lengths = vectorized(distance_to_top)(r, up, self.geometry.medium.top_radius)
         query = Query(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
         return self.answer(query, perf_counter())
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; by quadrature."""
-        if self.paths.shell is None:
+        if self.geometry.shell is None:
             return direct_irradiance(self.medium, r, mu_s)
         star = self.medium.lights[0].angular_radius
-        return refracted_direct_irradiance(self.paths, star, self.paths.optical_radius(r), mu_s)
+        return refracted_direct_irradiance(
+            self.geometry, star, self.geometry.optical_radius(r), mu_s
+        )
 
     def estimate(
         self,

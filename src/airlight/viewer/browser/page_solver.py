@@ -75,13 +75,13 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
     """
     chosen = page_settings() if settings is None else settings
     medium = solution.medium
-    paths = RefractedGeometry.of(medium)
-    own = float(Optics.chosen(paths.medium, chosen).transport_depth.max())
-    plan = plan_for(paths, chosen, extinction_headroom=_HEADROOM if own > THICKEST else 1.0)
+    geometry = RefractedGeometry.of(medium)
+    own = float(Optics.chosen(geometry.medium, chosen).transport_depth.max())
+    plan = plan_for(geometry, chosen, extinction_headroom=_HEADROOM if own > THICKEST else 1.0)
     made = plan.as_dict()
     stopping = Stopping.of_passes(chosen)
     del made["shaders"]
-    drawn, optics = paths.medium, plan.setup.optics
+    drawn, optics = geometry.medium, plan.setup.optics
     return {
         "plan": made,
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],

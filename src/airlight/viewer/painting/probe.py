@@ -205,7 +205,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         )[0]
         for one in pictures
     ]  # fmt: skip
-    drawn = solution.paths.optical_lines(by_light[0])
+    drawn = solution.geometry.optical_lines(by_light[0])
     depth = _depths(solution, drawn)
     transmittance = np.exp(-depth.sum(axis=0))
     seen = _ground(solution, scene, direction, drawn)
@@ -288,7 +288,7 @@ def _spectra(
 
 def _depths(solution: MomentsSolution, drawn: LinesOfSight) -> FloatArray:
     """Optical depth of each constituent along a line of sight, shape (nc, nl). [1]"""
-    medium, air = solution.medium, solution.paths.medium
+    medium, air = solution.medium, solution.geometry.medium
     column = columns(drawn.r, drawn.mu, drawn.length, air.bottom_radius, air.density)[0]
     return np.asarray(column[: len(medium.names), None] * medium.extinction)
 
