@@ -127,7 +127,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     data = solver_data(SimpleNamespace(medium=medium), settings)  # type: ignore[arg-type]
     geometry = RefractedGeometry.of(medium)
     plan = plan_for(geometry, settings)
-    assert plan.sizes["parts"] > 1
+    assert plan.sizes["refinement"] > 1
     assert plan.setup.optics.transport_depth.max() > data["synthetic"]["thicker"]
     rays = {}
     with borrowed_sweeper(gpu) as sweeper:

@@ -58,7 +58,7 @@ def test_clear_air_keeps_the_radii_it_had() -> None:
     for depth in (1e-12, 1e-30):  # so little that no part of the levels follows it
         assert_allclose(radial_grid(even, exponential_air(depth), 24).row, 23.0 * even)
     levels = radial_grid(even, exponential_air(0.01), 24)
-    assert levels.parts == 1
+    assert levels.refinement == 1
     assert levels.altitudes.size == 24
     assert_allclose(levels.row, 23.0 * even, atol=2e-3)
 
@@ -84,7 +84,7 @@ def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
     even = np.linspace(0.0, 1.0, 4097)
     depths = exponential_air(40.0)
     levels = radial_grid(even, depths, 24)
-    gathering = levels.altitudes[:: levels.parts]
+    gathering = levels.altitudes[:: levels.refinement]
     steps = np.diff(np.interp(gathering, depths.altitude, depths.scattering))
     assert steps[0] < 0.2
     assert_array_less(steps, 2.0 + 1e-6)
