@@ -90,11 +90,11 @@ class AirLight:
 
     @property
     def has_first(self) -> bool:
-        """Whether light scattered once is included."""
+        """Whether single scattering is included."""
         return None in self.orders or 1 in self.orders
 
     def with_first(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
-        """Air's light of all the orders together, and of the first, shape (n, nl). [sr⁻¹]"""
+        """Path radiance of all included orders, and of single scattering, shape (n, nl). [sr⁻¹]"""
         transmittance = self._ground_transmittance(lines)
         first = self._of_order(lines, 1, transmittance)
         rest = [
@@ -129,7 +129,7 @@ class AirLight:
         return once, light if whole else np.zeros_like(light)
 
     def __call__(self, lines: LinesOfSight) -> FloatArray:
-        """Air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
+        """Path radiance of all included orders, shape (n, nl). [sr⁻¹]"""
         transmittance = self._ground_transmittance(lines)
         return np.asarray(sum(self._of_order(lines, order, transmittance) for order in self.orders))
 

@@ -52,7 +52,7 @@ def limb_radiance(
     if outside.any():
         raise ParameterError(
             "tangent_height", float(height[outside].flat[0]),
-            f"{-bottom:g} to {top - bottom:g} m; a higher line misses the air",
+            f"{-bottom:g} to {top - bottom:g} m; a higher line misses the atmosphere",
         )  # fmt: skip
     impact = bottom + height
     across = np.sin(np.radians(sun)) * np.cos(np.radians(around))

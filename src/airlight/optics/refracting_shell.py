@@ -145,15 +145,16 @@ def _check(nodes: FloatArray, growth: FloatArray, excess: FloatArray) -> None:
         raise ParameterError(
             "refraction",
             "bouguer",
-            f"'none' for this air: at {nodes[worst]:.4g} m d(n r)/dr is {growth[worst]:.3g}, less "
-            f"than {_LEAST_GROWTH:g}, and light would follow the ground",
+            f"'none' for this atmosphere: at {nodes[worst]:.4g} m d(n r)/dr is "
+            f"{growth[worst]:.3g}, less than {_LEAST_GROWTH:g}, and light would follow the ground",
         )
     rising = int(np.argmax(np.diff(excess)))
     if np.diff(excess)[rising] > 1e-12:
         raise ParameterError(
             "refraction",
             "bouguer",
-            f"'none' for this air: its refractivity grows with height at {nodes[rising]:.4g} m",
+            f"'none' for this atmosphere: its refractivity increases with height at "
+            f"{nodes[rising]:.4g} m",
         )
 
 

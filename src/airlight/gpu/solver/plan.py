@@ -59,7 +59,7 @@ class SolverPlan:
     Attributes
     ----------
     batch : WavelengthBatch
-        Set-up of its wavelengths: paths, degree, grid, rays, tables.
+        Set-up of its wavelengths: geometry, degree, grid, rays, tables.
     sizes : dict
         Values of ``Sizes``, and of the law of reflection, by name.
     places : dict

@@ -103,7 +103,7 @@ def imbalance(energy: FloatArray, wavelengths: FloatArray, tolerance: float) -> 
     return (
         f"energy is not conserved: reflected and absorbed light is {100.0 * error:+.2g} % off the "
         f"incident light at {wavelengths[worst]:g} nm (limit {100.0 * tolerance:g} %); "
-        "the grid of this quality does not resolve the air"
+        "the grid of this quality does not resolve the atmosphere"
     )
 
 

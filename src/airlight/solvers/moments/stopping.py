@@ -180,8 +180,8 @@ class Iteration:
         size = float(largest[: self.used].max())
         if not isfinite(size) or not np.isfinite(after[..., : self.used]).all():
             raise ConvergenceError(
-                f"the light of order {self.sweeps} is not a finite number: the air's numbers are "
-                "beyond single precision"
+                f"radiance of order {self.sweeps} is not a finite number: the optical properties "
+                "exceed the range of single precision"
             )
         self._changes.append(size)
         if not self.accelerated:

@@ -20,14 +20,16 @@ export function observerNumbers(planet, altitude, sun) {
   const outside = altitude >= thickness;
   const r = geometry ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = geometry ? geometry.bottom : radius;
-  const bent = geometry && !outside;
-  const seen = bent ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table) : sun[2];
+  const refracted = geometry && !outside;
+  const apparentSunMu = refracted
+    ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table)
+    : sun[2];
   const [horizonMu, horizonSine, level, seenLevel, disc] = observer_numbers(
     r,
     bottom,
     sun[0],
     sun[1],
-    seen,
+    apparentSunMu,
     star,
   );
   return {
@@ -39,7 +41,7 @@ export function observerNumbers(planet, altitude, sun) {
     sun_x: level,
     sun_z: sun[2],
     seen_x: seenLevel,
-    seen_z: seen,
+    seen_z: apparentSunMu,
     disc,
     draws_disc: Number(star > 0),
   };
