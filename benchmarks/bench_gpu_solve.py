@@ -49,10 +49,10 @@ def test_edit(benchmark: Any, device: Any, planet: str, quality: str) -> None:
 @pytest.mark.parametrize(("planet", "quality"), CASES)
 @pytest.mark.benchmark(group="the host's part of a solve on the GPU")
 def test_host(benchmark: Any, planet: str, quality: str) -> None:
-    paths = RefractedGeometry.of(Medium.from_planet(load_planet(planet), NM))
+    geometry = RefractedGeometry.of(Medium.from_planet(load_planet(planet), NM))
     settings = settings_for(quality)
-    plan_for(paths, settings)  # compiles, and keeps the columns of these profiles
-    benchmark.pedantic(plan_for, (paths, settings), rounds=5)
+    plan_for(geometry, settings)  # compiles, and keeps the columns of these profiles
+    benchmark.pedantic(plan_for, (geometry, settings), rounds=5)
 
 
 @pytest.mark.parametrize(("planet", "quality"), CASES)
@@ -60,10 +60,10 @@ def test_host(benchmark: Any, planet: str, quality: str) -> None:
 def test_passes(
     benchmark: Any, device: Any, tell: Callable[[str], None], planet: str, quality: str
 ) -> None:
-    paths = RefractedGeometry.of(Medium.from_planet(load_planet(planet), NM))
+    geometry = RefractedGeometry.of(Medium.from_planet(load_planet(planet), NM))
     seconds: dict[str, float] = {}
     with borrowed_sweeper(device) as sweeper:
-        sweeper.load(plan_for(paths, settings_for(quality)))
+        sweeper.load(plan_for(geometry, settings_for(quality)))
         sweeper.begin()
         benchmark.pedantic(sweeper.sweep, rounds=3, warmup_rounds=1)
         if not device.measures_time:

@@ -142,9 +142,9 @@ def lost(solution: Solution, case: Case) -> float:
         view_zenith=np.degrees(np.arccos(mu)), azimuth=np.degrees(phi),
     ).values[:, 0]  # fmt: skip
     angles = np.degrees(np.arccos(suns))
-    through = solution.transmittance(altitude=top - bottom, view_zenith=angles).values[:, 0]
+    transmittance = solution.transmittance(altitude=top - bottom, view_zenith=angles).values[:, 0]
     # A star below the level of the top that is seen through the limb leaves again.
-    direct = float(share @ (np.where(suns > 0.0, suns, suns * through)))
+    direct = float(share @ (np.where(suns > 0.0, suns, suns * transmittance)))
     ground = solution.irradiance(altitude=0.0, sun_zenith=angles)
     received = (ground["direct"] + ground["diffuse"]).values[:, 0]
     # The ground's own suns are those above it, at the same places around the planet.

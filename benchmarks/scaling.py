@@ -8,8 +8,9 @@ there and whose solution is not kept. The slope is that of the logarithms betwee
 sizes: 1 where cost grows in proportion, 0 where it does not grow.
 
 ``wavelengths``: solves of Earth, ``default``, over the visible. ``constituents``: of a gas and thin
-clouds of one kind, three wavelengths. ``radii`` and ``suns``: nodes of the solver's grid, Earth,
-three wavelengths. ``pixels``: dome masters of Earth from the ground, from the table of the sky.
+clouds of one kind, three wavelengths. ``radii`` and ``sun_angles``: nodes of the solver's grid,
+Earth, three wavelengths. ``pixels``: dome masters of Earth from the ground, from the table of the
+sky.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ SIZES = {
     "wavelengths": (3, 8, 16, 64, 128, 400),
     "constituents": (1, 2, 4, 8, 16),
     "radii": (12, 24, 48),
-    "suns": (28, 56, 112),
+    "sun_angles": (28, 56, 112),
     "pixels": (320**2, 1024**2, 2048**2, 4096**2, 8192**2),
 }
 #: Runs in the new process: what is varied, its size.
@@ -54,7 +55,7 @@ if what == "constituents":
         for k in range(size - 1)
     )
     planet = replace(planet, constituents=(planet.constituents[0], *clouds))
-if what in ("radii", "suns"):
+if what in ("radii", "sun_angles"):
     quality = replace(quality, **{what: size})
 call = lambda: solve(planet, nm, quality, cache=False)
 solve(planet, rgb, "preview", cache=False)  # compiled code is loaded

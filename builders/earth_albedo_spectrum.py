@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.color.upsampling import reflectance_basis
-from airlight.optics.water import mean_gloss
+from airlight.optics.water import mean_specular
 from airlight.scene.surface_map import surface_map
 from tables import write_table
 
@@ -22,7 +22,7 @@ def main() -> None:
     wavelengths = np.arange(280.0, 1001.0, 10.0)
     earth = surface_map("earth")
     mean, water = earth.mean_rgb, earth.mean_water
-    mirrored = water * mean_gloss(WIND)
+    mirrored = water * mean_specular(WIND)
     reflectance = np.clip(reflectance_basis(wavelengths) @ mean, 0.0, 1.0) + mirrored
     path = write_table(
         "earth-albedo",

@@ -9,8 +9,8 @@ from numpy.testing import assert_allclose
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.optics.air_mass import air_mass_pickering2002
-from airlight.optics.bent_density import RefractingShell
 from airlight.optics.density_profile import DensitySegments, exponential
+from airlight.optics.refracting_shell import RefractingShell
 from airlight.tables.columns import columns
 
 BOTTOM, THICK = 6377e3, 250e3

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, Planet
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, columns_to_top, rational_mean_density
 from airlight.tables.columns import ColumnTable, columns
 
 BOTTOM, TOP = 6360e3, 6460e3
@@ -112,7 +112,7 @@ def test_the_table_of_columns_is_good_to_a_thousandth(
     length = -r * mu + np.sqrt((r * mu) ** 2 + (TOP - r) * (TOP + r))
     truth = columns(r, mu, length, BOTTOM, medium.density)
     got, here = np.empty_like(truth), np.empty(3)
-    ratios, rows = mean_density_ratios(table), column_rows(table, medium.density)
+    ratios, rows = rational_mean_density(table), column_rows(table, medium.density)
     nodes = medium.density.first_nodes
     for k in range(r.size):
         columns_to_top(r[k], mu[k], BOTTOM, TOP, nodes, rows, ratios, here)

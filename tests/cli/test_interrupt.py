@@ -57,7 +57,7 @@ def test_an_interrupted_solve_leaves_nothing(words: list[str], tmp_path: Path) -
     *announced, cancelled = err.splitlines()
     assert cancelled == "airlight: cancelled"
     # a fine solve is long; the signal may come before its length is known
-    announcement = re.compile(r"airlight: solving the light of \d+ wavelengths: about .+")
+    announcement = re.compile(r"airlight: solving \d+ wavelengths: about .+")
     assert all(announcement.fullmatch(one) for one in announced)
     assert len(announced) < 2
     assert [file.name for file in tmp_path.iterdir()] == ["cases.csv"]

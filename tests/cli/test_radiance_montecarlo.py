@@ -80,7 +80,7 @@ def test_an_error_that_is_not_reached_is_said(capsys: pytest.CaptureFixture[str]
     assert main(["radiance", PLANET, *words, *SAMPLED, "--quality", "preview"]) == 0
     captured = capsys.readouterr()
     assert captured.err.count("\n") == 1
-    assert "NOT within the error asked" in captured.err
+    assert "NOT within the requested error" in captured.err
 
 
 @pytest.mark.parametrize(

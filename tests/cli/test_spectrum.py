@@ -19,7 +19,7 @@ def test_albedos_are_printed_with_their_units(capsys: pytest.CaptureFixture[str]
     assert "spherical_albedo" in out
     assert "[nm]" in out
     assert "bond_albedo 0." in out
-    assert "the rest of the spectrum is not in it" in err
+    assert "other wavelengths are not included" in err
 
 
 def test_files_of_each_kind_are_written_at_once(

@@ -77,8 +77,8 @@ def test_the_disc_sends_what_arrives_from_the_sun(aerial: AerialPerspective) -> 
     disc = aerial.sky(unit, pixel=2e-3) - dark.sky(unit, pixel=2e-3)
     received = disc.mean(axis=0) * np.pi * 0.02**2
     # the line to the sun leaves the air beyond the farthest node, where almost none is left
-    through = aerial.air(around[None], [200e3])[1][0]
-    assert_allclose(received / np.pi, through, rtol=0.08)
+    transmittance = aerial.air(around[None], [200e3])[1][0]
+    assert_allclose(received / np.pi, transmittance, rtol=0.08)
 
 
 @pytest.mark.parametrize("dialect", [WGSL, GLSL])

@@ -172,17 +172,17 @@ def test_froxels_err_by_less_than_their_bar(earth: MomentsSolution) -> None:
 def test_white_light_is_dimmed_by_the_star_s_mean_transmittance(earth: MomentsSolution) -> None:
     # a white surface has the star's own spectrum: what is left of it is exact
     light = SurfaceLight(earth, 1.0)
-    through = np.array([[0.9, 0.7, 0.4], [0.5, 0.5, 0.5]])
+    transmittance = np.array([[0.9, 0.7, 0.4], [0.5, 0.5, 0.5]])
     white = np.pi * light.scale[None, :].repeat(2, axis=0)
-    assert_allclose(light.through(white, through), through @ light.colors, rtol=1e-6)
-    grey = light.through(np.array([[3.0, 2.0, 1.0]]), through[1:])
+    assert_allclose(light.through(white, transmittance), transmittance @ light.colors, rtol=1e-6)
+    grey = light.through(np.array([[3.0, 2.0, 1.0]]), transmittance[1:])
     assert_allclose(grey, [[1.5, 1.0, 0.5]], rtol=1e-6)
 
 
 def test_bent_light_reaches_the_same_distance(solved) -> None:
     # By a second method: Solution.transmittance, by quadrature of the profiles along the bent ray.
     solution = solved(load_planet("earth"), (680.0, 550.0, 440.0), "preview")
-    assert solution.paths.shell is not None
+    assert solution.geometry.shell is not None
     camera, place = looking(500.0, 25.0, size=(8, 6)), Placement(sun_zenith=60.0)
     rays = directions(camera)
     black = np.zeros((6, 8, 3))

@@ -54,7 +54,7 @@ def test_a_slope_receives_the_quadrature_of_its_half_sphere(earth: MomentsSoluti
     flat = np.sqrt(1.0 - up**2)
     ways = np.stack([flat * np.cos(turn), flat * np.sin(turn), up], axis=-1)
     normals = np.array([[0, 0, 1], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0.6, 0, 0.8], [0, 0, -1]])
-    star = earth.relative_facing_irradiance(
+    star = earth.relative_normal_irradiance(
         np.array([earth.medium.bottom_radius + 100.0]), np.array([0.5])
     )
     to_sun = np.array([np.sqrt(0.75), 0.0, 0.5])
@@ -69,13 +69,13 @@ def test_the_star_s_share_follows_slope_and_shadow(earth: MomentsSolution) -> No
     # a high sun's beam on a level surface is that on a facing one times the cosine
     r, mu_s = np.array([earth.medium.bottom_radius]), np.array([0.7])
     assert_allclose(
-        0.7 * earth.relative_facing_irradiance(r, mu_s),
+        0.7 * earth.relative_normal_irradiance(r, mu_s),
         earth.relative_direct_irradiance(r, mu_s), rtol=1e-4,
     )  # fmt: skip
     light = SurroundingLight(earth)
     toward = np.array([[np.sqrt(1.0 - 0.49), 0.0, 0.7]])
     whole, none = (light.irradiance(r, mu_s, toward, np.array([one])) for one in (1.0, 0.0))
-    assert_allclose(whole - none, earth.relative_facing_irradiance(r, mu_s), rtol=1e-6)
+    assert_allclose(whole - none, earth.relative_normal_irradiance(r, mu_s), rtol=1e-6)
 
 
 def test_a_relit_picture_has_the_ground_s_light(earth: MomentsSolution) -> None:

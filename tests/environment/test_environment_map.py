@@ -66,8 +66,8 @@ def test_the_disc_s_irradiance_is_that_of_a_star_through_the_air(made: Made) -> 
     (disc,) = made(sun="light", zenith=50.0).discs
     solution = solve_planet(grey_ground(load_planet("earth")), NM, "preview")
     elevation = float(np.degrees(np.arcsin(disc.direction[2])))
-    through = solution.transmittance(altitude=2.0, view_zenith=90.0 - elevation).values
-    assert_allclose(disc.irradiance, through @ solution.lights[0].colors(), rtol=2e-3)
+    transmittance = solution.transmittance(altitude=2.0, view_zenith=90.0 - elevation).values
+    assert_allclose(disc.irradiance, transmittance @ solution.lights[0].colors(), rtol=2e-3)
     assert_allclose(disc.angular_diameter, 0.533, atol=0.001)
     # raised by refraction: at 40° of altitude 0.019° (Bennett's formula: 1.17')
     assert_allclose(elevation - 40.0, 0.019, atol=0.002)

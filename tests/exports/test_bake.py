@@ -18,12 +18,12 @@ from airlight.exports.table_errors import DIM, peaked_positions, random_position
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.mappings.scattering import lowest_sun_cosine
-from airlight.optics.reflection import LAWS, leaving_cosine, sky_factors
+from airlight.optics.reflection import LAWS, cos_reflected, diffuse_reflectances
 from airlight.planets import Constituent, Ground, Planet, Star, load_planet
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.planets.medium import Medium
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.single_scattering import single_scattering
 from airlight.solvers.solution import Report, Solution
 from airlight.tables.layout import Positions
@@ -204,7 +204,7 @@ def test_a_table_ends_at_the_lowest_sun_asked_for(earth: Any) -> None:
 @pytest.mark.parametrize("packing", ["separate", "combined"])
 def test_higher_orders_are_the_light_less_the_first_order(earth: Any, packing: str) -> None:
     # A law: all light is the first order and the others, by the solver itself, at the texels. Its
-    # first order is that of air thinned by its peaks: 4e-4 more than single scattering proper.
+    # first order is delta-M scaled: 4e-4 more than unscaled single scattering.
     baked = bake(
         earth, size=(6, 12, 8, 5), points=20, higher_orders=True, packing=packing, balance=False
     )
@@ -238,9 +238,9 @@ def test_first_order_agrees_with_quadrature(earth: Any) -> None:
     baked = bake(earth, size=(6, 12, 8, 5), order=1, points=50, balance=False)
     positions = texels(baked)
     positions = positions[positions.mu_s > 0.1][:40]
-    sight = lines_of_sight(positions, earth.medium)
+    lines = lines_of_sight(positions, earth.medium)
     phase = earth.medium.phase_function(positions.nu)
-    exact = (phase * single_scattering(earth.medium, sight)).sum(axis=1)
+    exact = (phase * single_scattering(earth.medium, lines)).sum(axis=1)
     assert_allclose(baked.light.relative_radiance(positions), exact, rtol=0.01, atol=1e-7)
 
 
@@ -252,9 +252,9 @@ def test_air_s_light_does_not_depend_on_the_ground_in_first_order(
     black = solved(reference_earth(albedo=0.0), quality="preview")
     white = solved(reference_earth(albedo=1.0), quality="preview")
     positions = random_positions(black.medium, 400, 7)
-    sight = lines_of_sight(positions, black.medium)
-    dark, bright = AirLight(black, 1)(sight), AirLight(white, 1)(sight)
-    whole = white.relative_radiance(sight, order=1)
+    lines = lines_of_sight(positions, black.medium)
+    dark, bright = AirLight(black, 1)(lines), AirLight(white, 1)(lines)
+    whole = white.relative_radiance(lines, order=1)
     assert (whole[positions.to_ground] > 2.0 * bright[positions.to_ground]).mean() > 0.3
     # Two solutions of float32 moments; nothing is subtracted.
     assert_allclose(bright, dark, rtol=1e-5, atol=1e-9)
@@ -266,8 +266,8 @@ class Closed(Solution):
     def __init__(self, solution: Solution) -> None:
         self.medium, self.report, self.inner = solution.medium, solution.report, solution
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> np.ndarray:
-        return self.inner.relative_radiance(sight, order=order)
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> np.ndarray:
+        return self.inner.relative_radiance(lines, order=order)
 
     def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
         return self.inner.relative_sky_irradiance(r, mu_s)
@@ -281,13 +281,13 @@ def test_the_ground_s_light_is_taken_off_any_solver_s(earth: Any, order: int | N
     # Second method: the march of the air alone, against all light less the ground's by
     # quadrature. What preview's transmittance errs by is left of the ground's light: 2e-3
     # where a ray passes the corners of the ozone's tent (2.6e-4 in default quality).
-    sight = lines_of_sight(random_positions(earth.medium, 400, 7), earth.medium)
-    alone, subtracted = AirLight(earth, order)(sight), AirLight(Closed(earth), order)(sight)
-    whole = earth.relative_radiance(sight, order=order)
+    lines = lines_of_sight(random_positions(earth.medium, 400, 7), earth.medium)
+    alone, subtracted = AirLight(earth, order)(lines), AirLight(Closed(earth), order)(lines)
+    whole = earth.relative_radiance(lines, order=order)
     # In twilight the sky on the ground is interpolated between suns: 1e-6 of the star.
     off = np.abs(alone - subtracted) - 4e-3 * whole
     assert off.max() <= 3e-6
-    low = sight.to_ground & (sight.mu < -0.3) & (sight.mu_s > 0.3)
+    low = lines.to_ground & (lines.mu < -0.3) & (lines.mu_s > 0.3)
     assert (whole[low] > 2.0 * alone[low]).mean() > 0.5
 
 
@@ -436,8 +436,8 @@ def test_no_scan_finds_much_worse_than_the_errors_that_are_written(
     medium = earth.medium
     shell = (medium.bottom_radius, medium.top_radius)
     positions = peaked_positions(*shell, 60_000, 99)
-    sight = lines_of_sight(positions, medium)
-    exact, whole = AirLight(earth).before_the_ground(sight)
+    lines = lines_of_sight(positions, medium)
+    exact, whole = AirLight(earth).path_and_total_radiance(lines)
     off = np.abs(bruneton.light.relative_radiance(positions) - exact) / np.maximum(whole, DIM)
     off = np.where(whole > DIM, off, 0.0).max(axis=-1)
     found = regions(positions, shell[0])
@@ -479,20 +479,20 @@ class UniformSky(Solution):
         self.medium = medium
         self.report = Report(solver="made up", settings="", sweeps=2, residual=(0.0,), seconds=0.0)
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> np.ndarray:
-        up = np.full((sight.r.size, self.wavelengths.size), self.SKY)
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> np.ndarray:
+        up = np.full((lines.r.size, self.wavelengths.size), self.SKY)
         if order == 1:
             return up
         from airlight.tables.columns import columns
 
-        depth = columns(sight.r, sight.mu, sight.length, self.medium.bottom_radius,
+        depth = columns(lines.r, lines.mu, lines.length, self.medium.bottom_radius,
                         self.medium.density)  # fmt: skip
         # A uniform sky of radiance L sends π L down, of which the sky's factor times L comes back.
         ground = np.empty(depth.shape[:1] + self.wavelengths.shape)
-        leaving = vectorized(leaving_cosine)(sight.r, sight.mu, self.medium.bottom_radius)
-        sky_factors(self.medium.ground, leaving, ground)
+        mu_r = vectorized(cos_reflected)(lines.r, lines.mu, self.medium.bottom_radius)
+        diffuse_reflectances(self.medium.ground, mu_r, ground)
         back = np.exp(-(depth @ self.medium.extinction)) * ground * self.SKY
-        return self.GLOW + np.where(sight.to_ground[:, None], back, 0.0)
+        return self.GLOW + np.where(lines.to_ground[:, None], back, 0.0)
 
     def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
         return np.full((r.size, self.wavelengths.size), np.pi * self.SKY)
@@ -511,10 +511,10 @@ def test_second_order_s_reflection_of_the_first_order_s_sky_is_taken_off(
     planet = replace(planet, ground=replace(planet.ground, law=law))
     solution = UniformSky(Medium.from_planet(planet, planet.wavelengths))
     positions = random_positions(solution.medium, 200, 9)
-    sight = lines_of_sight(positions, solution.medium)
+    lines = lines_of_sight(positions, solution.medium)
     # Columns with fewer points: 1e-5.
-    assert_allclose(AirLight(solution, 2)(sight), UniformSky.GLOW, rtol=1e-4)
-    both = AirLight(solution, 2, cumulative=True)(sight)
+    assert_allclose(AirLight(solution, 2)(lines), UniformSky.GLOW, rtol=1e-4)
+    both = AirLight(solution, 2, cumulative=True)(lines)
     assert_allclose(both, UniformSky.GLOW + UniformSky.SKY, rtol=1e-4)
 
 

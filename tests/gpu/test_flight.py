@@ -26,10 +26,10 @@ from airlight.gpu.picture.pictures import Pictures, scene_numbers
 from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.sky_table import phases_towards
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight
 
 NM = (440.0, 500.0, 560.0, 620.0)
 
@@ -160,7 +160,7 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
 
 def rows_of(
     earth: MomentsSolution, altitude: float, elevation: np.ndarray, length: np.ndarray
-) -> tuple[np.ndarray, Sight]:
+) -> tuple[np.ndarray, LinesOfSight]:
     """Stretches towards the sun's side, for the shader and for the CPU. [m], [rad]"""
     r = np.full(elevation.shape, earth.medium.bottom_radius + altitude)
     sun = np.radians(10.0)
@@ -168,7 +168,7 @@ def rows_of(
     apart = sun - elevation
     nu = np.cos(apart)
     rows = np.stack([r, mu, mu_s, nu, np.sin(0.5 * np.abs(apart)), length], axis=-1)
-    return rows, Sight(r, mu, mu_s, nu, length, np.zeros(elevation.shape, bool))
+    return rows, LinesOfSight(r, mu, mu_s, nu, length, np.zeros(elevation.shape, bool))
 
 
 def horizon(earth: MomentsSolution, altitude: float) -> tuple[float, float]:
@@ -193,10 +193,10 @@ def test_a_sphere_before_the_horizon_has_no_stripe(
     offset = np.linspace(-0.9, 0.9, 121) * size
     elevation = level + offset / (0.5 * distance)
     length = 0.5 * distance - np.sqrt(size**2 - offset**2)
-    rows, sight = rows_of(earth, altitude, elevation, length)
+    rows, lines = rows_of(earth, altitude, elevation, length)
     seen = stretches(rows)
     # a second march
-    assert_allclose(seen, earth.radiance_per_irradiance(sight, 2, ground=False)[:, :4], rtol=0.01)
+    assert_allclose(seen, earth.radiance_per_irradiance(lines, 2, ground=False)[:, :4], rtol=0.01)
     stripe = np.abs(0.5 * (seen[:-2] + seen[2:]) - seen[1:-1]) / seen[1:-1]
     tell(f"sphere before the horizon, from {altitude:g} m: largest stripe {stripe.max():.1e}")
     assert stripe.max() < 1e-3

@@ -20,7 +20,7 @@ from airlight.color.encoding import ENCODINGS
 from airlight.color.floating import physical_light
 from airlight.color.gamut import in_gamut
 from airlight.color.tone_maps import TONE_MAPS
-from airlight.geometry import bending, path, shell, sun_disc
+from airlight.geometry import path, refraction, shell, sun_disc
 from airlight.gpu.emit.shader_types import Bundle, Constant, Table
 from airlight.gpu.solver import ray_sums
 from airlight.mappings import sky_view, transmittance
@@ -119,9 +119,9 @@ GEOMETRY = [
     Case(path.panel_point, (LENGTH, UNIT < 0.5, R, LENGTH, 100.0 * UNIT, 300.0 * UNIT,
          uniform(0.0, 1.0, 12)), atol=METRES),
     # Over the sine, at least 0.14 here.
-    Case(bending.turned, (uniform(-0.99, 0.99, 13), MU_S, MU, uniform(0.0, 0.02, 14)),
+    Case(refraction.turned, (uniform(-0.99, 0.99, 13), MU_S, MU, uniform(0.0, 0.02, 14)),
          atol=ANGLE / 0.14),
-    Case(bending.bend_angle, (R, MU, 1e-11, uniform(0.0, 1e6, 15))),
+    Case(refraction.refraction_angle, (R, MU, 1e-11, uniform(0.0, 1e6, 15))),
     Case(sun_disc.sun_elevation, (R, uniform(-0.1, 0.1, 16), BOTTOM), atol=ANGLE),
     Case(sun_disc.sun_elevation, (LOW, uniform(-0.1, 0.1, 16), BOTTOM), atol=ANGLE),
     Case(sun_disc.star_elevation, (R, MU_S, BOTTOM), atol=ANGLE),
@@ -285,8 +285,8 @@ WATER = [
     Case(cox_munk.mirrored_fraction, (UNIT, WIND), rtol=40 * EPS),
     Case(cox_munk.mean_mirrored, (WIND,), rtol=8 * EPS),
     Case(cox_munk.mirrored_cosine, (UNIT, WIND), atol=8 * EPS),
-    Case(water.wet_shares, (WIND, *WET[:2], WET_NU), rtol=5e-3, atol=1e-4),
-    Case(water.foam_share, (WIND,), rtol=2 * POWER),
+    Case(water.water_reflectances, (WIND, *WET[:2], WET_NU), rtol=5e-3, atol=1e-4),
+    Case(water.foam_fraction, (WIND,), rtol=2 * POWER),
 ]  # fmt: skip
 
 #: Light and scales of a solver: positive.
@@ -297,7 +297,7 @@ STEPS = [
     Case(harmonics.degree_of, (np.arange(COUNT) % 325,)),
     Case(packing.floor_below, (POSITIVE,)),
     # A power of a quotient: WGSL's log₂ and 2ˣ, as POWER; under a root.
-    Case(packing.ratio_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
+    Case(packing.rational_scale, (POSITIVE, OTHER, UNIT), rtol=2 * POWER),
     Case(levels.cubic_bend, (UNIT, OTHER, POSITIVE, UNIT, OTHER, 3.0), atol=80 * EPS),
     # Falls by 15 times what its argument, a ratio, rises.
     Case(levels.smoothness, (UNIT, OTHER, POSITIVE, MU), atol=16 * EPS),
@@ -360,7 +360,16 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
               "apparent_sun_cosine", "star_points", "direct_horizontal_weights", "shown_light",
               "insert_edge", "place_edges",
               "place_nodes", "map_color", "add_texel", "encoded"}  # fmt: skip
-    rooms = [shell, path, bending, sun_disc, transmittance, sky_view, phase_functions, ground_place]
+    rooms = [
+        shell,
+        path,
+        refraction,
+        sun_disc,
+        transmittance,
+        sky_view,
+        phase_functions,
+        ground_place,
+    ]
     for room in rooms:
         for name, one in vars(room).items():
             plain = getattr(one, "py_func", None)
@@ -426,12 +435,12 @@ def test_a_law_of_reflection_s_number_is_its_place(on_gpu: Callable[..., Any], w
     suns = np.append(MU_S, [0.0, -0.1, 1.0]).astype(np.float32)
     law = list(LAWS.values())[which]
     for number in (which, Constant(which)):
-        star = on_gpu(reflection.star_share, number, bound, suns, cosines, suns)
-        wanted = [law.star_share(ground, *each) for each in zip(suns, cosines, suns, strict=True)]
+        star = on_gpu(reflection.brdf_direct, number, bound, suns, cosines, suns)
+        wanted = [law.brdf_direct(ground, *each) for each in zip(suns, cosines, suns, strict=True)]
         assert_allclose(np.broadcast_arrays(*star), np.transpose(wanted), rtol=4 * POWER)
-        sky = on_gpu(reflection.sky_share, number, bound, cosines)
+        sky = on_gpu(reflection.brdf_diffuse, number, bound, cosines)
         # Near 1 the two terms cancel to 0.3.
-        wanted = [law.sky_share(ground, each) for each in cosines]
+        wanted = [law.brdf_diffuse(ground, each) for each in cosines]
         assert_allclose(np.broadcast_arrays(*sky), np.transpose(wanted), rtol=8 * POWER)
 
 

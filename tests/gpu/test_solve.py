@@ -31,8 +31,8 @@ def test_a_gpu_solves_a_clear_planet(fast):
     assert fields_on(fast, solution) is not None
     assert solution.planet is planet
     other = solve_planet(planet, NM, "preview", cache=False)
-    sight = {"altitude": 0.0, "sun_zenith": 60.0, "view_zenith": [0.0, 60.0, 85.0], "azimuth": 90.0}
-    assert_allclose(solution.radiance(**sight), other.radiance(**sight), rtol=5e-3)
+    lines = {"altitude": 0.0, "sun_zenith": 60.0, "view_zenith": [0.0, 60.0, 85.0], "azimuth": 90.0}
+    assert_allclose(solution.radiance(**lines), other.radiance(**lines), rtol=5e-3)
 
 
 @pytest.mark.filterwarnings("ignore:Titan. bands of CH4")

@@ -64,7 +64,7 @@ def light_of(plan, sweeper, texture):
     n = plan.sizes
     moments = plan.nodes * n["terms"]
     flat = read_flat(sweeper.device, sweeper.texture(texture), moments + plan.nodes)
-    shape = (n["radii"], n["suns"])
+    shape = (n["radii"], n["sun_angles"])
     return flat[:moments].reshape(*shape, n["terms"], 4), flat[moments:].reshape(*shape, 4)
 
 
@@ -81,14 +81,18 @@ def light_of(plan, sweeper, texture):
 def test_each_order_is_that_of_the_cpu(device, name, changes):
     # The same functions on the same tables; the differences are single precision of radii (0.5 m),
     # cosines and look-ups: 3e-4 of the mean radiance, where that is above 1e-4 of the largest.
-    paths = RefractedGeometry.of(medium_of(name, **changes))
-    plan = plan_for(paths, PREVIEW)
-    block = Setup(paths=paths, settings=PREVIEW).block(slice(None))
+    geometry = RefractedGeometry.of(medium_of(name, **changes))
+    plan = plan_for(geometry, PREVIEW)
+    batch = Setup(geometry=geometry, settings=PREVIEW).batch(slice(None))
     first, first_sky = gather(
-        block, first_order_radius, block.setup.column_rows, block.setup.star_ratios, paths.lift
+        batch,
+        first_order_radius,
+        batch.setup.column_rows,
+        batch.setup.star_ratios,
+        geometry.refraction_table,
     )
-    packed = pack_light(first, first_sky[:1], block.level, block.setup.parts)
-    second, second_sky = gather(block, sweep_radius, *packed, block.all_degrees)
+    packed = pack_light(first, first_sky[:1], batch.level, batch.setup.refinement)
+    second, second_sky = gather(batch, sweep_radius, *packed, batch.all_degrees)
     with borrowed_sweeper(device) as gpu:
         gpu.load(plan)
         gpu.begin()
@@ -122,14 +126,14 @@ def assert_solutions_agree(gpu: MomentsSolution, cpu: MomentsSolution, rtol: flo
     zenith, azimuth = np.meshgrid(zenith, [0.0, 90.0, 180.0])
     for altitude in ALTITUDES:
         for elevation in ELEVATIONS:
-            sight = {
+            lines = {
                 "altitude": altitude * thickness,
                 "sun_zenith": 90.0 - elevation,
                 "view_zenith": zenith,
                 "azimuth": azimuth,
             }
-            expected = np.asarray(cpu.radiance(**sight))
-            got = np.asarray(gpu.radiance(**sight))
+            expected = np.asarray(cpu.radiance(**lines))
+            got = np.asarray(gpu.radiance(**lines))
             lit = expected > 1e-6
             message = f"at {altitude} thicknesses, sun at {elevation}°"
             assert_allclose(got[lit], expected[lit], rtol=rtol, err_msg=message)
@@ -180,11 +184,11 @@ def test_the_field_stays_on_the_device(device):
     # The texture holds what a march reads of the solution on the CPU, packed there.
     solution = solve_on(device, medium_of("earth"), PREVIEW)
     texture = fields_on(device, solution)
-    expected = np.concatenate([solution.light.field, solution.light.sky]).reshape(-1, 8)[:, :4]
+    expected = np.concatenate([solution.tables.field, solution.tables.sky]).reshape(-1, 8)[:, :4]
     got = read_flat(device, texture, expected.shape[0])
     # s and M_00·s everywhere; the other moments relative to s, since they may be close to 0.
     block = 1 + solution.moments.field.shape[2]
-    moments = solution.light.field.size // 8
+    moments = solution.tables.field.size // 8
     got, sky = got[:moments].reshape(-1, block, 4), got[moments:]
     expected, expected_sky = expected[:moments].reshape(-1, block, 4), expected[moments:]
     assert_allclose(got[:, :2], expected[:, :2], rtol=2e-5)
@@ -282,7 +286,7 @@ def test_the_plan_can_be_run_by_another_host(name):
     assert spans[-1][1] == written["textures"]["radiances"]
     # Tables are at their recorded positions.
     air = plan.setup.optics.air(slice(None))
-    for table in ("extinction", "polarised_phase"):
+    for table in ("extinction", "polarised_moments"):
         places = written["tables"][table]
         rows = plan.tables["spectra"][places["start"] : places["start"] + places["shape"][0]]
         assert_array_equal(rows, getattr(air, table).reshape(-1, 8)[:, :4])

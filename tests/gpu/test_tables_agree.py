@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from airlight.geometry import bending, path
+from airlight.geometry import path, refraction
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import Table
 from airlight.gpu.picture.display_shaders import all_shaders
@@ -112,7 +112,7 @@ def some_directed(mu, cosine, start, ahead, back):
 
 
 def multiple_scattering_of_four(
-    a, b, c, mu, f, e, start, ahead, back, moments, polarised_phase, field
+    a, b, c, mu, f, e, start, ahead, back, moments, polarised_moments, field
 ):
     here = np.empty(THREE, np.float32)
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
@@ -122,8 +122,8 @@ def multiple_scattering_of_four(
     g, h = np.float32(1.0 - f), np.float32(1.0 - e)
     f, e = np.float32(f), np.float32(e)
     return source.multiple_scattering_source(
-        here, moments, polarised_phase, field, out, 0, 2 * block, block, g * h, g * e, f * h, f * e,
-        DEGREE, THREE, LANES, 0,
+        here, moments, polarised_moments, field, out, 0, 2 * block, block, g * h, g * e, f * h,
+        f * e, DEGREE, THREE, LANES, 0,
     )  # fmt: skip
 
 
@@ -172,16 +172,16 @@ def edge_inserted(cut):
     return count, edges[1], edges[2]
 
 
-def star_lifted(x, mu_s, lift):
-    return bending.apparent_sun(x, mu_s, BOTTOM, TOP, lift)
+def star_lifted(x, mu_s, refraction_table):
+    return refraction.apparent_sun(x, mu_s, BOTTOM, TOP, refraction_table)
 
 
-def star_in_two(x, mu_s, lift):
-    return bending.star_points(x, mu_s, BOTTOM, TOP, STAR, lift)
+def star_in_two(x, mu_s, refraction_table):
+    return refraction.star_points(x, mu_s, BOTTOM, TOP, STAR, refraction_table)
 
 
-def star_on_level(x, mu_s, lift):
-    return bending.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, lift)
+def star_on_level(x, mu_s, refraction_table):
+    return refraction.direct_horizontal_weights(x, mu_s, BOTTOM, TOP, STAR, refraction_table)
 
 
 def sky_between(row, sky, azimuth, table):
@@ -212,7 +212,7 @@ def through_whole_ray(first, total, extinction):
 
 
 def angle_leaving(i, a, mu, end):
-    return ray_optics.leaving_at_end(end, i, a, mu)
+    return ray_optics.mu_r_at_end(end, i, a, mu)
 
 
 def sky_on_ground(mu_s, place, ground):
@@ -291,7 +291,7 @@ CASES = [
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
     Case(multiple_scattering_of_four, (source.multiple_scattering_source,),
          (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
-         {"moments": lanes(THREE * (DEGREE + 1)), "polarised_phase": lanes(4 * THREE),
+         {"moments": lanes(THREE * (DEGREE + 1)), "polarised_moments": lanes(4 * THREE),
           "field": FIELD},
          rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
@@ -312,13 +312,13 @@ CASES = [
          atol=8 * METRES / 0.2),
     Case(edge_inserted, (path.insert_edge,), (uniform(-0.5, 1.5),)),
     # A root of the height above the horizon, at least 0.02 there, over 8 or 12 steps of 0.01.
-    Case(star_lifted, (bending.apparent_sun, bending.refraction_table_index),
-         (R, uniform(0.02, 1.0)), {"lift": LIFT}, atol=16 * 12 * EPS),
+    Case(star_lifted, (refraction.apparent_sun, refraction.refraction_table_index),
+         (R, uniform(0.02, 1.0)), {"refraction_table": LIFT}, atol=16 * 12 * EPS),
     # As visible_spread in test_kernels_agree.
-    Case(star_in_two, (bending.star_points,), (R, uniform(0.02, 0.2)), {"lift": LIFT},
-         atol=32 * 12 * EPS),
-    Case(star_on_level, (bending.direct_horizontal_weights,),
-         (R, uniform(0.02, 0.2)), {"lift": LIFT}, atol=32 * 12 * EPS),
+    Case(star_in_two, (refraction.star_points,),
+         (R, uniform(0.02, 0.2)), {"refraction_table": LIFT}, atol=32 * 12 * EPS),
+    Case(star_on_level, (refraction.direct_horizontal_weights,),
+         (R, uniform(0.02, 0.2)), {"refraction_table": LIFT}, atol=32 * 12 * EPS),
     # Fourth power of the value between texels.
     Case(sky_between, (picture.between_texels, picture.texel_before), (UNIT,
          uniform(0.0, 1.0) < 0.5, uniform(0.0, 1.0)), {}, {"table": lanes(8 * 12)},
@@ -335,7 +335,7 @@ CASES = [
          {"moments": lanes(THREE * (DEGREE + 1))}),
     Case(through_whole_ray, (ray_optics.transmittance_ray,), (RNG.integers(0, 20, COUNT),),
          {"total": RNG.uniform(0.0, 2.0, 24)}, SPECTRA, DEPTH),
-    Case(angle_leaving, (ray_optics.leaving_at_end,), (RNG.integers(0, 5, COUNT),
+    Case(angle_leaving, (ray_optics.mu_r_at_end,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, 3, COUNT), MU), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
          atol=4 * EPS),
     Case(sky_on_ground, (ray_optics.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
@@ -403,16 +403,16 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
-        "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
-        "ground_factor", "mirrored_line", "look", "line_of_sight",
+        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_reflectances",
+        "ground_angles", "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
-        "widen", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
+        "broaden_peaks", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
-        "bent_to_ground", "place_in_sky", "seen_line",
+        "refraction_to_ground", "place_in_sky", "sky_lookup",
     ),
     "test_pictures.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
@@ -442,7 +442,7 @@ WHOLE = {
         "reinhard_extended_default_color",
     ),
     "test_kernels_agree.py::test_a_law_of_reflection_s_number_is_its_place": (
-        "star_share", "sky_share",
+        "brdf_direct", "brdf_diffuse",
     ),
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
     "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_processor_s": ("panel_leg",),
@@ -470,10 +470,11 @@ WHOLE = {
         "azimuthal", "depth", "factor", "floor", "four_levels", "gathered_moment", "gathered_onto",
         "highest", "highest_level", "largest_of", "light_number", "mean", "mixed", "next_guess",
         "node_scale", "packed", "projection", "radiance_again", "radiance_once", "ray_and_star",
-        "refined", "row", "share", "sound", "strength", "transmittance", "ray_share",
+        "refined", "row", "share", "sound", "strength", "transmittance", "ray_norm",
         "depth_in_row", "direct_light", "scattered_once", "contracted", "gathered",
-        "star_factor", "sky_factor", "polarised_again", "azimuthal_once", "azimuthal_weight",
-        "coupled_moments", "fill_phase_f12", "polarised_functions", "polarised_function",
+        "direct_reflectance", "diffuse_reflectance", "polarised_again", "azimuthal_once",
+        "azimuthal_weight", "coupled_moments", "fill_phase_f12", "polarised_functions",
+        "polarised_function",
         "odd_moment", "star_plane", "first_register", "source_at_point",
         "polarised_transmittance_ratio", "bounce",
     ),

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import (
-    FEW,
+    HALF_LANES,
     LANES,
     exponential,
     floored,
@@ -142,10 +142,11 @@ def test_lanes_are_paired_folded_and_looked_up() -> None:
     out = np.empty(9 * LANES, np.float32)
     across_lanes(x, y, out)
     a, b = x[:LANES], y[:LANES]
-    halves = a[:FEW] + a[FEW:]
+    halves = a[:HALF_LANES] + a[HALF_LANES:]
     expected = [
-        np.concatenate([a[:FEW], b[FEW:]]), [2.0] * FEW + [3.0] * FEW, np.tile(halves, 2),
-        np.concatenate([x[1 : 1 + FEW], x[4 : 4 + FEW]]), np.floor(a), np.sqrt(b), y[which],
+        np.concatenate([a[:HALF_LANES], b[HALF_LANES:]]), np.repeat([2.0, 3.0], HALF_LANES),
+        np.tile(halves, 2), np.concatenate([x[1 : 1 + HALF_LANES], x[4 : 4 + HALF_LANES]]),
+        np.floor(a), np.sqrt(b), y[which],
         [a.max()] * LANES, np.where(a > 0.0, b, 7.0),
     ]  # fmt: skip
     assert_allclose(out.reshape(9, LANES), np.array(expected), rtol=2e-7)

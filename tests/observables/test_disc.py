@@ -34,12 +34,12 @@ def test_lines_of_the_disc_are_those_of_an_observer_far_away(solved: Solved) -> 
     top, far = solution.medium.top_radius, 1e6 * solution.medium.top_radius
     b, turn = np.array([0.1, 0.6, 0.99, 1.005]) * RADIUS, np.radians([10.0, 80.0, 120.0, 170.0])
     for phase in (0.0, 50.0, 130.0):
-        sight = disc_lines(b, turn, np.radians(phase), RADIUS, top)
+        lines = disc_lines(b, turn, np.radians(phase), RADIUS, top)
         public = solution.radiance(
             altitude=far - RADIUS, sun_zenith=phase,
             view_zenith=180.0 - np.degrees(np.arcsin(b / far)), azimuth=np.degrees(turn),
         )  # fmt: skip
-        assert_allclose(solution.relative_radiance(sight), public.values, rtol=2e-4, atol=1e-9)
+        assert_allclose(solution.relative_radiance(lines), public.values, rtol=2e-4, atol=1e-9)
 
 
 def test_a_lambert_sphere_has_two_thirds_of_its_albedo_and_lamberts_phase_law(

@@ -30,6 +30,6 @@ def test_a_line_above_the_air_is_refused_with_the_range(
     solved: Callable[..., MomentsSolution],
 ) -> None:
     solution = solved(sphere(1e-6, 0.0), (550.0,), "preview")
-    with pytest.raises(ParameterError, match="a higher line misses the air"):
+    with pytest.raises(ParameterError, match="a higher line misses the atmosphere"):
         limb_radiance(solution, [0.0, 130e3], 60.0)
     assert limb_radiance(solution, -RADIUS, 60.0).shape == (1,)

@@ -67,16 +67,16 @@ def test_the_bond_albedo_is_the_mean_over_the_stars_light(solution: MomentsSolut
     sun = solution.lights[0].irradiance
     wanted = (sun * data["spherical_albedo"].values).sum() / sun.sum()  # two wavelengths: trapezia
     assert_allclose(float(data["bond_albedo"]), wanted)
-    assert "the rest of the spectrum is not in it" in data.attrs["notes"]
+    assert "other wavelengths are not included" in data.attrs["notes"]
 
 
 def test_what_is_not_known_of_the_star_is_left_out_and_said(solved: Solved) -> None:
     alone = solved(sphere(0.2, 0.3), TWO, "preview")
     assert "contrast" not in observe(alone, "disc")
-    assert "contrast left out" in observe(alone, "disc").attrs["notes"]
+    assert "contrast omitted" in observe(alone, "disc").attrs["notes"]
     transit = observe(alone, "transmission")
     assert "transit_depth" not in transit
-    assert "transit depth left out" in transit.attrs["notes"]
+    assert "transit depth omitted" in transit.attrs["notes"]
     known = observe(solved(sphere(0.2, 0.3, star=NEAR), TWO, "preview"), "transmission")
     assert_allclose(known["transit_depth"], (known["effective_radius"] / 1e8) ** 2)
 

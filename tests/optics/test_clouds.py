@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from airlight.optics.clouds import layer_distance, under_clouds
 
 BOTTOM = 6.36e6
-#: Shares of a ground: white Lambert, black, and one with gloss and mirrored light.
+#: Shares of a ground: white Lambert, black, and one with specular and mirrored light.
 WHITE = (1.0, 0.0, 1.0, 0.0, 0.0)
 SEA = (0.7, 4.0, 0.8, 0.02, 0.3)
 
@@ -51,18 +51,18 @@ def test_starlight_is_reflected_let_through_or_passes_beside() -> None:
         star = under_clouds(0.0, shaded, albedo, *WHITE)
         assert_allclose(star[0] + star[1] + shaded * albedo, 1.0, rtol=1e-15)
         for seen in (0.0, 0.5, 1.0):
-            star_matte, star_gloss, sky_matte, sky_gloss, _ = under_clouds(
+            star_diffuse, star_specular, sky_diffuse, sky_specular, _ = under_clouds(
                 seen, shaded, albedo, *WHITE
             )
-            assert max(star_matte + star_gloss, sky_matte + sky_gloss) <= 1.0 + 1e-15
+            assert max(star_diffuse + star_specular, sky_diffuse + sky_specular) <= 1.0 + 1e-15
 
 
 def test_light_below_full_cover_is_diffuse() -> None:
     # The sea below full cover has no glint of the star: it mirrors what comes through, as it does
     # a uniform sky.
     albedo = 0.6
-    star_matte, star_gloss, *_ = under_clouds(0.0, 1.0, albedo, *SEA)
-    assert_allclose([star_matte, star_gloss], [0.4 * 0.8, 0.4 * (0.02 + 0.3)])
+    star_diffuse, star_specular, *_ = under_clouds(0.0, 1.0, albedo, *SEA)
+    assert_allclose([star_diffuse, star_specular], [0.4 * 0.8, 0.4 * (0.02 + 0.3)])
 
 
 def test_the_mean_over_places_is_near_the_solver_s_ground() -> None:
@@ -71,7 +71,7 @@ def test_the_mean_over_places_is_near_the_solver_s_ground() -> None:
     mean, cloud, ground = 0.4, 0.6, 0.15
     covers = np.random.default_rng(5).uniform(0.0, 2.0 * mean, (20_000, 2))
     found = [under_clouds(*pair, cloud, *WHITE)[:2] for pair in covers]
-    seen = np.mean([matte * ground + gloss for matte, gloss in found])
+    seen = np.mean([diffuse * ground + specular for diffuse, specular in found])
     solver = mean * cloud + (1.0 - mean) * ground
     missing = mean * (1.0 - mean) * cloud * ground
     # standard error of the mean: 0.23 · 0.45 / √20000

@@ -12,13 +12,13 @@ from airlight.kernel.lanes import LANES, load, store
 from airlight.optics.reflection import (
     LAWS,
     Reflection,
+    cos_reflected,
+    diffuse_reflectance,
+    diffuse_reflectances,
+    direct_reflectance,
+    direct_reflectances,
     largest_albedo,
     law_number,
-    leaving_cosine,
-    sky_factor,
-    sky_factors,
-    star_factor,
-    star_factors,
 )
 from airlight.planets.ground import Ground
 from airlight.planets.medium import Medium
@@ -28,14 +28,14 @@ DIRECTIONS = [(1.0, 1.0, 1.0), (0.2, 0.9, 0.1), (0.9, 0.05, -0.4), (0.0, 0.0, 0.
 
 
 @compiled_loop
-def both(ground, mu_s, leaving, nu, out):
-    store(out, 0, star_factor(ground, 0, mu_s, leaving, nu))
-    store(out, LANES, sky_factor(ground, 0, leaving))
+def both(ground, mu_s, mu_r, nu, out):
+    store(out, 0, direct_reflectance(ground, 0, mu_s, mu_r, nu))
+    store(out, LANES, diffuse_reflectance(ground, 0, mu_r))
 
 
 @compiled_loop
-def one(ground, mu_s, leaving, nu):
-    return star_factor(ground, 0, mu_s, leaving, nu), sky_factor(ground, 0, leaving)
+def one(ground, mu_s, mu_r, nu):
+    return direct_reflectance(ground, 0, mu_s, mu_r, nu), diffuse_reflectance(ground, 0, mu_r)
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
@@ -55,9 +55,9 @@ def test_one_wavelength_is_what_its_lane_is(direction):
 
 def test_the_medium_s_ground_has_its_albedo_at_every_wavelength():
     medium = Medium.from_planet(load_planet("earth"), [450.0, 550.0, 650.0])
-    mu_s, leaving, nu = np.array(DIRECTIONS).T.copy()
+    mu_s, mu_r, nu = np.array(DIRECTIONS).T.copy()
     out = np.empty((4, 3))
-    star_factors(medium.ground, mu_s, leaving, nu, out)
+    direct_reflectances(medium.ground, mu_s, mu_r, nu, out)
     assert_array_equal(out, np.tile(medium.ground_albedo, (4, 1)))
 
 
@@ -79,7 +79,7 @@ def test_light_leaves_the_ground_at_the_angle_of_the_vector_that_it_is():
     end = np.stack([along * np.sqrt(1.0 - mu * mu), r + along * mu])
     backwards = np.stack([-np.sqrt(1.0 - mu * mu), -mu])
     expected = (end * backwards).sum(axis=0) / bottom
-    assert_allclose(vectorized(leaving_cosine)(r, mu, bottom), expected, atol=1e-7)
+    assert_allclose(vectorized(cos_reflected)(r, mu, bottom), expected, atol=1e-7)
 
 
 #: Laws whose light all has the albedo's colour, and none of whose depends on azimuth; ``water``
@@ -92,28 +92,28 @@ NODES, WEIGHTS = (
 )
 
 
-def shares(law, mu_s, leaving):
+def shares(law, mu_s, mu_r):
     """Both factors of a ground of albedo 1 without azimuth."""
     ground = Reflection(1.0, law_number(law))
-    stars = np.empty((mu_s.size, leaving.size))
+    stars = np.empty((mu_s.size, mu_r.size))
     for i, mu in enumerate(mu_s):
-        for j, cosine in enumerate(leaving):
+        for j, cosine in enumerate(mu_r):
             stars[i, j] = one(ground, mu, cosine, 0.0)[0]
-    return stars, np.array([one(ground, 1.0, cosine, 0.0)[1] for cosine in leaving])
+    return stars, np.array([one(ground, 1.0, cosine, 0.0)[1] for cosine in mu_r])
 
 
 @pytest.mark.parametrize("law", MATTE)
 def test_the_sky_s_factor_is_the_mean_of_the_star_s(law):
     # A uniform sky is stars everywhere, each weighted by its cosine: 2 ∫ factor mu dmu; the laws
     # here do not depend on azimuth. Gauss's rule meets 1/(mu + mu') to 1e-4 at these cosines.
-    leaving = np.array([0.1, 0.4, 1.0])
-    stars, sky = shares(law, NODES, leaving)
+    mu_r = np.array([0.1, 0.4, 1.0])
+    stars, sky = shares(law, NODES, mu_r)
     assert_allclose(2.0 * (WEIGHTS * NODES) @ stars, sky, rtol=1e-4)
 
 
 @pytest.mark.parametrize("law", MATTE)
 def test_under_a_uniform_sky_the_ground_reflects_its_albedo(law):
-    # The albedo's definition; of the whole hemisphere, 2 ∫ sky_factor mu dmu.
+    # The albedo's definition; of the whole hemisphere, 2 ∫ diffuse_reflectance mu dmu.
     _, sky = shares(law, NODES[:1], NODES)
     assert_allclose(2.0 * np.sum(WEIGHTS * NODES * sky), 1.0, rtol=1e-6)
 
@@ -137,10 +137,10 @@ def test_no_ground_reflects_more_than_arrives():
 
 def test_arrays_of_lines_are_the_single_ones():
     ground = Reflection(ALBEDO.copy(), law_number("lommel-seeliger"))
-    mu_s, leaving, nu = np.array(DIRECTIONS).T.copy()
+    mu_s, mu_r, nu = np.array(DIRECTIONS).T.copy()
     stars, skies = np.empty((4, LANES)), np.empty((4, LANES))
-    star_factors(ground, mu_s, leaving, nu, stars)
-    sky_factors(ground, leaving, skies)
+    direct_reflectances(ground, mu_s, mu_r, nu, stars)
+    diffuse_reflectances(ground, mu_r, skies)
     out = np.empty(2 * LANES, np.float32)
     for k, direction in enumerate(DIRECTIONS):
         both(ground._replace(albedo=ALBEDO.astype(np.float32)), *direction, out)
@@ -162,7 +162,7 @@ def test_clouds_are_a_share_of_lambert_ground(law):
             out = np.empty((2, 1, 1))
             lines = (np.array([x]) for x in direction)
             arrays = ground._replace(albedo=np.array([0.3]))
-            mu_s, leaving, nu = lines
-            star_factors(arrays, mu_s, leaving, nu, out[0])
-            sky_factors(arrays, leaving, out[1])
+            mu_s, mu_r, nu = lines
+            direct_reflectances(arrays, mu_s, mu_r, nu, out[0])
+            diffuse_reflectances(arrays, mu_r, out[1])
             assert_allclose(out.ravel(), expected, rtol=1e-6)

@@ -134,7 +134,7 @@ def test_a_moon_seen_through_the_air_is_dimmed_by_its_transmittance() -> None:
     moon = Body(name="moon", radius=1737.4e3, position=tuple(3.844e8 * apart))
     lights = (Light(star=SUN, direction=tuple(np.array([0.0, 0.06, 0.0]) - apart)),)
     view = View(look_at="moon", field_of_view=0.2)
-    through, bare = (
+    dimmer, bare = (
         drawn(system(*bodies, lights=lights, observer=observer, view=view), width=4, height=4)
         for bodies, observer in (
             ((EARTH, moon), Observer(body="earth", altitude=2.0)),
@@ -148,7 +148,7 @@ def test_a_moon_seen_through_the_air_is_dimmed_by_its_transmittance() -> None:
                                    view=view), np.array(NM), {})  # fmt: skip
     colors = lights_at.seen_from(lights[0], moon).colors() * moon.albedos(NM)[:, None]
     expected = (dimmed @ colors) / colors.sum(axis=0)
-    assert_allclose((through / bare).mean(axis=(0, 1)), expected, rtol=0.01)
+    assert_allclose((dimmer / bare).mean(axis=(0, 1)), expected, rtol=0.01)
 
 
 def test_a_stars_disc_has_its_irradiance_and_its_dark_rim() -> None:

@@ -81,8 +81,8 @@ def test_a_star_sends_its_light_through_the_air(earth: MomentsSolution) -> None:
     source = earth.lights[0]
     weights = source.colors() / source.irradiance[:, None]
     zenith, _ = sirius()
-    through = np.asarray(earth.transmittance(altitude=500.0, view_zenith=zenith))
-    wanted = (through * stars().irradiances(earth.wavelengths)[0]) @ weights
+    transmittance = np.asarray(earth.transmittance(altitude=500.0, view_zenith=zenith))
+    wanted = (transmittance * stars().irradiances(earth.wavelengths)[0]) @ weights
     assert_allclose(got, wanted, rtol=0.01)
 
 

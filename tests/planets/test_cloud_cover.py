@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from PIL import Image
 
 from airlight.errors import FileError
-from airlight.optics.reflection import star_factors
+from airlight.optics.reflection import direct_reflectances
 from airlight.planets import Medium, load_planet
 from airlight.planets.cloud_cover import cloud_pixels, mean_cover
 from airlight.planets.reading.handbook import filled
@@ -63,7 +63,7 @@ def test_solvers_have_the_mean_of_clouds_and_ground(draws: Draws) -> None:
     changes = {"ground.albedo": 0.1, "ground.clouds": name, "ground.cloud_albedo": 0.7}
     medium = Medium.from_planet(load_planet("earth-atmosphere-plus", changes), NM)
     out = np.empty((1, 3))
-    star_factors(medium.ground, np.array([0.5]), np.array([0.3]), np.array([0.1]), out)
+    direct_reflectances(medium.ground, np.array([0.5]), np.array([0.3]), np.array([0.1]), out)
     assert_allclose(out, 0.25 * 0.7 + 0.75 * 0.1, rtol=1e-7)
 
 

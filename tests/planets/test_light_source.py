@@ -58,8 +58,8 @@ def test_a_light_stands_where_the_sun_stood(solution):
 
 def test_radiance_is_irradiance_times_the_solution_at_the_light(solution):
     # The terms of a future sum over lights: the relative radiance, whatever the source.
-    sight, _ = solution.lines_of_sight(altitude=0.0, sun_zenith=60.0, view_zenith=30.0, azimuth=9.0)
-    expected = solution.relative_radiance(sight)[0] * solution.lights[0].irradiance
+    lines, _ = solution.lines_of_sight(altitude=0.0, sun_zenith=60.0, view_zenith=30.0, azimuth=9.0)
+    expected = solution.relative_radiance(lines)[0] * solution.lights[0].irradiance
     got = solution.radiance(altitude=0.0, sun_zenith=60.0, view_zenith=30.0, azimuth=9.0)
     assert_allclose(np.ravel(got), expected, rtol=1e-12)
 

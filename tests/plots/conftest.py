@@ -12,13 +12,13 @@ pytest.importorskip("matplotlib")
 
 from airlight import load_planet
 from airlight.planets import Medium, Planet
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.solution import Report, Solution
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Light = Callable[[Sight, int | None], "NDArray[np.float64]"]
+Light = Callable[[LinesOfSight, int | None], "NDArray[np.float64]"]
 
 
 class KnownLight(Solution):
@@ -30,11 +30,13 @@ class KnownLight(Solution):
         self.report = Report(solver="formula", settings="", sweeps=0, residual=(0.0,), seconds=0.0)
         self.highest_order = orders
         self.light = light
-        self.asked: list[Sight] = []
+        self.asked: list[LinesOfSight] = []
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> NDArray[np.float64]:
-        self.asked.append(sight)
-        return np.repeat(self.light(sight, order)[:, None], self.wavelengths.size, axis=1)
+    def relative_radiance(
+        self, lines: LinesOfSight, *, order: int | None = None
+    ) -> NDArray[np.float64]:
+        self.asked.append(lines)
+        return np.repeat(self.light(lines, order)[:, None], self.wavelengths.size, axis=1)
 
     def relative_sky_irradiance(
         self, r: NDArray[np.float64], mu_s: NDArray[np.float64]

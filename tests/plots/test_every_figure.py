@@ -14,12 +14,12 @@ from airlight.errors import ParameterError
 from airlight.planets import Planet
 from airlight.plots import KINDS, Choices, Work, draw
 from airlight.plots.order_convergence import order_convergence
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 
 
-def halves(sight: Sight, order: int | None) -> NDArray[np.float64]:
+def halves(lines: LinesOfSight, order: int | None) -> NDArray[np.float64]:
     """Some orders; the figure's data have a test of their own."""
-    return np.full(sight.r.size, 0.5 ** (order or 1))
+    return np.full(lines.r.size, 0.5 ** (order or 1))
 
 
 #: Three wavelengths, and as many as a spectral picture has. [nm]

@@ -18,7 +18,7 @@ from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential
 from airlight.plots.chromaticity import cie, sky_chromaticities
 from airlight.plots.limb import limb
-from airlight.plots.mapping_comparison import atlas, mapping_comparison, table_rgb, table_sights
+from airlight.plots.mapping_comparison import atlas, mapping_comparison, table_lines, table_rgb
 from airlight.plots.order_convergence import convergence, order_convergence
 from airlight.plots.sky_profile import sky_profile
 from airlight.solvers.solution import Solution
@@ -43,18 +43,18 @@ def test_the_limb_fades_with_the_scale_height(solution: Solution) -> None:
 def test_limb_sights_are_tangent_with_the_sun_where_it_was_asked_for(known_light: Known) -> None:
     # geometry: r sin(z) is the tangent radius, the sun is at right angles to the line, and its
     # zenith angle at the tangent point follows from that at the observer
-    light = known_light(lambda sight, order: np.ones(sight.r.size))
+    light = known_light(lambda lines, order: np.ones(lines.r.size))
     height = np.array([[-5e3], [0.0], [20e3], [90e3], [100e3]])
     sun = np.array([0.0, 60.0, 90.0, 96.0])
     limb_radiance(light, height, sun)
-    sight = light.asked[0]
-    sine = np.sqrt((1.0 - sight.mu) * (1.0 + sight.mu))
+    lines = light.asked[0]
+    sine = np.sqrt((1.0 - lines.mu) * (1.0 + lines.mu))
     tangent = np.broadcast_to(6360e3 + height, (5, 4)).ravel()
-    assert_allclose(sight.r * sine, tangent, rtol=1e-9)  # 6 mm
-    assert_allclose(sight.nu, 0.0, atol=1e-9)
+    assert_allclose(lines.r * sine, tangent, rtol=1e-9)  # 6 mm
+    assert_allclose(lines.nu, 0.0, atol=1e-9)
     expected = np.broadcast_to(np.cos(np.radians(sun)), (5, 4)).ravel()
-    assert_allclose(sight.r * sight.mu_s / tangent, expected, atol=1e-9)
-    assert_allclose(sight.to_ground.reshape(5, 4)[:, 0], [True, False, False, False, False])
+    assert_allclose(lines.r * lines.mu_s / tangent, expected, atol=1e-9)
+    assert_allclose(lines.to_ground.reshape(5, 4)[:, 0], [True, False, False, False, False])
 
 
 def test_limb_curves_are_the_radiance_over_kilometres(solution: Solution) -> None:
@@ -70,8 +70,8 @@ def test_limb_curves_are_the_radiance_over_kilometres(solution: Solution) -> Non
 
 def test_sky_profiles_cut_the_sky_where_they_say(known_light: Known) -> None:
     # for light e^ν the plane holds exp(cos(view - sun)), and the circle the cosine rule's value
-    figure = sky_profile(known_light(lambda sight, order: np.exp(sight.nu)), sun_zenith=50.0)
-    star = known_light(lambda sight, order: sight.nu).medium.solar_irradiance[0]
+    figure = sky_profile(known_light(lambda lines, order: np.exp(lines.nu)), sun_zenith=50.0)
+    star = known_light(lambda lines, order: lines.nu).medium.solar_irradiance[0]
     plane, circle = (axes.get_lines()[0] for axes in figure.axes)
     view = np.asarray(plane.get_xdata(), float)
     expected = star * np.exp(np.cos(np.radians(view - 50.0)))
@@ -83,7 +83,7 @@ def test_sky_profiles_cut_the_sky_where_they_say(known_light: Known) -> None:
 
 
 def test_with_the_sun_down_the_circle_stays_in_the_sky(known_light: Known) -> None:
-    light = known_light(lambda sight, order: np.ones(sight.r.size))
+    light = known_light(lambda lines, order: np.ones(lines.r.size))
     figure = sky_profile(light, sun_zenith=94.0)
     assert_allclose(light.asked[1].mu, math.cos(math.radians(85.0)), rtol=1e-12)
     assert figure.axes[1].get_title("left").endswith("85°")
@@ -136,12 +136,12 @@ def test_texels_of_the_table_are_where_the_mapping_puts_them(
     solution: Solution, mapping: Any
 ) -> None:
     # linear: AP2, section 3.1.2; weighted power: its ends and the golden border at the top
-    sights = table_sights(solution, mapping, (5, 9, 5))
-    mu = sights.mu.reshape(5, 9, 5)[0]
-    altitude = sights.r.reshape(5, 9, 5)[0, 0] - 6360e3
-    mu_s = sights.mu_s.reshape(5, 9, 5)[:, 0, 0]
+    lines = table_lines(solution, mapping, (5, 9, 5))
+    mu = lines.mu.reshape(5, 9, 5)[0]
+    altitude = lines.r.reshape(5, 9, 5)[0, 0] - 6360e3
+    mu_s = lines.mu_s.reshape(5, 9, 5)[:, 0, 0]
     assert_allclose(mu[[0, -1]], [[-1.0] * 5, [1.0] * 5], atol=1e-12)
-    assert not sights.to_ground.any()
+    assert not lines.to_ground.any()
     if mapping == "linear":
         assert_allclose(altitude, [0.0, 25e3, 50e3, 75e3, 100e3], atol=1e-6)
         assert_allclose(mu[:, 2], np.linspace(-1.0, 1.0, 9), atol=1e-12)
@@ -156,16 +156,16 @@ def test_texels_of_the_table_are_where_the_mapping_puts_them(
 def test_the_table_is_the_sky_seen_along_its_texels(solution: Solution) -> None:
     # a second way: the public door in degrees, for texels that look above the horizontal
     shape = (3, 9, 5)
-    sights = table_sights(solution, "weighted-power", shape, 30.0)
-    rgb = table_rgb(solution, sights, shape)
+    lines = table_lines(solution, "weighted-power", shape, 30.0)
+    rgb = table_rgb(solution, lines, shape)
     picked = np.ravel_multi_index((4, 7, 1), (5, 9, 3))
     radiance = solution.radiance(
-        altitude=sights.r[picked] - 6360e3,
-        sun_zenith=math.degrees(math.acos(sights.mu_s[picked])),
-        view_zenith=math.degrees(math.acos(sights.mu[picked])),
+        altitude=lines.r[picked] - 6360e3,
+        sun_zenith=math.degrees(math.acos(lines.mu_s[picked])),
+        view_zenith=math.degrees(math.acos(lines.mu[picked])),
         azimuth=30.0,
     )
-    assert sights.mu[picked] > 0.0
+    assert lines.mu[picked] > 0.0
     assert solution.planet is not None
     weights = rgb_weights(solution.wavelengths, solution.planet.star.irradiances)
     assert_allclose(rgb[4, 7, 1], np.asarray(radiance) @ weights, rtol=1e-5)
@@ -192,7 +192,7 @@ def test_both_mappings_are_shown_with_one_exposure(solution: Solution) -> None:
 def test_orders_of_a_geometric_series_leave_its_own_rest(known_light: Known) -> None:
     # q + q² + … : after order k the rest is q^k of the whole, at every order, tail included
     q = 0.3
-    light = known_light(lambda sight, order: np.full(sight.r.size, q ** (order or 1)), orders=7)
+    light = known_light(lambda lines, order: np.full(lines.r.size, q ** (order or 1)), orders=7)
     figure = order_convergence(light)
     upper, lower = figure.axes[0], figure.axes[3]
     orders = np.arange(1, 8)
@@ -205,7 +205,7 @@ def test_orders_of_a_geometric_series_leave_its_own_rest(known_light: Known) -> 
 
 
 def test_orders_that_vanish_leave_no_rest() -> None:
-    # no division by 0: a sight into black space
+    # no division by 0: a line into black space
     found = convergence(np.zeros((3, 1, 1)))
     assert_allclose(found.rest, 0.0, atol=0)
     assert_allclose(found.tail, 0.0, atol=0)

@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import apparent_sun
-from airlight.render.sun_disc import leaving_direction, straight_sight, sun_solid_angle
+from airlight.geometry.refraction import apparent_sun
+from airlight.render.sun_disc import leaving_direction, straight_lines, sun_solid_angle
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.tables.columns import columns
@@ -50,7 +50,7 @@ def add_sun_disc(
     sun = scene.sun_direction
     seen = seen_direction(sun, solution, scene.altitude)
     pixel = scene.camera.pixel_angle
-    reach = 2.0 * (alpha + pixel) + solution.paths.largest_bend
+    reach = 2.0 * (alpha + pixel) + solution.geometry.max_refraction
     # The cheap test first: most rows are far from the star.
     rows = [
         row
@@ -162,13 +162,13 @@ def _angle(directions: FloatArray, sun: FloatArray) -> FloatArray:
 
 def _through(directions: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
     """Transmittance to space along directions, 0 where the ground intervenes, (n, nl). [1]"""
-    sight, medium = straight_sight(directions, solution, altitude), solution.paths.medium
+    lines, medium = straight_lines(directions, solution, altitude), solution.geometry.medium
     depth = columns(
-        sight.r, sight.mu, sight.length, medium.bottom_radius, medium.density, nodes=32, panels=12
+        lines.r, lines.mu, lines.length, medium.bottom_radius, medium.density, nodes=32, panels=12
     )
-    through = np.exp(-(depth @ medium.extinction))
-    through[sight.to_ground] = 0.0
-    return np.asarray(through)
+    transmittance = np.exp(-(depth @ medium.extinction))
+    transmittance[lines.to_ground] = 0.0
+    return np.asarray(transmittance)
 
 
 def seen_direction(direction: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
@@ -208,9 +208,11 @@ def _seen(direction: FloatArray, solution: MomentsSolution, altitude: float) -> 
     Outside the shell light is not refracted until it enters: the apparent direction through the air
     follows from ``leaving_direction``, pixel by pixel.
     """
-    paths, true = solution.paths, float(direction[2])
-    if paths.shell is None or solution.medium.thickness <= altitude:
+    geometry, true = solution.geometry, float(direction[2])
+    if geometry.shell is None or solution.medium.thickness <= altitude:
         return true, 1.0
-    x = float(paths.optical_radius(np.array(solution.medium.bottom_radius + altitude)))
-    seen, squeeze, _ = apparent_sun(x, true, paths.shell.bottom, paths.shell.top, paths.lift)
+    x = float(geometry.optical_radius(np.array(solution.medium.bottom_radius + altitude)))
+    seen, squeeze, _ = apparent_sun(
+        x, true, geometry.shell.bottom, geometry.shell.top, geometry.refraction_table
+    )
     return float(seen), float(squeeze)

@@ -47,8 +47,8 @@ def test_lights_are_as_bright_as_their_map_says(
     camera = Camera(width=3, height=3, field_of_view=1.0, look_zenith=180.0)
     rgb = render(solution, Scene(camera=camera, altitude=altitude, sun_zenith=180.0)).rgb[1, 1]
     seen = LUMINOUS_EFFICACY * float(luminance(rgb))
-    through = solution.medium.vertical_optical_depth.sum(axis=0)
-    clear = np.exp(-through) if altitude > 1e5 else np.ones(len(NM))
+    depth = solution.medium.vertical_optical_depth.sum(axis=0)
+    clear = np.exp(-depth) if altitude > 1e5 else np.ones(len(NM))
     assert TOWN_LUMINANCE * clear.min() * 0.98 <= seen <= TOWN_LUMINANCE * clear.max() * 1.02
     if altitude < 1e5:
         assert_allclose(seen, TOWN_LUMINANCE, rtol=0.02)

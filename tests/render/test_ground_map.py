@@ -12,7 +12,7 @@ from PIL import Image
 
 from airlight import Camera, Ground, Medium, Planet, Scene, load_planet, replace
 from airlight.color.encoding import srgb_decode
-from airlight.optics.water import mean_gloss
+from airlight.optics.water import mean_specular
 from airlight.render import render
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.solution import MomentsSolution
@@ -118,5 +118,5 @@ def test_the_earth_s_map_keeps_the_solver_s_mean(lit: Lit) -> None:
     # the solver's albedo of the ground is approximately the mean over the pixels and what their
     # water mirrors: the map has three colours, the albedo a spectrum
     solution, earth = lit("earth"), surface_map("earth")
-    mean = earth.mean_rgb + earth.mean_water * mean_gloss(solution.medium.reflection.wind)
+    mean = earth.mean_rgb + earth.mean_water * mean_specular(solution.medium.reflection.wind)
     assert_allclose(solution.medium.ground_albedo, mean, rtol=0.25)

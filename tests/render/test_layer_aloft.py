@@ -49,11 +49,11 @@ def test_a_layer_has_the_column_that_its_profile_has(lit: Lit) -> None:
     # An exact integral: single scattering, straight down from space onto black ground, is the sum
     # of slabs; here the share of the layer, whose optical depth is 1e-4 · 2 km.
     solution = lit(layered())
-    through = solution.transmittance(altitude=30e3, view_zenith=180.0, distance=16e3)
+    transmittance = solution.transmittance(altitude=30e3, view_zenith=180.0, distance=16e3)
     below = solution.transmittance(altitude=18e3, view_zenith=180.0, distance=4e3)
     bare = lit("earth-atmosphere-plus")
     air = bare.transmittance(altitude=30e3, view_zenith=180.0, distance=16e3)
-    assert_allclose(np.asarray(through) / np.asarray(air), np.exp(-0.2), rtol=1e-4)
+    assert_allclose(np.asarray(transmittance) / np.asarray(air), np.exp(-0.2), rtol=1e-4)
     assert_allclose(
         np.asarray(below),
         np.asarray(bare.transmittance(altitude=18e3, view_zenith=180.0, distance=4e3)),

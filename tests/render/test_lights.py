@@ -115,8 +115,8 @@ def test_every_light_has_its_disc(solution):
         sky = np.median(rgb[apart > 1.5 * radius], axis=0)
         pixel = camera.pixel_angle**2 * np.maximum(directions @ camera.axes[2], 0.0) ** 3
         got = ((rgb - sky) * pixel[..., None])[apart < 1.5 * radius].sum(axis=0)
-        through = np.asarray(solution.transmittance(altitude=3e3, view_zenith=60.0))
-        expected = 1e-3 * (through[:, None] * solution.lights[0].colors()).sum(axis=0)
+        transmittance = np.asarray(solution.transmittance(altitude=3e3, view_zenith=60.0))
+        expected = 1e-3 * (transmittance[:, None] * solution.lights[0].colors()).sum(axis=0)
         # The sky around the light is brighter than its median by forward scattering: 1 %.
         assert_allclose(got, expected, rtol=0.02)
 

@@ -30,8 +30,8 @@ def earth() -> MomentsSolution:
 def test_two_suns_are_the_sum_of_their_pictures(earth: MomentsSolution) -> None:
     # Linearity. The second alone: the same solution under its own star, turned to it.
     both = render(earth, replace(SEA, others=(RED,))).rgb
-    second = earth.lit_by(RED.source(earth.lights))
-    alone = render(second, SEA.lit_by(RED)).rgb
+    second = earth.with_light(RED.source(earth.lights))
+    alone = render(second, SEA.with_light(RED)).rgb
     assert_allclose(both, render(earth, SEA).rgb + alone, rtol=2e-6)
     assert np.median(alone) > 0.03 * np.median(both)
 
@@ -87,7 +87,7 @@ def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> Non
     # what the reflectances of red, green and blue at three wavelengths leave of a colour.
     camera = Camera(width=48, height=27, look_zenith=150.0, field_of_view=50.0)
     scene = Scene(camera=camera, altitude=4e5, sun_zenith=180.0, latitude=45.4, longitude=9.2)
-    other = earth.lit_by(RED.source(earth.lights))
+    other = earth.with_light(RED.source(earth.lights))
     wanted = luminance(render(earth, scene).rgb.astype(float))
     seen = luminance(render(other, scene).rgb.astype(float))
     town = wanted > 0.1 * wanted.max()
@@ -119,7 +119,7 @@ def test_moonlight_left_out_by_day_is_invisible(earth: MomentsSolution) -> None:
     camera = Camera(width=16, height=9, look_zenith=60.0, look_azimuth=170.0)
     scene = Scene(camera=camera, sun_zenith=89.9)
     moon = MoonLight(zenith=50.0, azimuth=0.0)
-    moonlight = render(earth.lit_by(moon.source(earth.lights)), scene.lit_by(moon)).rgb
+    moonlight = render(earth.with_light(moon.source(earth.lights)), scene.with_light(moon)).rgb
     assert (moonlight / render(earth, scene).rgb).max() < 1e-3
 
 

@@ -53,8 +53,8 @@ def solid_angles(camera: Camera, rows: slice = slice(None)) -> np.ndarray:
 
 def starlight(solution: MomentsSolution, scene: Scene) -> np.ndarray:
     """Law for the total: irradiance at the planet times transmittance, as linear sRGB."""
-    through = solution.transmittance(altitude=scene.altitude, view_zenith=scene.sun_zenith)
-    received = np.asarray(through) * solution.medium.solar_irradiance
+    transmittance = solution.transmittance(altitude=scene.altitude, view_zenith=scene.sun_zenith)
+    received = np.asarray(transmittance) * solution.medium.solar_irradiance
     return np.asarray(
         received @ rgb_weights(solution.wavelengths, solution.planet.star.irradiances)
     )
@@ -83,7 +83,7 @@ def test_the_disc_is_darkened_as_neckel_measured(
     camera = Camera(width=65, height=65, field_of_view=0.6, look_zenith=40.0)
     scene = Scene(camera=camera, altitude=80e3, sun_zenith=40.0)
     solution = lit(with_star(0.2678))
-    even = solution.lit_by(replace(solution.lights[0], darkening=None))
+    even = solution.with_light(replace(solution.lights[0], darkening=None))
     dark, plain = disc(solution, scene), disc(even, scene)
     solid = solid_angles(camera)[..., None]
     assert_allclose((dark * solid).sum(axis=(0, 1)), (plain * solid).sum(axis=(0, 1)), rtol=1e-3)
@@ -108,9 +108,9 @@ def test_a_sphere_of_dust_sends_the_light_of_its_phase(
     scene = Scene(camera=camera, altitude=80e3, sun_zenith=40.0)
     solution = lit(with_star(0.26))
     star = replace(solution.lights[0], darkening=None)
-    solid, even = solid_angles(camera)[..., None], disc(solution.lit_by(star), scene)
+    solid, even = solid_angles(camera)[..., None], disc(solution.with_light(star), scene)
     for phase, limb in ((1.0, 0.0), (60.0, 90.0), (90.0, -90.0), (130.0, 200.0)):
-        moon = disc(solution.lit_by(replace(star, phase=phase, limb=limb)), scene)
+        moon = disc(solution.with_light(replace(star, phase=phase, limb=limb)), scene)
         ratio = (moon * solid).sum(axis=(0, 1)) / (even * solid).sum(axis=(0, 1))
         assert_allclose(ratio, 1.0, rtol=5e-3 if phase < 100.0 else 2e-2)
         side = moon[..., 1].copy()

@@ -13,7 +13,7 @@ from PIL import Image
 
 from airlight import Camera, Ground, Scene, load_planet
 from airlight.optics.cox_munk import glint_factor, mirrored_cosine, mirrored_fraction
-from airlight.optics.water import FOAM, foam_share
+from airlight.optics.water import FOAM, foam_fraction
 from airlight.planets.medium import Medium
 from airlight.render import render
 from airlight.scene.surface_map import surface_map
@@ -83,16 +83,16 @@ def test_the_sea_shows_the_sky_that_its_facets_turn_to(azimuth: float, wet: Wet)
     # Second path: the solution's own line of sight towards the mirrored sky, from the ground, times
     # the fraction that is mirrored; a glint is added by the formula.
     solution, scene = wet(), at(1.0, 55.0, 100.0, azimuth)
-    leaving = np.cos(np.radians(80.0))
+    mu_r = np.cos(np.radians(80.0))
     mu_s = np.cos(np.radians(55.0))
-    nu = -mu_s * leaving + np.sqrt((1 - mu_s**2) * (1 - leaving**2)) * np.cos(np.radians(azimuth))
-    foam, up = foam_share(WIND), mirrored_cosine(leaving, WIND)
+    nu = -mu_s * mu_r + np.sqrt((1 - mu_s**2) * (1 - mu_r**2)) * np.cos(np.radians(azimuth))
+    foam, up = foam_fraction(WIND), mirrored_cosine(mu_r, WIND)
     sky = np.asarray(solution.radiance(
         altitude=0.0, sun_zenith=55.0, view_zenith=np.degrees(np.arccos(up)), azimuth=azimuth
     ))  # fmt: skip
     star = np.asarray(solution.irradiance(altitude=0.0, sun_zenith=55.0).direct) / np.pi
-    mirrored = (1.0 - foam) * mirrored_fraction(leaving, WIND) + foam * FOAM
-    glint = (1.0 - foam) * glint_factor(mu_s, leaving, nu, WIND) + foam * FOAM
+    mirrored = (1.0 - foam) * mirrored_fraction(mu_r, WIND) + foam * FOAM
+    glint = (1.0 - foam) * glint_factor(mu_s, mu_r, nu, WIND) + foam * FOAM
     weights = solution.lights[0].colors() / solution.lights[0].irradiance[:, None]
     expected = (sky * mirrored + star * glint) @ weights
     # 6 m of air in between add 0.2 %; the aureole is spread by the facets in the picture alone:

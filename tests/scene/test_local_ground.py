@@ -11,7 +11,7 @@ from PIL import Image
 
 from airlight import Medium, load_planet, local_ground, replace, solve
 from airlight.errors import ParameterError
-from airlight.optics.water import mean_gloss
+from airlight.optics.water import mean_specular
 from airlight.planets.planet import Planet
 from airlight.scene.local_ground import _STEP, ring_mean
 from airlight.scene.surface_map import from_pixels, surface_map
@@ -99,7 +99,7 @@ def test_the_sea_mirrors_as_much_as_its_share_of_water() -> None:
     assert sea.ground.local is not None
     assert_allclose(sea.ground.local.here.water, 1.0, atol=_STEP)
     below = surface_map("earth").sample(0.0, -25.0)[1]
-    assert_allclose(sea.ground.albedos([550.0]), below + mean_gloss(5.0), atol=0.01)
+    assert_allclose(sea.ground.albedos([550.0]), below + mean_specular(5.0), atol=0.01)
     snow = local_ground(earth, latitude=72.0, longitude=-40.0)
     assert snow.ground.albedos([550.0]) > 0.5
 

@@ -107,20 +107,21 @@ def test_a_body_behind_the_limb_is_seen_where_its_ray_leads(altitude: float) -> 
     # a second method: the star's table inside the air; outside, a ray that grazes the ground is
     # bent as much as two from the ground to space, and one that misses the air goes straight
     earth = load_planet("earth")
-    paths = RefractedGeometry.of(Medium.from_planet(earth, [550.0]))
-    assert paths.shell is not None
+    geometry = RefractedGeometry.of(Medium.from_planet(earth, [550.0]))
+    assert geometry.shell is not None
     r = earth.bottom_radius + altitude
-    x = float(paths.optical_radius(np.array(r)))
-    horizon = 180.0 - np.degrees(np.arcsin(paths.shell.bottom / x))
+    x = float(geometry.optical_radius(np.array(r)))
+    horizon = 180.0 - np.degrees(np.arcsin(geometry.shell.bottom / x))
     if altitude > earth.thickness:
-        lift = np.degrees(paths.largest_bend)
+        lift = np.degrees(geometry.max_refraction)
         above = 180.0 - np.degrees(np.arcsin(earth.top_radius / r))
         assert_allclose(apparent_zenith(earth, altitude, above), above, atol=1e-4)
     else:
         lift = np.degrees(
             float(
-                paths.bent(
-                    np.array([x]), np.array([-np.sqrt(1.0 - (paths.shell.bottom / x) ** 2) + 1e-12])
+                geometry.refraction_angle(
+                    np.array([x]),
+                    np.array([-np.sqrt(1.0 - (geometry.shell.bottom / x) ** 2) + 1e-12]),
                 )[0]
             )
         )

@@ -80,8 +80,10 @@ SUNS = [-1.0, -0.4, -0.2, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0]
 
 def direct_through(solution: MomentsSolution, altitude: float, mu_s: np.ndarray) -> np.ndarray:
     """Starlight through a level surface, downwards positive, shape (suns, wavelengths)."""
-    through = solution.transmittance(altitude=altitude, view_zenith=np.degrees(np.arccos(mu_s)))
-    return mu_s[:, None] * through.values
+    transmittance = solution.transmittance(
+        altitude=altitude, view_zenith=np.degrees(np.arccos(mu_s))
+    )
+    return mu_s[:, None] * transmittance.values
 
 
 @pytest.mark.parametrize("altitude", [0.0, 2e3, 20e3, 100e3])
@@ -144,9 +146,9 @@ def test_direct_irradiance_is_transmittance_times_cosine(
     # E = mu_s T; the table of columns is good to 1e-3 of an optical depth of up to three.
     solution = solved(reference_earth(albedo=0.3, aerosol=None))
     sun = np.array([0.0, 30.0, 60.0, 80.0, 86.0])
-    through = solution.transmittance(altitude=0.0, view_zenith=sun).values
+    transmittance = solution.transmittance(altitude=0.0, view_zenith=sun).values
     direct = solution.irradiance(altitude=0.0, sun_zenith=sun)["direct"].values
-    assert_allclose(direct, np.cos(np.radians(sun))[:, None] * through, rtol=2e-3)
+    assert_allclose(direct, np.cos(np.radians(sun))[:, None] * transmittance, rtol=2e-3)
     night = solution.irradiance(altitude=0.0, sun_zenith=[90.1, 120.0, 180.0])
     assert_allclose(night["direct"].values, 0.0, atol=0)
 

@@ -18,7 +18,7 @@ from airlight.solvers.moments.settings import QUALITIES
 from airlight.solvers.moments.solution import MomentsSolution
 
 
-def sights(count: int, seed: int, highest: float = 100e3) -> dict[str, np.ndarray]:
+def random_lines(count: int, seed: int, highest: float = 100e3) -> dict[str, np.ndarray]:
     """Random observers in the air, suns from the zenith to 96°, all directions."""
     rng = np.random.default_rng(seed)
     return {
@@ -34,7 +34,7 @@ def test_the_first_order_is_less_than_all_orders(
 ) -> None:
     # Every order adds light.
     solution = solved(reference_earth(albedo=0.3))
-    where = sights(3000, 10)
+    where = random_lines(3000, 10)
     first, whole = (solution.radiance(**where, order=order).values for order in (1, None))
     assert (first <= whole * (1.0 + 1e-5)).all()
     day = where["sun_zenith"] < 85.0
@@ -54,7 +54,7 @@ def test_the_residual_keeps_its_promise(
     assert max(rough.report.residual) <= usual.tolerance
     assert max(sharp.report.residual) <= 1e-5
     assert sharp.report.sweeps > rough.report.sweeps
-    where = sights(2000, 11)
+    where = random_lines(2000, 11)
     where["sun_zenith"] = np.minimum(where["sun_zenith"], 88.0)
     got, truth = rough.radiance(**where).values, sharp.radiance(**where).values
     assert_allclose(got, truth, rtol=usual.tolerance)
@@ -71,7 +71,7 @@ def test_the_number_of_threads_changes_no_bit(
     threads: str, reference_earth: Callable[..., Planet], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     planet = reference_earth(albedo=0.1)
-    where = sights(5000, 12)
+    where = random_lines(5000, 12)
     results = []
     for named in ("1", threads):
         monkeypatch.setenv("AIRLIGHT_THREADS", named)
@@ -89,7 +89,7 @@ def test_each_wavelength_has_its_answer_in_any_company(
     # neighbours, so that what is missing may differ by the tolerance of the iteration.
     planet = reference_earth(albedo=0.1)
     nm = tuple(np.linspace(440.0, 680.0, count))
-    where = sights(500, 13)
+    where = random_lines(500, 13)
     where["sun_zenith"] = np.minimum(where["sun_zenith"], 90.0)
     together = solved(planet, nm, "preview").radiance(**where)
     for one in {nm[0], nm[count // 2], nm[-1]}:
@@ -111,7 +111,7 @@ def test_halving_a_gas_into_two_changes_nothing(
     half = replace(gas, values=tuple(x / 2 for x in gas.values))
     parts = tuple(replace(air, name=name, scattering=half) for name in ("half", "other half"))
     split = replace(whole, constituents=(*parts, *whole.constituents[1:]))
-    where = sights(2000, 14)
+    where = random_lines(2000, 14)
     a, b = (solved(planet, quality="preview").radiance(**where).values for planet in (whole, split))
     # Sums of float32 in another order.
     assert_allclose(b, a, rtol=2e-5, atol=1e-12)
@@ -139,7 +139,7 @@ def test_halving_a_haze_into_two_changes_little(
             default_wavelengths=(550.0,),
         )  # fmt: skip
 
-    where = sights(3000, 15, highest=20e3)
+    where = random_lines(3000, 15, highest=20e3)
     where["sun_zenith"] = np.minimum(where["sun_zenith"], 80.0)
     a, b = (solved(hazy(*shares)).radiance(**where).values for shares in ((1.0,), (0.5, 0.5)))
     change = np.abs(b / a - 1.0)
@@ -227,8 +227,8 @@ def test_nothing_is_negative_or_nan_anywhere(
     assert np.isfinite(radiance.values).all()
     assert (radiance.values >= 0.0).all()
     inside = np.minimum(altitude, solution.medium.thickness)
-    through = solution.transmittance(altitude=altitude, view_zenith=view).values
-    assert ((through >= 0.0) & (through <= 1.0)).all()
+    transmittance = solution.transmittance(altitude=altitude, view_zenith=view).values
+    assert ((transmittance >= 0.0) & (transmittance <= 1.0)).all()
     light = solution.irradiance(altitude=inside, sun_zenith=sun)
     for part in ("direct", "diffuse"):
         assert np.isfinite(light[part].values).all()
@@ -255,7 +255,7 @@ def test_the_top_of_the_shell_cannot_be_seen(
     # A centimetre more or less of air that is 4e-6 as dense as the ground's changes nothing; it
     # moves a line of sight by as much, 1e-5 of the aerosol's scale height.
     solution = solved(reference_earth(albedo=0.3))
-    where = sights(2000, 17)
+    where = random_lines(2000, 17)
     where["view_zenith"] = np.random.default_rng(17).uniform(90.5, 180.0, 2000)
     where["sun_zenith"] = np.minimum(where["sun_zenith"], 90.0)
     below, above = (
@@ -313,12 +313,12 @@ def test_default_agrees_with_fine_on_dusty_mars(
 ) -> None:
     # A second solution of half as high a degree again, with finer grids and quadratures (a little
     # coarser than "fine", to save time); the bar is that of the solvers' text. Of exact Mie dust,
-    # what is scattered twice forwards is sharper than degree 16: three sights in a thousand, most
+    # what is scattered twice forwards is sharper than degree 16: three lines in a thousand, most
     # within 30° of the star, are off by more than 5 %, none by more than a quarter.
     from dataclasses import replace as replace_field
 
     finer = replace_field(
-        QUALITIES["fine"], radii=32, suns=80, zenith_angles=16, azimuths=16, tolerance=1e-3
+        QUALITIES["fine"], radii=32, sun_angles=80, zenith_angles=16, azimuths=16, tolerance=1e-3
     )
     mars = load_planet(name)
     mars = replace(
@@ -327,7 +327,7 @@ def test_default_agrees_with_fine_on_dusty_mars(
             mars.star, spectrum=None, irradiance=1.0, angular_radius=0.0, distance=None, radius=None
         ),
     )
-    where = sights(4000, 18, highest=60e3)
+    where = random_lines(4000, 18, highest=60e3)
     default, fine = (
         solved(mars, (680.0, 440.0), q).radiance(**where).values for q in ("default", finer)
     )

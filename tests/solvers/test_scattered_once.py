@@ -15,8 +15,8 @@ from airlight.planets import Constituent, Planet, replace
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Tent
 from airlight.planets.medium import Medium
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.scattered_once import scattered_once
-from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import single_scattering
 
 
@@ -42,8 +42,8 @@ def test_quick_and_careful_quadrature_agree_by_day(
     mu, mu_s = np.cos(np.pi * view), np.cos(np.radians(80.0) * sun)
     nu = mu * mu_s + np.sqrt((1.0 - mu**2) * (1.0 - mu_s**2)) * np.cos(np.pi * around)
     to_ground = np.asarray(vectorized(meets_ground)(r, mu, bottom), bool)
-    sight = Sight(r, mu, mu_s, nu, vectorized(ray_length)(r, mu, bottom, top), to_ground)
-    quick, careful = scattered_once(medium, sight), single_scattering(medium, sight)
+    lines = LinesOfSight(r, mu, mu_s, nu, vectorized(ray_length)(r, mu, bottom, top), to_ground)
+    quick, careful = scattered_once(medium, lines), single_scattering(medium, lines)
     # Interpolated columns and 16 points a panel; the ozone's corners count most.
     assert_allclose(quick, careful, rtol=1e-2, atol=1e-5 * careful.max())
     bright = careful > 1e-3 * careful.max()
@@ -55,5 +55,7 @@ def test_a_line_of_no_length_scatters_nothing(reference_earth: Callable[..., Pla
     planet = reference_earth(albedo=0.3)
     medium = Medium.from_planet(planet, planet.wavelengths)
     one, zero = np.ones(1), np.zeros(1)
-    sight = Sight(medium.top_radius * one, one, 0.5 * one, 0.5 * one, zero, zero.astype(bool))
-    assert_allclose(scattered_once(medium, sight), 0.0, atol=0)
+    lines = LinesOfSight(
+        medium.top_radius * one, one, 0.5 * one, 0.5 * one, zero, zero.astype(bool)
+    )
+    assert_allclose(scattered_once(medium, lines), 0.0, atol=0)

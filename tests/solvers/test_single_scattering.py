@@ -16,7 +16,7 @@ from airlight.geometry.sun_disc import star_elevation
 from airlight.planets import Constituent, Ground, Medium, Planet, Star
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Uniform
-from airlight.solvers.sight import Sight, enter_shell
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.star_light import direct_irradiance
 
@@ -41,7 +41,9 @@ TABLE = [
 ]  # fmt: skip
 
 
-def sight(altitude: np.ndarray, sun: np.ndarray, view: np.ndarray, azimuth: np.ndarray) -> Sight:
+def lines_at(
+    altitude: np.ndarray, sun: np.ndarray, view: np.ndarray, azimuth: np.ndarray
+) -> LinesOfSight:
     """Lines of sight from angles in degrees."""
     sun, view, azimuth = np.radians(sun), np.radians(view), np.radians(azimuth)
     mu, mu_s = np.cos(view), np.cos(sun)
@@ -49,8 +51,10 @@ def sight(altitude: np.ndarray, sun: np.ndarray, view: np.ndarray, azimuth: np.n
     return enter_shell(R + altitude, mu, np.sin(view), mu_s, nu, R, TOP)
 
 
-def one_sight(r: float, mu: float, mu_s: float, nu: float, bottom: float, top: float) -> Sight:
-    return Sight(
+def one_line(
+    r: float, mu: float, mu_s: float, nu: float, bottom: float, top: float
+) -> LinesOfSight:
+    return LinesOfSight(
         *(np.array([x]) for x in (r, mu, mu_s, nu)),
         length=np.array([ray_length(r, mu, bottom, top)]),
         to_ground=np.array([bool(meets_ground(r, mu, bottom))]),
@@ -63,7 +67,7 @@ def test_gas_and_aerosol_meet_their_own_golden_columns(
     # An authority converged to 1e-13, printed with seven digits (twilight: with six, and 7e-7).
     medium = Medium.from_planet(reference_earth(albedo=0.0), RGB)
     rows = np.array([row[:4] for row in TABLE], float)
-    lines = sight(*rows.T)
+    lines = lines_at(*rows.T)
     light = single_scattering(medium, lines) * medium.phase_function(lines.nu)
     gas = np.array([row[4] for row in TABLE])
     tell(f"golden gas: largest error {np.abs(light[:, 0] / gas - 1.0).max():.1e}")
@@ -86,7 +90,7 @@ def test_first_order_meets_an_independent_quadrature(
         rows = [r for r in csv.DictReader(stream) if r["scene"] == "full-cornette-shanks"]
     rows = [r for r in rows if r["ground_albedo"] == "0.3"][::3]
     names = ("altitude_m", "sun_zenith_deg", "view_zenith_deg", "azimuth_deg")
-    lines = sight(*np.array([[float(r[name]) for name in names] for r in rows]).T)
+    lines = lines_at(*np.array([[float(r[name]) for name in names] for r in rows]).T)
     medium = Medium.from_planet(reference_earth(albedo=0.3), RGB)
     light = (single_scattering(medium, lines) * medium.phase_function(lines.nu)).sum(axis=1)
     for got, name in (
@@ -127,20 +131,20 @@ def test_vertical_light_in_uniform_air_has_closed_forms(depth: float) -> None:
     # place at depth t adds e^{-2t}. Also where a panel holds hundreds of optical depths.
     medium = slab(depth, albedo=0.4)
     bottom, top = medium.bottom_radius, medium.top_radius
-    up = single_scattering(medium, one_sight(bottom, 1.0, 1.0, 1.0, bottom, top))[0, 0, 0]
-    down_sight = one_sight(top, -1.0, 1.0, -1.0, bottom, top)
-    down = single_scattering(medium, down_sight)[0, 0, 0]
+    up = single_scattering(medium, one_line(bottom, 1.0, 1.0, 1.0, bottom, top))[0, 0, 0]
+    downward = one_line(top, -1.0, 1.0, -1.0, bottom, top)
+    down = single_scattering(medium, downward)[0, 0, 0]
     assert_allclose(up, depth * np.exp(-depth), rtol=1e-5)
     assert_allclose(down, -np.expm1(-2.0 * depth) / 2.0, rtol=1e-5)
     assert_allclose(
-        reflected_once(medium, down_sight)[0, 0], 0.4 / np.pi * np.exp(-2.0 * depth), rtol=1e-5
+        reflected_once(medium, downward)[0, 0], 0.4 / np.pi * np.exp(-2.0 * depth), rtol=1e-5
     )
 
 
 def test_a_line_that_misses_the_air_is_black(reference_earth: Callable[..., Planet]) -> None:
     # There is nothing to scatter.
     medium = Medium.from_planet(reference_earth(albedo=0.3), RGB)
-    lines = sight(*(np.array([x]) for x in (500e3, 30.0, 60.0, 0.0)))
+    lines = lines_at(*(np.array([x]) for x in (500e3, 30.0, 60.0, 0.0)))
     assert_array_equal(single_scattering(medium, lines), 0.0)
     assert_array_equal(reflected_once(medium, lines), 0.0)
 
@@ -168,8 +172,10 @@ def test_a_disc_is_the_mean_of_its_points(
     )
     full = np.full(count, np.cos(view))
     length = np.full(count, ray_length(R, np.cos(view), R, TOP))
-    lines = Sight(np.full(count, R), full, suns[:, 2], suns @ looks, length, np.zeros(count, bool))
-    one = Sight(
+    lines = LinesOfSight(
+        np.full(count, R), full, suns[:, 2], suns @ looks, length, np.zeros(count, bool)
+    )
+    one = LinesOfSight(
         np.array([R]), full[:1], centre[2:], np.array([centre @ looks]), length[:1],
         np.zeros(1, bool),
     )  # fmt: skip

@@ -29,13 +29,13 @@ def test_earth_albedo_is_the_mean_of_the_map():
     # Second path: the spectrum, seen in the sun's light, has the mean colour of the packaged map,
     # and what its water mirrors without colouring it.
     from airlight.color.spectral import sun_color
-    from airlight.optics.water import mean_gloss
+    from airlight.optics.water import mean_specular
     from airlight.scene.surface_map import surface_map
 
     eye = np.arange(360.0, 831.0)
     reflected = sun_color(solar_irradiance(eye) * read_spectrum("earth-albedo").at(eye))
     earth = surface_map("earth")
-    wanted = earth.mean_rgb + earth.mean_water * mean_gloss(5.0)
+    wanted = earth.mean_rgb + earth.mean_water * mean_specular(5.0)
     assert_allclose(reflected / sun_color(), wanted, rtol=2e-3)
 
 

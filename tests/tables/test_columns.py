@@ -14,7 +14,7 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import vectorized
 from airlight.optics.density_profile import DensitySegments, exponential, tent, uniform
-from airlight.tables.column_ratios import mean_density_ratios
+from airlight.tables.column_ratios import rational_mean_density
 from airlight.tables.columns import ColumnTable, columns
 
 BOTTOM, TOP = 6360e3, 6460e3
@@ -39,7 +39,7 @@ def test_ratios_of_air_that_is_not_there_are_numbers_in_single_precision() -> No
     nothing = DensitySegments.from_rows([exponential(8e3, 1e5), exponential(1e-2, 1e5)])
     table = ColumnTable.build(BOTTOM, TOP, nothing, (8, 16))
     table = replace(table, values=table.values * [1.0, 0.0])
-    ratios = mean_density_ratios(table).astype(np.float32)
+    ratios = rational_mean_density(table).astype(np.float32)
     assert np.isfinite(ratios).all()
     assert_allclose(ratios[..., 1, 1], 0.0, atol=0.0)
 

@@ -155,26 +155,28 @@ def test_illuminance_and_sunlight_are_the_solutions(written):
     sky = solution.relative_sky_irradiance(ground, mu_s) @ weights
     assert_allclose(tables.sky_illuminance(ground, mu_s), sky, rtol=0.02)
     angles = np.array([0.0, 60.0, 85.0])
-    through = solution.transmittance(altitude=0.0, view_zenith=angles).values
-    assert_allclose(tables.through(ground, np.cos(np.radians(angles))), through, atol=2e-3)
+    transmittance = solution.transmittance(altitude=0.0, view_zenith=angles).values
+    assert_allclose(tables.through(ground, np.cos(np.radians(angles))), transmittance, atol=2e-3)
 
 
 def test_bending_is_that_of_the_horizon_and_of_a_setting_star(written):
     solution, folder, _ = written
     tables = CosmoScoutTables.read(folder)
-    paths = RefractedGeometry.of(solution.medium)
+    geometry = RefractedGeometry.of(solution.medium)
     ground = np.array([tables.bottom_radius])
     # 34 arc minutes on the horizon: the refraction of almanacs, for 10 deg C and 1010 hPa.
-    bent, lowest = tables.bent(ground, np.array([1e-4]))
+    bent, lowest = tables.refraction_angle(ground, np.array([1e-4]))
     assert_allclose(np.degrees(bent) * 60.0, 34.0, atol=2.0)
     assert lowest[0] >= 0.0
     # From 60 km a ray that grazes the ground bends twice as far, less what is above.
     high = np.array([tables.bottom_radius + 60e3])
     horizon = -math.sqrt(1.0 - (tables.bottom_radius / high[0]) ** 2)
-    above, _ = tables.bent(high, np.array([horizon + 0.005]))
-    optical = paths.optical_radius(high)
-    assert_allclose(above, paths.bent(optical, np.array([horizon + 0.005])), rtol=0.05)
-    _, below = tables.bent(high, np.array([horizon - 0.02]))
+    above, _ = tables.refraction_angle(high, np.array([horizon + 0.005]))
+    optical = geometry.optical_radius(high)
+    assert_allclose(
+        above, geometry.refraction_angle(optical, np.array([horizon + 0.005])), rtol=0.05
+    )
+    _, below = tables.refraction_angle(high, np.array([horizon - 0.02]))
     assert below[0] < 0.0  # meets the ground
 
 

@@ -117,12 +117,12 @@ def test_a_low_sun_of_mars_has_no_false_light(
     for altitude, sun, seen, around in (
         (2e3, 85.0, zenith, azimuth), (400e3, 50.0, 195.0 - zenith, 180.0 + azimuth)
     ):  # fmt: skip
-        sight, _ = solution.lines_of_sight(
+        lines, _ = solution.lines_of_sight(
             altitude=altitude, sun_zenith=sun, view_zenith=seen, azimuth=around
         )
-        in_air = sight.length > 0.0
-        place = Positions(sight.r, sight.mu, sight.mu_s, sight.nu, sight.to_ground)
-        own = (AirLight(solution)(sight) * star)[in_air]
+        in_air = lines.length > 0.0
+        place = Positions(lines.r, lines.mu, lines.mu_s, lines.nu, lines.to_ground)
+        own = (AirLight(solution)(lines) * star)[in_air]
         error = np.abs(tables.radiance(place)[in_air] / own - 1.0)
         assert (error.max(axis=-1) > 0.4).mean() < 0.002
         assert np.percentile(error, 95.0) < 0.15

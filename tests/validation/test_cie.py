@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, load_planet
 from airlight.solvers import Solution
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.solution import Report
 from airlight.validation.cie_clear_sky import gradation, indicatrix
 from airlight.validation.energy_planets import round_earth
@@ -29,9 +29,9 @@ class FittedSky(Solution):
         self.medium = Medium.from_planet(round_earth(), NM)
         self.tilt = tilt
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> np.ndarray:
-        sky = 0.01 * indicatrix(np.arccos(sight.nu)) * gradation(sight.mu)
-        return np.repeat((sky * np.exp(self.tilt * (sight.mu < 0.999)))[:, None], 3, axis=1)
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> np.ndarray:
+        sky = 0.01 * indicatrix(np.arccos(lines.nu)) * gradation(lines.mu)
+        return np.repeat((sky * np.exp(self.tilt * (lines.mu < 0.999)))[:, None], 3, axis=1)
 
     def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
         return np.zeros((r.size, 3))

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from airlight.planets import Medium
 from airlight.solvers import Solution, solve
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.solution import Report
 from airlight.validation.energy_planets import flat_earth, furnace, round_earth
 from airlight.validation.fluxes import level_fluxes, pieces
@@ -29,9 +29,9 @@ class Even(Solution):
         self.medium = Medium.from_planet(round_earth(), WAVELENGTHS)
         self.highest_order = 3
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> np.ndarray:
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> np.ndarray:
         share = 1.0 if order is None else 0.75 * 0.25 ** (order - 1)
-        return np.full((sight.r.size, 3), share)
+        return np.full((lines.r.size, 3), share)
 
     def relative_sky_irradiance(self, r: np.ndarray, mu_s: np.ndarray) -> np.ndarray:
         return np.full((r.size, 3), np.pi)

@@ -18,7 +18,7 @@ from airlight.validation.published import rayleigh_sphere as sphere
 from airlight.validation.published.earth import ALTITUDES, SUNSET, illuminances
 from airlight.validation.published.light import published, suite_of
 from airlight.validation.published.row import COLUMNS, PublishedRow, PublishedSection, solver
-from airlight.validation.published.sunset import flattening, paths_of, refraction, sunset
+from airlight.validation.published.sunset import flattening, geometry_of, refraction, sunset
 from airlight.validation.published.twilight import average_aerosol
 from airlight.validation.published.venus import EDGES, TOTAL, band_flux, global_mean, ground_flux
 from airlight.validation.run import SUITES, chosen
@@ -70,10 +70,10 @@ def test_cells_compare_by_ratio_or_by_difference() -> None:
 
 def test_a_sun_behind_no_air_is_round_and_not_lifted() -> None:
     # An exact limit: straight light.
-    paths = paths_of(replace(load_planet("earth"), refraction="none"))
-    assert refraction(paths, 0.0) == 0.0
+    geometry = geometry_of(replace(load_planet("earth"), refraction="none"))
+    assert refraction(geometry, 0.0) == 0.0
     # the arcsine of the sine of half a degree, to rounding
-    assert_allclose(flattening(paths), 1.0, rtol=1e-12)
+    assert_allclose(flattening(geometry), 1.0, rtol=1e-12)
 
 
 def test_the_sun_sets_as_the_almanac_says() -> None:
@@ -90,7 +90,10 @@ def test_the_sun_sets_as_the_almanac_says() -> None:
     high = 1.02 / np.tan(np.radians(true + 10.3 / (true + 5.11)))
     assert_allclose(height.published, (60.0 * true + high) / 32.0, atol=5e-4)
     # The law of the disc: its height is the true one less what its two limbs are lifted apart.
-    low, high = horizon.ours, 60.0 * refraction(paths_of(load_planet("earth")), 0.533 * height.ours)
+    low, high = (
+        horizon.ours,
+        60.0 * refraction(geometry_of(load_planet("earth")), 0.533 * height.ours),
+    )
     assert_allclose(height.ours, 1.0 - (low - high) / (60.0 * 0.533), atol=2e-3)
 
 
@@ -136,7 +139,7 @@ class EvenGround(Solution):
     def __init__(self, solution: Solution) -> None:
         self.medium, self.report = solution.medium, solution.report
 
-    def relative_radiance(self, sight, *, order=None):  # type: ignore[no-untyped-def]
+    def relative_radiance(self, lines, *, order=None):  # type: ignore[no-untyped-def]
         raise NotImplementedError
 
     def relative_sky_irradiance(self, r, mu_s):  # type: ignore[no-untyped-def]

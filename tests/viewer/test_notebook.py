@@ -147,7 +147,7 @@ def test_solution_arrives_as_tables(viewer: Any, solution: Any) -> None:
     # the first table of the spectra is the extinction, of three wavelengths in texels of four
     data = viewer.picture["tables"]["spectra"]["data"]
     numbers = np.frombuffer(data, np.float32).reshape(-1, 4)
-    extinction = solution.light.scaled_extinction.reshape(-1, solution.light.lanes)[:, :4]
+    extinction = solution.tables.scaled_extinction.reshape(-1, solution.tables.lanes)[:, :4]
     assert_array_equal(numbers[: len(extinction)], extinction)
     assert viewer.picture["radius"] == solution.medium.bottom_radius
     assert viewer.status.startswith("default, ")

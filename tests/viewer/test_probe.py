@@ -83,8 +83,8 @@ def test_the_map_colours_all_light_of_the_ground(mapped: MomentsSolution) -> Non
     # The map's reflectance replaces the albedo under both the star's and the sky's light.
     scene = Scene(altitude=3e6, sun_zenith=30.0, latitude=20.0, longitude=10.0)
     seen = probe(mapped, scene, direction(170.0, 0.0))
-    sight, _ = mapped.lines_of_sight(altitude=3e6, sun_zenith=30.0, view_zenith=170.0)
-    plain = radiance_parts(mapped, sight)
+    lines, _ = mapped.lines_of_sight(altitude=3e6, sun_zenith=30.0, view_zenith=170.0)
+    plain = radiance_parts(mapped, lines)
     sun = mapped.medium.solar_irradiance
     painted = {part.name: part.radiance for part in seen.parts}
     star = painted[GROUND_STAR] / (plain.ground_star[0] * sun)

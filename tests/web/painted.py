@@ -167,7 +167,7 @@ def solution(paint: tuple[float, ...] = PAINT) -> dict[str, Any]:
         "radius": 6360e3,
         "thickness": 60e3,
         "star": 0.0,
-        "paths": None,
+        "geometry": None,
     }
 
 

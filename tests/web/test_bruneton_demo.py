@@ -18,7 +18,7 @@ from numpy.testing import assert_allclose
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
 from airlight.planets import load_planet
-from airlight.solvers.sight import enter_shell
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.tables.layout import Positions
 from airlight.targets.bruneton_demo import TARGET, read_constants, read_tables
 from airlight.targets.bruneton_tables import SkyTables
@@ -146,13 +146,13 @@ def ground_light(
     spot = Positions(level, cosine, mu_s, views.nu, np.zeros(count, bool))
     back = Positions(views.r, -views.mu, mu_s, views.nu, np.zeros(count, bool))
     sunward = Positions(level, mu_s, mu_s, views.nu, np.zeros(count, bool))
-    through = tables.transmittance_at(spot) / np.maximum(tables.transmittance_at(back), 1e-30)
+    transmittance = tables.transmittance_at(spot) / np.maximum(tables.transmittance_at(back), 1e-30)
     x = np.clip(0.5 + 0.5 * mu_s / said["SUN_ANGULAR_RADIUS"], 0.0, 1.0)
     seen = (x * x * (3.0 - 2.0 * x) * np.maximum(mu_s, 0.0))[:, None]
     sun = said["SOLAR_IRRADIANCE"] * tables.transmittance_at(sunward) * seen
     lit = sun * said["SUN_SPECTRAL_RADIANCE_TO_LUMINANCE"]
     lit += tables.irradiance_at(spot) * said["SKY_SPECTRAL_RADIANCE_TO_LUMINANCE"]
-    return np.asarray(np.minimum(through, 1.0) * said["GROUND_ALBEDO"] * lit / np.pi)
+    return np.asarray(np.minimum(transmittance, 1.0) * said["GROUND_ALBEDO"] * lit / np.pi)
 
 
 @pytest.fixture(scope="module", params=["earth", "mars"])
@@ -193,13 +193,13 @@ def test_the_demo_draws_our_look_up(
     up = place / r
     mu, mu_s, nu = ray @ up, np.full(len(ray), sun @ up), ray @ sun
     sine = np.sqrt(np.maximum(1.0 - mu**2, 0.0))
-    sight = enter_shell(np.full(len(ray), r), mu, sine, mu_s, nu, bottom, top)
-    where = Positions(sight.r, sight.mu, sight.mu_s, sight.nu, sight.to_ground)
-    light = np.where((sight.length > 0.0)[:, None], tables.radiance(where), 0.0)
+    lines = enter_shell(np.full(len(ray), r), mu, sine, mu_s, nu, bottom, top)
+    where = Positions(lines.r, lines.mu, lines.mu_s, lines.nu, lines.to_ground)
+    light = np.where((lines.length > 0.0)[:, None], tables.radiance(where), 0.0)
     light *= said["SKY_SPECTRAL_RADIANCE_TO_LUMINANCE"]
     to_display = lambda one: 255.0 * (1.0 - np.exp(-one * EXPOSURE)) ** (1.0 / 2.2)  # noqa: E731
     ground = vectorized(meets_ground)(np.full(len(ray), r), mu, bottom).astype(bool)
-    light[ground] += ground_light(tables, said, where[ground], sight.length[ground])
+    light[ground] += ground_light(tables, said, where[ground], lines.length[ground])
     away = nu < np.cos(2.0 * said["SUN_ANGULAR_RADIUS"])
     assert ground.any()
     assert (~ground & away).any()

@@ -78,17 +78,17 @@ def test_edited_air_is_that_of_an_edited_medium(
         absorption=factors * solution.medium.absorption,
         ground_albedo=ground * solution.medium.ground_albedo,
     )
-    paths = RefractedGeometry.of(medium)
+    geometry = RefractedGeometry.of(medium)
     degree = int(data["plan"]["sizes"]["degree"])
-    optics = Optics(paths.medium, degree)
+    optics = Optics(geometry.medium, degree)
     air, depth = optics.air(slice(None)), optics.scattering_depth
     grid = solution.moments.grid  # the suns are the same for every degree
     dip = acos(grid.bottom_radius / grid.top_radius)
     # float32, to which both are rounded, after sums in different orders
     tables = {
         "extinction": air.extinction, "moments": air.moments,
-        "polarised_phase": air.polarised_phase, "albedo": air.ground.albedo,
-        "true_extinction": pack(paths.medium.extinction),
+        "polarised_moments": air.polarised_moments, "albedo": air.ground.albedo,
+        "unscaled_extinction": pack(geometry.medium.extinction),
     }  # fmt: skip
     for name, table in tables.items():
         wanted = table.reshape(-1, 8)[:, :4].reshape(-1)
@@ -96,8 +96,8 @@ def test_edited_air_is_that_of_an_edited_medium(
     wanted = level_weights(grid.sun_cosines, dip, depth)
     assert_allclose(np.reshape(got["level"], (-1, 4))[:, :3], wanted, rtol=1e-6, atol=1e-7)
     assert_allclose(got["thick"][:3], optically_thick_weights(depth), rtol=1e-6)
-    assert_allclose(got["strongest"], paths.medium.extinction.max(axis=1), rtol=1e-6)
-    assert_allclose(got["brightest"], paths.medium.scattering.max(axis=1), rtol=1e-6)
+    assert_allclose(got["strongest"], geometry.medium.extinction.max(axis=1), rtol=1e-6)
+    assert_allclose(got["brightest"], geometry.medium.scattering.max(axis=1), rtol=1e-6)
 
 
 def test_air_that_is_too_thick_is_refused_in_one_line(
@@ -119,13 +119,15 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
 ) -> None:
     # A second method: the operator that the CPU's loops assemble from the same rays, for any
     # residual. The page's is assembled from textures in single precision: 3e-4 of the largest.
-    settings = dataclasses.replace(page_settings(), radii=5, suns=7, zenith_angles=3, degree=4)
+    settings = dataclasses.replace(
+        page_settings(), radii=5, sun_angles=7, zenith_angles=3, degree=4
+    )
     settings = dataclasses.replace(settings, thick_degree=4)
     medium = Medium.from_planet(load_planet("titan"), WAVELENGTHS)
     data = solver_data(SimpleNamespace(medium=medium), settings)  # type: ignore[arg-type]
-    paths = RefractedGeometry.of(medium)
-    plan = plan_for(paths, settings)
-    assert plan.sizes["parts"] > 1
+    geometry = RefractedGeometry.of(medium)
+    plan = plan_for(geometry, settings)
+    assert plan.sizes["refinement"] > 1
     assert plan.setup.optics.transport_depth.max() > data["synthetic"]["thicker"]
     rays = {}
     with borrowed_sweeper(gpu) as sweeper:
@@ -139,7 +141,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     tables = {
         name: {"values": table.ravel().tolist(), "shape": list(table.shape)}
         for name, table in {
-            "start": plan.block.rays.start, "radius": plan.block.rays.radius,
+            "start": plan.batch.rays.start, "radius": plan.batch.rays.radius,
             "first_nodes": plan.setup.grid.first_nodes, "row": plan.setup.grid.row,
             "sun_cosines": plan.setup.grid.sun_cosines,
         }.items()
@@ -166,13 +168,13 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
             {**data["synthetic"], "cubics": cubics},
             rays,
             {
-                "diffusion_length": plan.block.diffusion_length,
-                "grid_diffusion": plan.block.grid_diffusion,
+                "diffusion_length": plan.batch.diffusion_length,
+                "grid_diffusion": plan.batch.grid_diffusion,
             },
             change.tolist(),
         ],
     )
-    shape = (int(plan.sizes["radii"]), int(plan.sizes["suns"]))
+    shape = (int(plan.sizes["radii"]), int(plan.sizes["sun_angles"]))
     field = change[: nodes * terms * 4].reshape(*shape, terms, 4)
     sky = change[nodes * terms * 4 :].reshape(*shape, 4)
     both = [np.concatenate([one, one], axis=-1) for one in (field, sky)]
@@ -180,7 +182,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
         (deep, light) for deep in (False, True) for light in (None, (both[0][:, :, 0], both[1]))
     ]
     for found, (deep, light) in zip(got, cases, strict=True):
-        synthetic = SyntheticAcceleration(dataclasses.replace(plan.block, deep=deep))
+        synthetic = SyntheticAcceleration(dataclasses.replace(plan.batch, deep=deep))
         moments, irradiances = synthetic.apply(*both, light)
         assert abs(moments[..., :4] - field).max() > 1.0  # acceleration adds much light
         parts = np.split(np.array(found, np.float32), [field.size])

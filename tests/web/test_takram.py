@@ -145,13 +145,13 @@ def rays(view: Shot) -> np.ndarray:
 
 def positions(air: AirLight, view: Shot) -> tuple[Any, Positions]:
     ray = rays(view).reshape(-1, 3)
-    sight, _ = air.solution.lines_of_sight(
+    lines, _ = air.solution.lines_of_sight(
         altitude=view["altitude"],
         sun_zenith=np.degrees(view["sun"]),
         view_zenith=np.degrees(np.arccos(ray[:, 2])),
         azimuth=np.degrees(np.arctan2(ray[:, 1], ray[:, 0])),
     )
-    return sight, Positions(sight.r, sight.mu, sight.mu_s, sight.nu, sight.to_ground)
+    return lines, Positions(lines.r, lines.mu, lines.mu_s, lines.nu, lines.to_ground)
 
 
 @pytest.fixture(scope="module")
@@ -238,8 +238,8 @@ def test_the_page_looks_up_as_we_do(
     tables = read_tables(takram_folder("earth"))
     for usual, read in ((False, tables), (True, replace(tables, single_mie=None))):
         for view, drawn in zip(views, shoot("earth", views, usual=usual), strict=True):
-            sight, points = positions(earth, view)
-            in_air = (sight.length > 0.0)[:, None]
+            lines, points = positions(earth, view)
+            in_air = (lines.length > 0.0)[:, None]
             looked_up = np.where(in_air, read.radiance(points), 0.0)
             assert_allclose(drawn, looked_up, rtol=3e-3, atol=1e-3 * looked_up.max())
 

@@ -390,10 +390,10 @@ def _answers(
 def _missed(solution: Any, cases: Cases) -> int:
     """Number of lines of sight that pass the planet by."""
     altitude, sun, view, azimuth = cases.values.T
-    sight, _ = solution.lines_of_sight(
+    lines, _ = solution.lines_of_sight(
         altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=azimuth
     )
-    return int(((sight.length <= 0.0) & ~sight.to_ground).sum())
+    return int(((lines.length <= 0.0) & ~lines.to_ground).sum())
 
 
 def _estimates(

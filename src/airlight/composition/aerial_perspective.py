@@ -26,8 +26,8 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.mappings.sky_view import direction_from_row
 from airlight.pixels.picture_numbers import scene_numbers
 from airlight.scene import Scene
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import enter_shell
 from airlight.units import Measure, quantity, values_in
 
 FloatArray = NDArray[np.float64]
@@ -268,10 +268,10 @@ class _March:
         mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])
         nu = np.clip(directions @ self._sun, -1.0, 1.0)
         r, mu_s = np.full_like(mu, self._r), np.full_like(mu, self._sun[2])
-        sight = enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
+        lines = enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
         sky, star = (np.zeros((mu.size, LANES), np.float32) for _ in range(2))
-        sky[:, :3] = np.maximum(self.solution.relative_radiance(sight) @ self._radiance, 0.0)
-        free = ~self.solution.paths.sight(sight).to_ground
+        sky[:, :3] = np.maximum(self.solution.relative_radiance(lines) @ self._radiance, 0.0)
+        free = ~self.solution.geometry.optical_lines(lines).to_ground
         _, through, _ = self._air.before(directions[free], np.full(int(free.sum()), np.inf))
         star[free, :3] = np.maximum(self._disc * through @ self._radiance, 0.0)
         return sky, star

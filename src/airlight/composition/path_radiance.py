@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from airlight.pixels.march_points import march_points
 from airlight.pixels.shown import shown_solution
 from airlight.scene import Scene
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import enter_shell
 
 FloatArray = NDArray[np.float64]
 
@@ -67,28 +67,28 @@ class PathRadiance:
         whole : array of bool, shape (n,)
             Whether a point lies at the end of its line in the air, or beyond.
         """
-        paths = self.solution.paths
+        geometry = self.solution.geometry
         mu, sine = directions[:, 2], np.hypot(directions[:, 0], directions[:, 1])
         nu = np.clip(directions @ self._sun, -1.0, 1.0)
         r, mu_s = np.full_like(mu, self._r), np.full_like(mu, self._sun[2])
         entered = enter_shell(r, mu, sine, mu_s, nu, self._bottom, self._top)
-        sight = paths.sight(entered)
+        lines = geometry.optical_lines(entered)
         way = np.zeros_like(mu)
         if not self.inside:
             chord = np.sqrt(np.maximum(self._top**2 - np.square(r * sine), 0.0))
             way = np.where(entered.length > 0.0, -r * mu - chord, 0.0)
         wanted = np.minimum(np.maximum(distances - way, 0.0), 1e3 * self._top)
-        asked = paths.optical_length(sight.r, sight.mu, wanted, sight.length, quick=True)
-        longest = np.where(below & sight.to_ground, _BELOW * sight.length, sight.length)
+        asked = geometry.optical_length(lines.r, lines.mu, wanted, lines.length, quick=True)
+        longest = np.where(below & lines.to_ground, _BELOW * lines.length, lines.length)
         length = np.minimum(asked, longest)
         radiance = np.zeros((mu.size, self.solution.wavelengths.size))
         transmittance = np.ones_like(radiance)
         some = length > _NOTHING
         if some.any():
-            kept = type(sight)(
-                sight.r[some], sight.mu[some], sight.mu_s[some], sight.nu[some],
-                sight.length[some], sight.to_ground[some],
+            kept = type(lines)(
+                lines.r[some], lines.mu[some], lines.mu_s[some], lines.nu[some],
+                lines.length[some], lines.to_ground[some],
             )  # fmt: skip
-            marched = self.solution.stretches(kept, length[some], light=self._tables)
+            marched = self.solution.segments(kept, length[some], tables=self._tables)
             radiance[some], transmittance[some] = marched
         return radiance, transmittance, length >= longest

@@ -81,11 +81,11 @@ class SurroundingLight:
         rise, turn = np.array(nodes, float).T
         altitude = np.minimum(_HIGH * np.expm1(_RISE * rise), self._solution.medium.thickness)
         mu_s = np.clip(np.sinh(_TURN * turn) / _LEVEL, -1.0, 1.0)
-        sight, _ = self._solution.lines_of_sight(
+        lines, _ = self._solution.lines_of_sight(
             altitude=altitude[:, None], sun_zenith=np.degrees(np.arccos(mu_s))[:, None],
             view_zenith=np.degrees(np.arccos(z))[None, :], azimuth=np.degrees(around)[None, :],
         )  # fmt: skip
-        light = self._solution.relative_radiance(sight).reshape(len(nodes), z.size, -1)
+        light = self._solution.relative_radiance(lines).reshape(len(nodes), z.size, -1)
         for node, one in zip(nodes, light, strict=True):
             self._nodes[node] = basis.T @ one
 
@@ -107,7 +107,7 @@ class SurroundingLight:
         held = np.clip(r, medium.bottom_radius, medium.top_radius)
         sine = np.sqrt(np.maximum(1.0 - mu_s**2, 0.0))
         facing = np.maximum(normals[:, 0] * sine + normals[:, 2] * mu_s, 0.0) * lit
-        star = self._solution.relative_facing_irradiance(held, mu_s) * facing[:, None]
+        star = self._solution.relative_normal_irradiance(held, mu_s) * facing[:, None]
         share = _harmonics(normals) * _RECEIVED
         # between four nodes, whose harmonics are the same for all pictures of this solution
         rise = np.log1p((held - medium.bottom_radius) / _HIGH) / _RISE

@@ -183,7 +183,7 @@ def _close_camera(lit: LitScene) -> Camera | None:
     radius = solution.lights[0].angular_radius
     zenith, width = scene.sun_zenith, _HALF_WIDTH
     planet = solution.planet
-    lift = solution.paths.largest_bend
+    lift = solution.geometry.max_refraction
     medium = solution.medium
     outside = scene.altitude >= medium.thickness
     horizon = math.degrees(math.acos(horizon_cosine(solution, scene.altitude)))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.planets.parameters import replace
-from airlight.render.sun_disc import straight_sight
+from airlight.render.sun_disc import straight_lines
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.spectra.color_matching import cie_1931
 
@@ -102,7 +102,7 @@ def horizon_cosine(solution: MomentsSolution, altitude: float) -> float:
     for _ in range(_BISECTIONS):
         middle = 0.5 * (low + high)
         view = np.array([[np.sqrt(1.0 - middle * middle), 0.0, middle]])
-        if bool(straight_sight(view, solution, altitude).to_ground[0]):
+        if bool(straight_lines(view, solution, altitude).to_ground[0]):
             low = middle
         else:
             high = middle

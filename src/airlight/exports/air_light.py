@@ -18,11 +18,11 @@ from airlight.geometry.path import ray_length
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import vectorized
-from airlight.optics.reflection import leaving_cosine, sky_factors, star_factors
+from airlight.optics.reflection import cos_reflected, diffuse_reflectances, direct_reflectances
 from airlight.planets.medium import Medium
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.march_sun_angles import scattering_by_constituent
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Solution
 from airlight.tables.columns import columns
 from airlight.tables.layout import Positions
@@ -35,11 +35,11 @@ _SKY = 12
 _SUNS = 129
 
 
-def lines_of_sight(positions: Positions, medium: Medium) -> Sight:
+def lines_of_sight(positions: Positions, medium: Medium) -> LinesOfSight:
     """Convert points to lines of sight, each ending on its side of the horizon."""
     down = vectorized(distance_to_bottom)(positions.r, positions.mu, medium.bottom_radius)
     up = vectorized(distance_to_top)(positions.r, positions.mu, medium.top_radius)
-    return Sight(
+    return LinesOfSight(
         positions.r,
         positions.mu,
         positions.mu_s,
@@ -93,26 +93,26 @@ class AirLight:
         """Whether single scattering is included."""
         return None in self.orders or 1 in self.orders
 
-    def with_first(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
-        """Air's light of all the orders together, and of the first, shape (n, nl). [sr⁻¹]"""
-        through = self._through(sight)
-        first = self._of_order(sight, 1, through)
+    def with_first(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
+        """Path radiance of all included orders, and of single scattering, shape (n, nl). [sr⁻¹]"""
+        transmittance = self._ground_transmittance(lines)
+        first = self._of_order(lines, 1, transmittance)
         rest = [
-            first if order == 1 else self._of_order(sight, order, through) for order in self.orders
+            first if order == 1 else self._of_order(lines, order, transmittance)
+            for order in self.orders
         ]
         return np.asarray(sum(rest)), first
 
-    def single_and_multiple(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
-        """Air's light in the solution's own parts, if it is a moments solution.
+    def single_and_multiple(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
+        """Path radiance split into single scattering and the rest, for a moments solution.
 
-        With all orders, the light scattered once is that of single scattering proper, and what
-        forward peaks scatter again is in the rest, unless it counts as scattered once. The first
-        order alone is the solution's own, in air thinned by its peaks.
+        With all orders, single scattering is unscaled, and multiple scattering within forward peaks
+        belongs to the rest. The first order alone is that of the solution, with delta-M scaling.
 
         Returns
         -------
         once : array, shape (n, nc, nl)
-            Light scattered once by each constituent, to be multiplied by its phase function. [1]
+            Single scattering by each constituent, to be multiplied by its phase function. [1]
         rest : array, shape (n, nl)
             Radiance of all other orders that are included. [sr⁻¹]
         """
@@ -120,81 +120,85 @@ class AirLight:
         assert isinstance(solution, MomentsSolution)
         whole = None in self.orders
         if whole and not self.peaks_once:
-            light, once = scattering_by_constituent(solution, sight, 2, delta_scaled=False)
-            own = solution.medium.phase_function(solution.paths.apparent_nu(sight))
+            light, once = scattering_by_constituent(solution, lines, 2, delta_scaled=False)
+            own = solution.medium.phase_function(solution.geometry.apparent_nu(lines))
             return once, np.maximum(light - (once * own).sum(axis=1), 0.0)
         light, once = scattering_by_constituent(
-            solution, sight, 0 if whole else 1, delta_scaled=True
+            solution, lines, 0 if whole else 1, delta_scaled=True
         )
         return once, light if whole else np.zeros_like(light)
 
-    def __call__(self, sight: Sight) -> FloatArray:
-        """Air's light of all the orders together, shape (n, nl). [sr⁻¹]"""
-        through = self._through(sight)
-        return np.asarray(sum(self._of_order(sight, order, through) for order in self.orders))
+    def __call__(self, lines: LinesOfSight) -> FloatArray:
+        """Path radiance of all included orders, shape (n, nl). [sr⁻¹]"""
+        transmittance = self._ground_transmittance(lines)
+        return np.asarray(sum(self._of_order(lines, order, transmittance) for order in self.orders))
 
-    def under_many_stars(self, sight: Sight) -> FloatArray:
-        """Same as a call, faster where neighbours differ in the place of the star alone. [sr⁻¹]"""
+    def at_sun_angles(self, lines: LinesOfSight) -> FloatArray:
+        """Same as a call; faster where neighbouring lines differ only in the sun angle. [sr⁻¹]"""
         if not self.separates_ground:
-            return self(sight)
+            return self(lines)
         assert isinstance(self.solution, MomentsSolution)
         orders = 2 if None in self.orders else 1
-        return scattering_by_constituent(self.solution, sight, orders, delta_scaled=True)[0]
+        return scattering_by_constituent(self.solution, lines, orders, delta_scaled=True)[0]
 
-    def before_the_ground(self, sight: Sight) -> tuple[FloatArray, FloatArray]:
-        """Air's light, and all light of the same orders, the ground's included, (n, nl). [sr⁻¹]"""
+    def path_and_total_radiance(self, lines: LinesOfSight) -> tuple[FloatArray, FloatArray]:
+        """Path radiance and total radiance (ground included) of the same orders, (n, nl). [sr⁻¹]"""
         if self.separates_ground:
             assert isinstance(self.solution, MomentsSolution)
-            own, whole = self.solution.before_the_ground(sight, 2 if None in self.orders else 1)
+            own, whole = self.solution.path_and_total_radiance(
+                lines, 2 if None in self.orders else 1
+            )
             return own, np.maximum(whole, own)
-        own, rows = self(sight), sight.to_ground
+        own, rows = self(lines), lines.to_ground
         whole = own.copy()
         if rows.any():
-            down = Sight(*(values[rows] for values in vars(sight).values()))
+            down = LinesOfSight(*(values[rows] for values in vars(lines).values()))
             light = sum(self.solution.relative_radiance(down, order=k) for k in self.orders)
             whole[rows] = np.maximum(np.asarray(light), own[rows])
         return own, whole
 
-    def _through(self, sight: Sight) -> FloatArray:
-        """Transmittance of the lines that end on the ground, one row for each, (rows, nl). [1]"""
+    def _ground_transmittance(self, lines: LinesOfSight) -> FloatArray:
+        """Transmittance of the lines that end on the ground, shape (rows, nl). [1]"""
         medium = self.solution.medium
-        rows = sight.to_ground
+        rows = lines.to_ground
         if self.separates_ground:
             return np.empty((0, medium.wavelengths.size))
         depth = columns(
-            sight.r[rows], sight.mu[rows], sight.length[rows],
+            lines.r[rows], lines.mu[rows], lines.length[rows],
             medium.bottom_radius, medium.density, nodes=16, panels=3,
         )  # fmt: skip
         return np.exp(-(depth @ medium.extinction))
 
-    def _of_order(self, sight: Sight, order: int | None, through: FloatArray) -> FloatArray:
-        rows = sight.to_ground
+    def _of_order(
+        self, lines: LinesOfSight, order: int | None, transmittance: FloatArray
+    ) -> FloatArray:
+        rows = lines.to_ground
         if self.separates_ground:
-            sight = replace(sight, to_ground=np.zeros_like(rows))
-        light = self.solution.relative_radiance(sight, order=order)
+            lines = replace(lines, to_ground=np.zeros_like(rows))
+        light = self.solution.relative_radiance(lines, order=order)
         if rows.any() and not self.separates_ground:
             light = np.array(light)
-            light[rows] -= through * self._ground(sight, order)
+            light[rows] -= transmittance * self._ground(lines, order)
         return np.maximum(light, 0.0)
 
-    def _ground(self, sight: Sight, order: int | None) -> FloatArray:
+    def _ground(self, lines: LinesOfSight, order: int | None) -> FloatArray:
         """Radiance of the ground, of one order, where lines of sight end on it, (rows, nl). [sr⁻¹]
 
         Of its light the star's comes from one direction, the sky's from all.
         """
-        medium, rows = self.solution.medium, sight.to_ground
-        bottom, nu = medium.bottom_radius, sight.nu[rows]
-        mu_s = (sight.r[rows] * sight.mu_s[rows] + sight.length[rows] * nu) / bottom
+        medium, rows = self.solution.medium, lines.to_ground
+        bottom, nu = medium.bottom_radius, lines.nu[rows]
+        mu_s = (lines.r[rows] * lines.mu_s[rows] + lines.length[rows] * nu) / bottom
         mu_s = np.clip(mu_s, -1.0, 1.0)
-        leaving = vectorized(leaving_cosine)(sight.r[rows], sight.mu[rows], bottom)
+        mu_r = vectorized(cos_reflected)(lines.r[rows], lines.mu[rows], bottom)
         total = np.zeros((mu_s.size, medium.wavelengths.size))
         factor = np.empty_like(total)
         if order in (None, 1):
-            star_factors(medium.ground, mu_s, leaving, nu, factor)
+            direct_reflectances(medium.ground, mu_s, mu_r, nu, factor)
             r = np.full(mu_s.size, bottom)
             total += factor * self.solution.relative_direct_irradiance(r, mu_s)
         if order != 1:
-            sky_factors(medium.ground, leaving, factor)
+            diffuse_reflectances(medium.ground, mu_r, factor)
             total += factor * self._sky_at(mu_s, 0 if order is None else order - 1)
         return total / np.pi
 
@@ -228,7 +232,7 @@ class AirLight:
             r = np.full(view.size, medium.bottom_radius)
             length = vectorized(ray_length)(r, view, medium.bottom_radius, medium.top_radius)
             sky = self.solution.relative_radiance(
-                Sight(r, view, mu_s, nu, length, np.zeros(r.size, bool)), order=order
+                LinesOfSight(r, view, mu_s, nu, length, np.zeros(r.size, bool)), order=order
             ).reshape(suns.size, _SKY, _SKY, -1)
             values = 2.0 * np.pi * np.einsum("smal,m->sl", sky, weight * mu) / _SKY
             self._skies[order] = suns, values

@@ -312,7 +312,7 @@ def _scattering(
     dust_is = f"{_AIR}: the particles' part, divided by their phase function"
     if packing == "phase-included":
         values = step.run(
-            positions, lambda p: [air.under_many_stars(lines_of_sight(p, medium))], "scattering"
+            positions, lambda p: [air.at_sun_angles(lines_of_sight(p, medium))], "scattering"
         )[0]
         return [("scattering", values, _AIR, "sr-1")]
     if isinstance(where, AtmospherePlusLayout):
@@ -406,7 +406,7 @@ def _peaked(
     shell = (medium.bottom_radius, medium.top_radius)
 
     def compared(where: Positions) -> list[FloatArray]:
-        own, whole = air.before_the_ground(lines_of_sight(where, medium))
+        own, whole = air.path_and_total_radiance(lines_of_sight(where, medium))
         return [light.relative_radiance(where), own, whole]
 
     def size(made: FloatArray, exact: FloatArray, whole: FloatArray) -> FloatArray:
@@ -459,7 +459,7 @@ def _errors(
             continue
         positions = table_errors.random_positions(medium, points, seed, given)
         exact, whole = step.run(
-            positions, lambda p: [*air.before_the_ground(lines_of_sight(p, medium))], "errors"
+            positions, lambda p: [*air.path_and_total_radiance(lines_of_sight(p, medium))], "errors"
         )
         turned = "even, 0 to 180 deg" if given is None else f"{given:g} deg"
         made = light.relative_radiance(positions)

@@ -88,7 +88,7 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
     shape = _shape(baked)
     bundle = Bundle({name: Constant(value) for name, value in shape._asdict().items()})
     phases = Table(PHASES, spectral=True)
-    sight: tuple[Value, ...] = (F32, F32, F32, F32, BOOL)
+    ray: tuple[Value, ...] = (F32, F32, F32, F32, BOOL)
     given = ", ".join((*_SIGHT, "to_ground"))
     emitter.add(ends_on_ground, F32, F32, bundle, name="ends_on_ground")
     parts: list[str] = []
@@ -96,11 +96,11 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
         table = Table(texture_name(name), spectral=True)
         scale = Constant(baked.tables[name].scale)
         if baked.light.packing == "combined":
-            found = emitter.add(scattering_at, table, *sight, bundle, name="stored_light")
+            found = emitter.add(scattering_at, table, *ray, bundle, name="stored_light")
             parts.append(f"{found.name}({given})")
             continue
         found = emitter.add(
-            light_at, table, phases, *sight, Constant(row), scale, bundle,
+            light_at, table, phases, *ray, Constant(row), scale, bundle,
             name=f"light_of_{table.name}",
         )  # fmt: skip
         parts.append(f"{found.name}({given})")

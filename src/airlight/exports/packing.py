@@ -149,16 +149,16 @@ def separate_orders(
     scaled to the solution's first order where they contribute most of it.
     """
     medium = air.solution.medium
-    sight = lines_of_sight(positions, medium)
+    lines = lines_of_sight(positions, medium)
     kinds = len(groups.phases.names) - 1
     if not air.has_first:
-        light = air(sight)
+        light = air(lines)
         nothing = np.zeros((len(positions), kinds, light.shape[-1]))
         return SeparatedLight(np.zeros_like(light), light, nothing, light)
     own = medium.phase_function(positions.nu)
     gas, particles = list(groups.gas), list(groups.particles)
     if air.separates_ground:
-        once, multiple = air.single_and_multiple(sight)
+        once, multiple = air.single_and_multiple(lines)
         from_gas = (own[:, gas] * once[:, gas]).sum(axis=1)
         mie = once[:, particles]
         if kinds and not each:
@@ -167,8 +167,8 @@ def separate_orders(
         return SeparatedLight(
             from_gas / groups.phases.at("gas", positions.nu), multiple, mie, multiple
         )
-    light, first = air.with_first(sight)
-    once = scattered_once(medium, sight)
+    light, first = air.with_first(lines)
+    once = scattered_once(medium, lines)
     if each:  # as in the look-up
         for kind, index in zip(groups.phases.names[1:], particles, strict=True):
             own[:, index] = groups.phases.at(kind, positions.nu)
@@ -249,7 +249,7 @@ def fit_azimuths(
     around = [at_azimuth(positions, azimuth) for azimuth in azimuths]
     fields = ("r", "mu", "mu_s", "nu", "to_ground")
     each = (np.stack([getattr(one, name) for one in around], axis=-1).ravel() for name in fields)
-    light = air.under_many_stars(lines_of_sight(Positions(*each), medium))
+    light = air.at_sun_angles(lines_of_sight(Positions(*each), medium))
     light = np.moveaxis(light.reshape(len(positions), FIT_AZIMUTHS, -1), 1, 0)
     p_gas = np.stack([groups.phases.at("gas", one.nu) for one in around])
     weight = 1.0 / np.maximum(light, _DIM * light.max(axis=0) + _TINY) ** 2

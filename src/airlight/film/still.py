@@ -118,7 +118,7 @@ class PlanetStill:
         solution, scene = self._solution(), self.scene
         if scene.time is not None:
             now = self.planet.lit_at(scene.time)
-            solution = solution.lit_by(now.lights(solution.wavelengths)[0])
+            solution = solution.with_light(now.lights(solution.wavelengths)[0])
         if width is not None:
             camera = scene.camera
             columns, rows = _reduced(camera.projection, camera.width, camera.height, width)

@@ -1,7 +1,7 @@
-"""Cubic curves through points: with given slopes, monotone, splines, and Catmull and Rom's.
+"""Cubic interpolation: Hermite, monotone (PCHIP), not-a-knot spline, Catmull-Rom.
 
-The curves equal SciPy's ``PchipInterpolator`` and ``CubicSpline``, whose import takes as long as a
-picture; the tests compare them.
+Results equal SciPy's ``PchipInterpolator`` and ``CubicSpline``, whose import takes as long as
+rendering a picture.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ FloatArray = NDArray[np.float64]
 
 
 def cubic_curve(x: FloatArray, y: FloatArray, slopes: FloatArray, at: ArrayLike) -> FloatArray:
-    """Evaluate the cubic curve with the given values and slopes.
+    """Cubic Hermite interpolation.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ def cubic_curve(x: FloatArray, y: FloatArray, slopes: FloatArray, at: ArrayLike)
     y, slopes : array, shape (n, k...)
         Values and derivatives at ``x``.
     at : array, shape (m...)
-        Points of evaluation; beyond the ends the outermost cubic is continued.
+        Points of evaluation; outside, the outermost cubic is extrapolated.
 
     Returns
     -------
@@ -48,11 +48,10 @@ def cubic_curve(x: FloatArray, y: FloatArray, slopes: FloatArray, at: ArrayLike)
 
 
 def monotone_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
-    """Slopes of a cubic curve that rises and falls only where its points do (PCHIP).
+    """Slopes of monotone cubic interpolation (PCHIP).
 
-    Inside, the slope is 0 at a turn, otherwise the harmonic mean of the two chords' slopes,
-    weighted by the steps; at the ends it follows from three points, limited so that the shape is
-    kept.
+    At inner points 0 at an extremum, otherwise the weighted harmonic mean of the slopes of both
+    chords; at the ends from three points, limited to preserve the shape.
 
     Parameters
     ----------
@@ -100,7 +99,7 @@ def _end_slope(step: float, next_step: float, chord: float, next_chord: float) -
 
 
 def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> FloatArray:
-    """Slopes of the not-a-knot cubic spline through points, which is twice differentiable.
+    """Slopes of the not-a-knot cubic spline.
 
     The two outermost intervals at either end share one cubic; three points give the parabola, two
     the straight line.
@@ -151,7 +150,7 @@ def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> F
 
 @compiled_loop
 def _solve_tridiagonal(below, middle, above, wanted):
-    """Solve a tridiagonal system by elimination, in place; pivots of a spline stay positive."""
+    """Solution of a tridiagonal system by elimination, in place; pivots are positive."""
     for k in range(1, middle.size):
         factor = below[k] / middle[k - 1]
         middle[k] -= factor * above[k - 1]
@@ -175,7 +174,7 @@ def _no_knot(
 
 @kernel
 def catmull_rom(node, t):
-    """Weight of one of four evenly spaced points in the cubic between the inner two. [1]
+    """Catmull-Rom weight of one of four evenly spaced points. [1]
 
     Parameters
     ----------

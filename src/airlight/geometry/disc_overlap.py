@@ -1,17 +1,16 @@
-r"""Visible part of a limb-darkened disc behind others: the light that an eclipse leaves.
+r"""Visible fraction of a limb-darkened disc behind occluders.
 
 Discs are circles on the sphere of directions: the star, of angular radius α, and occluders of any
-size. At a distance ρ from the star's centre, an occluder of radius R whose centre is δ away covers
-the arc of half width h,
+size. On the circle of radius ρ about the star's centre, an occluder of radius R at the separation δ
+covers an arc of half width h,
 
 .. math:: \sin^2\frac{h}{2} = \frac{\sin\frac{R + \rho - \delta}{2} \sin\frac{R - \rho + \delta}{2}}
                                    {\sin\rho \sin\delta}
 
-which follows from the cosine rule and loses no digits where all angles are small. Arcs of several
-occluders are joined before they are counted, so that no overlap counts twice. The light is the
-integral over the cosine μ of the angle of emergence, sin ρ = sin α sqrt(1 - μ²), of the law of
-darkening times the free arc: the irradiance of a plane that faces the star, exact for a sphere at
-any distance.
+by the cosine rule, without cancellation for small angles. The union of the arcs of several
+occluders is subtracted. The fraction is the integral over the cosine μ of the angle of emergence,
+sin ρ = sin α sqrt(1 - μ²), of the limb-darkening law times the free arc: direct normal irradiance,
+exact for a sphere at any distance.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Largest number of occluders.
 MOST_OCCLUDERS: Final = 16
-#: Points of one panel between two kinks of the free arc.
+#: Points of a panel between two kinks of the free arc.
 _POINTS: Final = 24
 #: Ends of panels: of the disc, and two for each occluder.
 _ENDS: Final = 2 + 2 * MOST_OCCLUDERS
@@ -38,7 +37,7 @@ _ENDS: Final = 2 + 2 * MOST_OCCLUDERS
 
 @kernel
 def covered_half_arc(rho, separation, radius):
-    """Half width of the arc of a circle that an occluder covers. [rad]
+    """Half width of the arc of a circle covered by an occluder. [rad]
 
     Parameters
     ----------
@@ -67,7 +66,7 @@ def covered_half_arc(rho, separation, radius):
 
 @compiled_loop
 def free_arc(rho, occluders, starts, ends):
-    """Part of a circle that no occluder covers. [1]
+    """Fraction of a circle not covered by any occluder. [1]
 
     Parameters
     ----------
@@ -93,7 +92,7 @@ def free_arc(rho, occluders, starts, ends):
                 count += 1
     covered, reached = 0.0, 0.0
     for _ in range(count):
-        # The arc that starts next; few arcs need no better sort.
+        # The arc that starts next: selection sort suffices for few arcs.
         following = -1
         for k in range(count):
             if starts[k] >= 0.0 and (following < 0 or starts[k] < starts[following]):
@@ -106,7 +105,7 @@ def free_arc(rho, occluders, starts, ends):
 
 @compiled_loop
 def visible_disc(star_radius, occluders, darkening, nodes, weights, out):
-    """Light of a disc that occluders leave, over that of the whole disc.
+    """Visible fraction of the irradiance of a disc behind occluders.
 
     Parameters
     ----------
@@ -115,7 +114,7 @@ def visible_disc(star_radius, occluders, darkening, nodes, weights, out):
     occluders : array, shape (n, 3)
         Separation, position angle about the star's centre, and radius of each occluder. [rad]
     darkening : array, shape (nl, 6)
-        Coefficients of the radiance by powers of the cosine of emergence, of mean 1 over the disc.
+        Limb-darkening coefficients by powers of the cosine of emergence, of mean 1 over the disc.
     nodes, weights : array, shape (p,)
         Gauss-Legendre rule on 0 to 1.
     out : array, shape (nl,)
@@ -139,7 +138,7 @@ def visible_disc(star_radius, occluders, darkening, nodes, weights, out):
     for panel in range(total - 1):
         low, wide = places[panel], places[panel + 1] - places[panel]
         for k in range(nodes.size):
-            # The free arc has a root at a kink, which this step of integration removes.
+            # The substitution removes the square root of the free arc at a kink.
             turn = sin(0.5 * pi * nodes[k])
             step = wide * pi * turn * sqrt((1.0 - turn) * (1.0 + turn))
             mu = low + wide * turn * turn
@@ -154,7 +153,7 @@ def visible_disc(star_radius, occluders, darkening, nodes, weights, out):
 
 @compiled_loop
 def visible_discs(star_radius, occluders, darkening, nodes, weights, out):
-    """Light of a disc that occluders leave, at many points; arguments of ``visible_disc``.
+    """``visible_disc`` at m points.
 
     Parameters
     ----------
@@ -179,7 +178,7 @@ def visible_light(
     position: npt.ArrayLike = 0.0,
     darkening: npt.ArrayLike | None = None,
 ) -> FloatArray:
-    """Light of a star's disc that occluders leave, over that of the whole disc.
+    """Visible fraction of the irradiance of a star's disc behind occluders.
 
     Parameters
     ----------
@@ -190,7 +189,7 @@ def visible_light(
     position : array, shape (n,)
         Position angles of the occluders about the star's centre, from any direction. [deg]
     darkening : array, shape (nl, 6), optional
-        Law of darkening, see ``spectra.limb_darkening``; a uniform disc by default.
+        Limb-darkening law, see ``spectra.limb_darkening``; default: a uniform disc.
 
     Returns
     -------

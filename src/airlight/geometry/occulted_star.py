@@ -1,14 +1,14 @@
-r"""Star behind a sphere without air, from points near a planet: the light that an eclipse leaves.
+r"""Star occulted by an airless sphere, from points near a planet: visible fraction as a table.
 
-The fraction is that of ``disc_overlap``, in a table over the apparent radius of the occluder and
-the separation of the discs. Both change from point to point: the occluder is near, and so may be
-the star. Separations δ run through two stretches, each even in its own coordinate: from 0 to the
-inner contact ``|R - α|``, and from there to the outer contact R + α as
+The fraction of ``disc_overlap`` is tabulated over the apparent radius of the occluder and the
+separation of the discs, which both vary between points: the occluder is near, and so may be the
+star. Separations δ have two intervals, each even in its own coordinate: from 0 to the inner contact
+``|R - α|``, and from there to the outer contact R + α as
 
 .. math:: \delta = |R - \alpha| + \min(R, \alpha) (1 - \cos \pi t)
 
-which removes the powers 3/2 with which light begins and ends at the contacts. The table holds cube
-roots, so that the last crescent keeps its relative accuracy.
+which removes the powers 3/2 of the fraction at the contacts. The table holds cube roots, so that
+thin crescents keep their relative accuracy.
 """
 
 from __future__ import annotations
@@ -37,22 +37,22 @@ _POINTS: Final = 24
 
 
 class OccultedStar(NamedTuple):
-    """Star and the sphere in front of it, in a frame around the centre of a planet.
+    """Star and its occluder, in a frame around the centre of a planet.
 
     Attributes
     ----------
     x, y, z : float
         Centre of the occluder. [m]
     radius : float
-        Its radius. [m]
+        Radius of the occluder. [m]
     star_x, star_y, star_z : float
         Direction of the star from the centre of the planet. [1]
     nearness : float
-        Inverse distance of the star from there; 0 for a star at infinity. [m⁻¹]
+        Inverse distance of the star; 0 for a star at infinity. [m⁻¹]
     star_radius : float
         Angular radius of the star. [rad]
     scale : float
-        True length over that of the coordinates in which points are given. [1]
+        True length over length in the coordinates of points. [1]
     smallest, step : float
         First apparent radius of the table, and its step. [rad]
     lanes : int
@@ -84,7 +84,7 @@ class OccultedStar(NamedTuple):
         axes : array, shape (3, 3)
             Axes of that frame, as rows. [1]
         scale : float
-            True length over that of the coordinates in which points are given. [1]
+            True length over length in the coordinates of points. [1]
         """
         x, y, z = (float(one) for one in axes @ [self.x, self.y, self.z])
         a, b, c = (float(one) for one in axes @ [self.star_x, self.star_y, self.star_z])
@@ -92,7 +92,7 @@ class OccultedStar(NamedTuple):
 
     @classmethod
     def whole(cls) -> OccultedStar:
-        """Star with nothing in front of it: it has no lanes."""
+        """Star without occluder, encoded by 0 lanes."""
         return cls(
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0, np.zeros(1, np.float32)
         )
@@ -113,24 +113,24 @@ def occulted_star(
     reach: float,
     distance: float = np.inf,
 ) -> OccultedStar:
-    """Star behind a sphere, for points around a planet's centre.
+    """Star occulted by a sphere, for points around a planet's centre.
 
     Parameters
     ----------
     occluder : array, shape (3,)
         Centre of the sphere, from the centre of the planet. [m]
     radius : float
-        Its radius. [m]
+        Radius of the sphere. [m]
     star : array, shape (3,)
         Direction of the star from the centre of the planet. [1]
     star_radius : float
         Angular radius of the star there, above 0. [rad]
     darkening : array, shape (nl, 6)
-        Law of darkening, see ``spectra.limb_darkening``. [1]
+        Limb-darkening law, see ``spectra.limb_darkening``. [1]
     reach : float
-        Distance from the centre of the planet within which points lie. [m]
+        Largest distance of points from the centre of the planet. [m]
     distance : float
-        Distance of the star; at infinity by default. [m]
+        Distance of the star; default: infinite. [m]
 
     Raises
     ------
@@ -186,7 +186,7 @@ def apparent_discs(x, y, z, star):
     Parameters
     ----------
     x, y, z : float
-        Point, in the frame and by the scale of ``star``. [m]
+        Point, in the frame and scale of ``star``. [m]
     star : OccultedStar
     """
     px, py, pz = star.scale * x, star.scale * y, star.scale * z
@@ -216,7 +216,7 @@ def table_place(separation, size, star):
     Returns
     -------
     near : int
-        Index of the first lane of the node before; -1 for all of the star's light, -2 for none.
+        Index of the first lane of the node before; -1 for the unocculted star, -2 for totality.
     e, f : float
         Fractions of the steps to the next separation and to the next apparent radius. [1]
     """
@@ -239,7 +239,7 @@ def table_place(separation, size, star):
 
 @inlined
 def seen_lanes(near, e, f, star, at):
-    """Part of the star's light that the occluder leaves, of eight wavelengths. [1]
+    """Visible fraction of the star at eight wavelengths. [1]
 
     Parameters
     ----------
@@ -264,7 +264,7 @@ def seen_lanes(near, e, f, star, at):
 
 @inlined
 def seen_part(x, y, z, star):
-    """Part of the light of a star of one wavelength that the occluder leaves at a point. [1]
+    """Visible fraction of the star at a point, for one wavelength. [1]
 
     Parameters
     ----------

@@ -1,12 +1,12 @@
-"""Points along a ray through the shell, placed where the air changes.
+"""Quadrature points along a ray through the shell.
 
-A ray is cut at its lowest point into legs. On a leg the radius is ``r = r_0 + y²``, and y is the
-variable of the Gauss-Legendre panels: next to a tangent point y is proportional to the distance,
-on a steep leg the points are dense at its lower end, where r_0 is. A leg that begins slightly
-beside the tangent point of its line has r_0 there, since the distance is not a smooth function of a
-y counted from any other radius (the column would err by 1e-2 with 10 points, 1e-3 with 2 x 20).
-So 16 points per leg integrate exponential air to 2e-5, and the panels' running integrals give the
-column from the observer to every point without a sum of short steps.
+A ray is split at its tangent point into legs. On a leg the radius is ``r = r_0 + y²``, and y is the
+variable of the Gauss-Legendre panels: next to a tangent point y is proportional to the distance; on
+a steep leg, points are dense at its lower end, r_0. For a leg that begins close to the tangent
+point of its line, r_0 is the tangent radius, since the distance is not a smooth function of y for
+any other r_0 (column errors of 1e-2 with 10 points, 1e-3 with 2 x 20). 16 points per leg integrate
+an exponential profile to 2e-5, and the running integrals of the panels yield the column up to every
+point.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from airlight.kernel import compiled_loop, kernel
 
 #: Largest number of panel edges on a ray (two legs, their halves, two ends of the shadow).
 MAX_EDGES = 64
-#: A leg begins beside its line's tangent point if that is lower by less than this fraction of the
-#: leg's height. A smaller value is less smooth, a larger one leaves few points in a low haze.
+#: A leg counts as close to its tangent point if that is lower by less than this fraction of the
+#: leg's height. A smaller value is less smooth, a larger one has few points in a low haze.
 _BESIDE = 0.02
 
 
@@ -39,7 +39,7 @@ def ray_length(r, mu, bottom_radius, top_radius):
 
 @kernel
 def shadow_edges(r, mu, mu_s, nu, bottom_radius):
-    """Distances at which the line of a ray enters and leaves the planet's geometric shadow. [m]
+    """Distances at which the line of a ray enters and leaves the planet's shadow. [m]
 
     The shadow is the half cylinder behind the planet, for a star at infinity.
 
@@ -85,7 +85,7 @@ def shadow_edges(r, mu, mu_s, nu, bottom_radius):
 
 @compiled_loop
 def insert_edge(edges, count, cut):
-    """Add a cut inside a ray to its ascending edges, unless the array is full.
+    """Insert an edge into the ascending panel edges of a ray, unless the array is full.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def insert_edge(edges, count, cut):
     count : int
         Number of edges.
     cut : float
-        Distance of the cut, ignored outside the ray. [m]
+        Distance of the new edge, ignored outside the ray. [m]
 
     Returns
     -------
@@ -113,16 +113,16 @@ def insert_edge(edges, count, cut):
 
 @compiled_loop
 def place_edges(r, mu, length, panels, first_cut, second_cut, edges):
-    """Cut a stretch of a ray into panels: at its lowest point, evenly in x, and at two more points.
+    """Panel edges of a segment of a ray: tangent point, even steps in x, and two further points.
 
     Parameters
     ----------
     r, mu, length : float
-        Start radius, zenith cosine and length of the stretch. [m], [1], [m]
+        Start radius, zenith cosine and length of the segment. [m], [1], [m]
     panels : int
-        Panels on each leg.
+        Panels per leg.
     first_cut, second_cut : float
-        Further cuts, ignored outside (0, length). [m]
+        Further edges, ignored outside (0, length). [m]
     edges : array, shape (MAX_EDGES,)
         Receives the ascending distances, 0 first and length last. [m]
 
@@ -175,7 +175,7 @@ def panel_leg(r, mu, start, end, length):
     descending : bool
         Whether the leg descends.
     low, beside : float
-        Radius from which y is counted, and its distance from the line's nearest point. [m]
+        Radius r_0 of the leg, and its distance from the tangent point of the line. [m]
     first, last : float
         Values of y at the start and end of the panel. [m^½]
     """
@@ -205,7 +205,7 @@ def panel_point(nearest, descending, low, beside, first, last, node):
     Parameters
     ----------
     nearest : float
-        Distance along the ray to its line's nearest point. [m]
+        Distance along the ray to the tangent point of its line. [m]
     descending, low, beside, first, last :
         Values from ``panel_leg``.
     node : float

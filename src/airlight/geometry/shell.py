@@ -1,7 +1,7 @@
 """Distances and horizons in a spherical shell.
 
-A ray starts at radius ``r`` [m] and leaves with the cosine ``mu`` between its direction and the
-local zenith. Differences of squares are written as products, so that nothing cancels.
+A ray starts at radius ``r`` [m] with the zenith cosine ``mu``. Differences of squares are written
+as products, to avoid cancellation.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from airlight.kernel import kernel
 
 @kernel
 def chord(r, mu, radius):
-    """Half the chord that a sphere cuts from the line of a ray; 0 if it misses. [m]
+    """Half chord of a sphere on the line of a ray; 0 if it misses. [m]
 
-    The line is nearest to the centre at distance -r·mu along the ray; it meets the sphere half a
-    chord before and after that point.
+    The tangent point is at the distance -r·mu along the ray; the line meets the sphere half a chord
+    before and after it.
     """
     return sqrt(max((radius - r) * (radius + r) + r * r * mu * mu, 0.0))
 
@@ -31,8 +31,8 @@ def distance_to_top(r, mu, top_radius):
 def distance_to_bottom(r, mu, bottom_radius):
     """Distance along a ray to the ground, for a ray that meets it. [m]
 
-    The product of both distances to the sphere is that of its power: near the ground the difference
-    -r·mu - chord would cancel, by 0.5 m on the Earth in single precision.
+    From the power of the point, the product of both distances: near the ground the difference
+    -r·mu - chord would cancel, with an error of 0.5 m on Earth in single precision.
     """
     further = chord(r, mu, bottom_radius) - r * mu
     if further <= 0.0:
@@ -54,20 +54,20 @@ def meets_ground(r, mu, bottom_radius):
 
 @kernel
 def radius_along(r, mu, distance):
-    """Distance from the centre after a distance along a ray. [m]"""
+    """Radius after a distance along a ray. [m]"""
     return sqrt(max(distance * (distance + 2.0 * r * mu) + r * r, 0.0))
 
 
 @kernel
 def way_to_shell(r, mu, sine, top_radius):
-    """Distance along a line of sight from outside to the shell, and the cosine at its entry.
+    """Distance along a line of sight from outside to the shell, and zenith cosine at entry.
 
     Parameters
     ----------
     r, mu : float
         Distance from the centre, more than ``top_radius`` [m]; cosine of the zenith angle. [1]
     sine : float
-        Sine of the zenith angle, which gives the line's nearest distance also from far away. [1]
+        Sine of the zenith angle, for an accurate impact parameter far away. [1]
     top_radius : float
         Radius of the top of the shell. [m]
 
@@ -87,14 +87,14 @@ def way_to_shell(r, mu, sine, top_radius):
 
 @kernel
 def first_meeting(impact, sine, radius):
-    """First intersection of a descending line of sight with a sphere, from the centre. [m]
+    """First intersection of a descending line of sight with a sphere, from its centre. [m]
 
-    No cancellation occurs, however far away the observer is.
+    Free of cancellation for distant observers.
 
     Parameters
     ----------
     impact : float
-        Nearest distance of the line to the centre, less than ``radius``. [m]
+        Impact parameter, less than ``radius``. [m]
     sine : float
         Sine of the line's zenith angle at the observer, whose cosine is negative. [1]
     radius : float

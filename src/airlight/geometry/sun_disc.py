@@ -12,8 +12,8 @@ from airlight.kernel import kernel
 def sun_elevation(r, mu_s, bottom_radius):
     """Elevation of the star's centre above the geometric horizon, accurate near it. [rad]
 
-    The difference of the cosines over the sine of the horizon's zenith angle: within the disc of
-    a star of 0.5° its error is below 3e-5 rad.
+    Difference of the cosines over the sine of the horizon's zenith angle: within a disc of 0.5° the
+    error is below 3e-5 rad.
     """
     sine = bottom_radius / r
     return (mu_s - horizon_cosine(r, bottom_radius)) / sine
@@ -54,8 +54,8 @@ def visible_fraction(elevation, angular_radius):
 
     Notes
     -----
-    The horizon's own curvature over the disc is neglected: for the sun from Earth's ground its
-    sagitta is below 1e-5 of the disc's diameter; seen from 400 km below 1e-3.
+    The curvature of the horizon over the disc is neglected: for the sun from Earth's ground its
+    sagitta is below 1e-5 of the disc's diameter; from 400 km below 1e-3.
 
     Examples
     --------
@@ -74,7 +74,7 @@ def visible_fraction(elevation, angular_radius):
 
 @kernel
 def mean_cosine(elevation, sine_elevation, angular_radius):
-    r"""Mean over a disc of max(0, cosine of the zenith angle): its irradiance of level ground. [1]
+    r"""Mean of max(0, zenith cosine) over a disc: its horizontal irradiance. [1]
 
     .. math:: \frac{1}{\pi\alpha^2} \int_{disc} \max(0, e')\, d\Omega
               = e F + \frac{2\alpha}{3\pi} (1 - x^2)^{3/2}, \quad x = e / \alpha
@@ -112,13 +112,13 @@ def visible_spread(elevation, angular_radius):
     .. math:: \bar y = \frac{2 (1-x^2)^{3/2}}{3A}, \quad
               \overline{y^2} = \frac{\pi/2 + \arcsin x - x\sqrt{1-x^2}\,(1-2x^2)}{4A}
 
-    Light that changes exponentially over the disc is averaged accurately by the two points one
-    standard deviation to either side of the mean.
+    A function that varies exponentially over the disc is averaged accurately by the two points one
+    standard deviation from the mean.
 
     Parameters
     ----------
     elevation, angular_radius : float
-        Arguments of ``visible_fraction``; some of the disc must be visible. [rad]
+        Arguments of ``visible_fraction``, which must not be 0. [rad]
 
     Returns
     -------

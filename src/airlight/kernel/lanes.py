@@ -23,7 +23,7 @@ from numba.extending import intrinsic, lower_builtin, models, register_model
 #: Number of wavelengths in one value.
 LANES: Final = 8
 #: Number of wavelengths so few that either half of the lanes has all of them.
-FEW: Final = LANES // 2
+HALF_LANES: Final = LANES // 2
 #: 1/π in float32: a plain literal would turn a product of single precision into double.
 INVERSE_PI: Final = np.float32(0.3183098861837907)
 
@@ -232,7 +232,7 @@ def load_two(typing_context: Any, array: Any, low: Any, high: Any) -> Any:
 
     def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         data = context.make_array(signature.args[0])(context, builder, value=arguments[0]).data
-        half = ir.VectorType(ir.FloatType(), FEW)
+        half = ir.VectorType(ir.FloatType(), HALF_LANES)
         parts = []
         for index, kind in zip(arguments[1:], signature.args[1:], strict=True):
             at = context.cast(builder, index, kind, types.intp)

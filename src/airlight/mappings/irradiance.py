@@ -1,4 +1,4 @@
-"""Bruneton's 2017 mapping of (r, mu_s) for the sky's irradiance of level ground: linear in both.
+"""Bruneton's 2017 mapping of (r, mu_s) for diffuse horizontal irradiance: linear in both.
 
 Source: E. Bruneton, "Precomputed Atmospheric Scattering: a New Implementation" (2017).
 """

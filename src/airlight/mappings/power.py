@@ -1,7 +1,7 @@
-"""Power mappings of altitude and cosines to [0, 1]: finer where altitude or cosine is near 0.
+"""Power mappings of altitude and cosines to [0, 1], finest at altitude or cosine 0.
 
-A power of 1 is the linear mapping; 2 for the altitude and 3 for the cosines are the square root
-and the cube roots of the first print. Source: Atmosphere Plus notes, second print, section 3.1.3.
+A power of 1 is the linear mapping; 2 for altitude and 3 for cosines are the square root and the
+cube roots of the first print. Source: Atmosphere Plus notes, second print, section 3.1.3.
 """
 
 from __future__ import annotations

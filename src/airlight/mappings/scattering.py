@@ -1,11 +1,11 @@
-"""Bruneton's 2017 mapping of (r, mu, mu_s, nu) for scattered light.
+"""Bruneton's 2017 mapping of (r, mu, mu_s, nu) for scattered radiance.
 
-The radius is measured by the distance to the horizon (``transmittance.altitude_coordinate``), the
+The radius is mapped by the distance to the horizon (``transmittance.altitude_coordinate``), the
 view by the distance to its end, ground or top, between the shortest and the longest such distance
-at that radius. The axis of views has two halves, one on each side of the horizon, since the light
-jumps there. The star's zenith angle is measured by the distance to the top along a ray from the
-ground towards it, scaled so that the end of twilight is reached: the limit follows from the planet,
-since a constant made for Earth clips thick shells.
+at that radius. The view axis has two halves, one on each side of the horizon, where radiance is
+discontinuous. The star's zenith angle is mapped by the distance to the top along a ray from the
+ground towards it, down to the end of twilight; this limit follows from the planet, since a constant
+for Earth would clip thick shells.
 
 Sources: E. Bruneton & F. Neyret, "Precomputed Atmospheric Scattering", EGSR 2008, section 4;
 E. Bruneton, "Precomputed Atmospheric Scattering: a New Implementation" (2017).
@@ -18,13 +18,13 @@ from math import acos, pi, sin, sqrt
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import kernel
 
-#: Twilight ends when the star is this many dips of the horizon, seen from the top, below level.
+#: Depression of the star at the end of twilight, in dips of the horizon at the top of the shell.
 _DIPS = 3.0
 
 
 @kernel
 def view_coordinate(r, mu, to_ground, bottom_radius, top_radius):
-    """Direction to [0, 1] in its own half: 0 straight down or up, 1 along the horizon. [1]
+    """Direction to [0, 1] in its half: 0 straight down or up, 1 along the horizon. [1]
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def view_coordinate(r, mu, to_ground, bottom_radius, top_radius):
 def cosine_from_view(x, to_ground, r, bottom_radius, top_radius):
     """Inverse of ``view_coordinate`` in one half. [1]
 
-    On the ground every view downwards has length 0: the result is straight down.
+    On the ground all views downwards have length 0: the result is straight down.
     """
     to_horizon = sqrt(max((r - bottom_radius) * (r + bottom_radius), 0.0))
     if to_ground:
@@ -76,8 +76,8 @@ def cosine_from_view(x, to_ground, r, bottom_radius, top_radius):
 def view_index(x, to_ground, n):
     """Fractional index on the axis of n views, between 0 and n - 1; n is even. [1]
 
-    The ground's half comes first, from the horizon to straight down; then the sky's, from straight
-    up to the horizon. Nothing lies between n/2 - 1 and n/2.
+    The first half is the ground, from the horizon to straight down; the second the sky, from
+    straight up to the horizon. Indices between n/2 - 1 and n/2 are not used.
     """
     half = n // 2
     if to_ground:
@@ -87,7 +87,7 @@ def view_index(x, to_ground, n):
 
 @kernel
 def view_from_index(index, n):
-    """Inverse of ``view_index``: (coordinate in its half, whether it ends on the ground)."""
+    """Inverse of ``view_index``: coordinate in its half, and whether the view meets the ground."""
     half = n // 2
     if index < half - 0.5:
         return min(max(1.0 - index / (half - 1.0), 0.0), 1.0), True
@@ -98,10 +98,10 @@ def view_from_index(index, n):
 def lowest_sun_cosine(bottom_radius, top_radius):
     """Cosine of the star's zenith angle below which tables end: three dips of the horizon. [1]
 
-    Seen from the top of the shell the horizon is one dip below level; its tangent line leaves the
-    shell two dips further round the planet; the air there is lit until the star is one dip below
-    level. So beyond three dips no point of the shell sees air that is lit directly. Thick shells,
-    whose three dips exceed a right angle, reach down to -1.
+    From the top of the shell the horizon is depressed by one dip; its tangent line leaves the shell
+    two dips further round the planet, where the atmosphere is sunlit until the star is depressed by
+    one dip. Beyond three dips, sunlit atmosphere is not visible from any point. The cosine is -1
+    for thick shells whose three dips exceed a right angle.
     """
     depression = _DIPS * acos(bottom_radius / top_radius)
     if depression >= 0.5 * pi:
@@ -155,6 +155,6 @@ def angle_from_coordinate(x):
 
 @kernel
 def possible_angle(nu, mu, mu_s):
-    """Cosine nearest to nu that a view and a star of these zenith angles can have. [1]"""
+    """``nu`` clamped to the range possible for the zenith angles of view and star. [1]"""
     spread = sqrt(max((1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s), 0.0))
     return min(max(nu, mu * mu_s - spread, -1.0), mu * mu_s + spread, 1.0)

@@ -1,9 +1,9 @@
-"""Coordinates of a line of sight in the table of the sky of one observer.
+"""Mapping of a line of sight to the sky-view LUT of an observer.
 
-The table has two halves, the sky above the horizon and the ground below it, each with rows
-counted from the horizon (0) to the zenith, the top of the shell or the nadir (1). Rows are dense at
-the horizon: inside the shell, the angle from it is proportional to the square of the row's
-coordinate; outside, the line's nearest distance to the planet's centre is.
+The LUT has two halves, the sky above the horizon and the ground below it, each with rows from the
+horizon (0) to the zenith, the top of the shell or the nadir (1). Rows are dense at the horizon: the
+square of the row coordinate is proportional to the angle from the horizon inside the shell, and to
+the impact parameter outside.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ def angle_above_horizon(mu, sine, horizon_mu, horizon_sine):
 
 @kernel
 def row_from_angle(angle, horizon_mu):
-    """Coordinate of a line of sight from inside the shell. [1]
+    """Row coordinate of a line of sight from inside the shell. [1]
 
     Parameters
     ----------
     angle : float
-        Angle above the horizon, positive in the sky's half. [rad]
+        Angle above the horizon, positive in the sky. [rad]
     horizon_mu : float
         Cosine of the horizon's zenith angle. [1]
 
@@ -58,7 +58,7 @@ def direction_from_row(row, sky, horizon_mu, horizon_sine):
     row : float
         Coordinate of the row, 0 to 1. [1]
     sky : bool
-        Whether the row is in the sky's half.
+        Whether the row is in the sky half.
     horizon_mu, horizon_sine : float
         Cosine and sine of the horizon's zenith angle. [1]
     """
@@ -70,12 +70,12 @@ def direction_from_row(row, sky, horizon_mu, horizon_sine):
 
 @kernel
 def row_from_impact(impact, bottom_radius, top_radius):
-    """Coordinate of a line of sight from outside the shell. [1]
+    """Row coordinate of a line of sight from outside the shell. [1]
 
     Parameters
     ----------
     impact : float
-        Nearest distance of the line to the centre, at most ``top_radius``. [m]
+        Impact parameter, at most ``top_radius``. [m]
     bottom_radius, top_radius : float
         Radii of the ground and of the top of the shell. [m]
 

@@ -1,10 +1,11 @@
-"""Texture coordinates, array indices and the index of a texel in memory.
+"""Texture coordinates, array indices and memory indices of texels.
 
-Values of a table are at the centres of its texels. A coordinate in [0, 1] that runs from the first
-to the last of n values is ``index / (n - 1)``; the texture coordinate of a graphics card runs over
-the texels' outer edges, so that the same point is ``0.5/n + x (1 - 1/n)``. Both are exact at both
-ends. Sources: Atmosphere Plus notes, second print, section 3.1.7; E. Bruneton,
-"Precomputed Atmospheric Scattering: a New Implementation" (2017).
+Values of a table are at texel centres. The unit coordinate of n values is ``index / (n - 1)``;
+texture coordinates of a GPU span the outer edges of the texels, so that the same point is
+``0.5/n + x (1 - 1/n)``. Both are exact at both ends.
+
+Sources: Atmosphere Plus notes, second print, section 3.1.7; E. Bruneton, "Precomputed Atmospheric
+Scattering: a New Implementation" (2017).
 """
 
 from __future__ import annotations
@@ -84,7 +85,7 @@ def split_index(i, width, height):
 
 @kernel
 def cell(index, first, last):
-    """Neighbours of a fractional index, and the share of the second.
+    """Neighbours of a fractional index, and weight of the upper.
 
     Parameters
     ----------
@@ -97,7 +98,7 @@ def cell(index, first, last):
     -------
     lower, upper : int
     share : float
-        Share of the upper neighbour, 0 to 1. [1]
+        Weight of the upper neighbour, 0 to 1. [1]
     """
     held = min(max(index, float(first)), float(last))
     lower = min(int(held), max(last - 1, first))

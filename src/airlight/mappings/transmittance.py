@@ -1,9 +1,11 @@
 """Bruneton's 2017 mapping of (r, mu) for columns and transmittance to the top of the shell.
 
-Altitude is measured by the distance to the horizon, direction by the distance to the top of the
-shell between its smallest (straight up) and largest (to the horizon) value. Only rays that do not
-meet the ground are mapped. Source: the walk through Bruneton's transmittance; E. Bruneton,
-"Precomputed Atmospheric Scattering: a New Implementation" (2017).
+Altitude is mapped by the distance to the horizon, direction by the distance to the top of the shell
+between its smallest (straight up) and largest (to the horizon) value. Only rays that miss the
+ground are mapped.
+
+Sources: "Atmosphere Ⅱ", a walk through Bruneton's transmittance; E. Bruneton, "Precomputed
+Atmospheric Scattering: a New Implementation" (2017).
 """
 
 from __future__ import annotations

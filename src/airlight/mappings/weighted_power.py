@@ -2,15 +2,15 @@
 
 Directions are divided at the geometric horizon and at the horizontal: U (upper, above the
 horizontal), L (lower, from the horizon up to the horizontal) and S (surface, on the ground). Each
-region has a power mapping of its own that is finest at its lower edge (S: at its upper edge, the
-horizon), and a share of the axis that depends on the altitude coordinate u:
+region has a power mapping that is finest at its lower edge (S: at its upper edge, the horizon), and
+a fraction of the axis that depends on the altitude coordinate u:
 
     w_L = w_L1 u,    w_S = w_S1 u + w_S0,    w_U = 1 - w_L - w_S.
 
-Source: Atmosphere Plus notes, second print, section 3.1.4. There the weights (w_S1, w_S0) are
-for an offset and a slope, (4/32, 4/32), which equals linear interpolation from 4/32 to 8/32; the
-two readings must not be mixed. On the ground L is empty (w_L = 0), and a weight w_S0 of 0 empties
-S. A direction that lies on the horizon itself belongs to the sky.
+Source: Atmosphere Plus notes, second print, section 3.1.4. There (w_S1, w_S0) are slope and offset,
+(4/32, 4/32), equivalent to linear interpolation from 4/32 to 8/32; they are not the two end values.
+On the ground L is empty (w_L = 0), and with w_S0 = 0 so is S. The horizon itself belongs to the
+sky.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ DEFAULT_SURFACE_OFFSET = 4.0 / 32.0
 
 @kernel
 def lower_weight(u, slope):
-    """Share w_L of the region between horizon and horizontal. [1]
+    """Fraction w_L of the axis for the region between horizon and horizontal. [1]
 
     Parameters
     ----------
     u : float
         Altitude coordinate. [1]
     slope : float
-        w_L1, the share at the top of the shell. [1]
+        w_L1, the fraction at the top of the shell. [1]
 
     Examples
     --------
@@ -47,7 +47,7 @@ def lower_weight(u, slope):
 
 @kernel
 def surface_weight(u, slope, offset):
-    """Share w_S of the region on the ground. [1]
+    """Fraction w_S of the axis for the ground region. [1]
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def surface_weight(u, slope, offset):
 
 @kernel
 def view_region(mu, to_ground, horizon, upper_power, lower_power, surface_power):
-    """Region of a direction, and the coordinate within it.
+    """Region of a direction, and coordinate within it.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def view_region(mu, to_ground, horizon, upper_power, lower_power, surface_power)
 
 @kernel
 def region_coordinate(region, x, w_lower, w_surface):
-    """Convert the coordinate within a region to the whole axis, [0, 1]. [1]
+    """Coordinate within a region to the whole axis, [0, 1]. [1]
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Observables: quantities that a telescope measures of a planet that it cannot resolve, or limb."""
+"""Observables: disc-integrated spectra, transmission spectra and limb radiance of a planet."""
 
 from airlight.observables.observe import KINDS, observe
 

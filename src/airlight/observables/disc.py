@@ -1,17 +1,17 @@
-r"""Light of a planet's whole disc, at any phase.
+r"""Disc-integrated reflectance of a planet, at any phase angle.
 
-The disc reflects, per irradiance of the star and area of the reference disc,
+The reflectance, per irradiance of the star and area of the reference disc, is
 
 .. math:: A(\alpha) = \frac{1}{R^2} \int \frac{L}{E}\, dA = A_g \Phi(\alpha),
 
-the brightness over that of a flat white Lambert disc of radius R at full phase: at phase angle 0
-the geometric albedo. Its integral over phase angles is the spherical albedo at that wavelength, the
-share of the light on the disc that leaves again,
+relative to a flat white Lambertian disc of radius R at full phase: at phase angle 0 the geometric
+albedo. Its integral over phase angles is the spherical albedo at that wavelength, the fraction of
+incident power that is scattered or reflected,
 
 .. math:: A_s = 2 \int_0^\pi A(\alpha) \sin \alpha\, d\alpha .
 
-Where transfer is polarised the disc also has Q, in the frame of the plane of star, planet and
-observer; U of its two halves adds up to 0.
+With polarised transfer the disc also has Q, referred to the plane of star, planet and observer; U
+cancels by symmetry.
 
 References
 ----------
@@ -35,18 +35,18 @@ from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Edges of the panels of the rule along the equator, as angles from the terminator and from the
-#: limb: on the night's side, where twilight fades, and on the day's. [deg]
+#: Panel edges of the quadrature along the equator, as angles from the terminator and from the limb:
+#: on the night side, where twilight fades, and on the day side. [deg]
 _NIGHT: Final = (0.0, 3.0, 10.0, 30.0)
 _DAY: Final = (0.0, 6.0, 25.0)
-#: Shares of the shell's thickness between which the rule over the limb has panels.
+#: Panel edges of the quadrature over the limb, over the shell's thickness.
 _SHELL: Final = (0.0, 0.06, 0.15, 0.3, 0.55, 1.0)
-#: Position angles between which the rule around the limb has panels, from the sun's side. [deg]
+#: Panel edges of the quadrature around the limb, as position angles from the sun's side. [deg]
 _AROUND: Final = (0.0, 60.0, 90.0, 120.0, 180.0)
-#: Phase angles between which the rule for the spherical albedo has panels: light scattered forward
-#: is concentrated in the last degrees. [deg]
+#: Panel edges of the quadrature over phase angle: forward scattering is concentrated in the last
+#: degrees. [deg]
 _PHASES: Final = (0.0, 30.0, 90.0, 150.0, 174.0, 180.0)
-#: Points of a panel: of the rule whose result is given, and of the one that it is compared with.
+#: Points per panel: of the result, and of the coarser rule for its error.
 POINTS: Final = 8
 _FEWER: Final = 5
 
@@ -60,7 +60,7 @@ class DiscPoints:
     impact, position : array, shape (n,)
         Distance from the centre [m] and position angle from the sun's side [rad], of one half.
     area : array, shape (n,)
-        Area that each point stands for, both halves together. [m²]
+        Quadrature weight of each point, both halves together. [m²]
     """
 
     impact: FloatArray
@@ -79,7 +79,7 @@ def _panels(edges: FloatArray, points: int) -> tuple[FloatArray, FloatArray]:
 def _graded(
     length: float, from_start: tuple[float, ...], from_end: tuple[float, ...]
 ) -> FloatArray:
-    """Edges from 0 to a length [rad] at distances from both ends [deg], where there is room."""
+    """Edges from 0 to a length [rad], at given distances from both ends [deg] if they fit."""
     room = 0.45 * length
     first = [d for d in np.radians(from_start) if d < room]
     last = [length - d for d in np.radians(from_end) if d < room]
@@ -87,12 +87,12 @@ def _graded(
 
 
 def disc_points(edge: float, top: float, phase: float, points: int = POINTS) -> DiscPoints:
-    """Points over the disc of the ground, by longitude and latitude, and over the limb beside it.
+    """Quadrature over the ground's disc, in longitude and latitude, and over the limb.
 
     Parameters
     ----------
     edge, top : float
-        Radii of the ground's disc and of the top of the air. [m]
+        Radii of the ground's disc and of the top of the atmosphere. [m]
     phase : float
         Phase angle, 0 to π. [rad]
     points : int
@@ -129,13 +129,13 @@ def _reflected(solution: Solution, phase: float, points: int) -> FloatArray:
     """Integrals of I and Q over the disc, per irradiance of the star, shape (2, nl). [m²]"""
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
-    made = disc_points(ground_edge(solution.paths), top, phase, points)
-    sight = disc_lines(made.impact, made.position, phase, bottom, top)
+    made = disc_points(ground_edge(solution.geometry), top, phase, points)
+    lines = disc_lines(made.impact, made.position, phase, bottom, top)
     if not solution.polarised:
-        whole = made.area @ solution.relative_radiance(sight)
+        whole = made.area @ solution.relative_radiance(lines)
         return np.stack([whole, np.zeros_like(whole)])
     # a line's e_θ is opposite to its position angle's side, its e_φ ahead of that
-    i, q, u = np.moveaxis(solution.relative_stokes(sight), 1, 0)
+    i, q, u = np.moveaxis(solution.relative_stokes(lines), 1, 0)
     turn = 2.0 * made.position[:, None]
     return np.stack([made.area @ i, -(made.area @ (q * np.cos(turn) + u * np.sin(turn)))])
 
@@ -148,7 +148,7 @@ def disc_stokes(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> tuple[FloatArray, FloatArray]:
-    """I and Q of the disc over the brightness of a white Lambert disc at full phase.
+    """I and Q of the disc, relative to a white Lambertian disc at full phase.
 
     Parameters
     ----------
@@ -163,9 +163,10 @@ def disc_stokes(
     Returns
     -------
     values : array, shape (n, 2, nl)
-        Q > 0 swings across the plane of star, planet and observer; 0 in scalar transfer. [1]
+        Q > 0 is polarised perpendicular to the plane of star, planet and observer; 0 in scalar
+        transfer. [1]
     errors : array, shape (n, 2, nl)
-        Error of the integration over the disc: difference from a rule with fewer points. [1]
+        Quadrature error: difference from a rule with fewer points. [1]
     """
     values, errors = [], []
     for done, angle in enumerate(phase_angles):
@@ -190,7 +191,7 @@ def disc_reflectance(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Brightness of the disc alone: I of ``disc_stokes`` and its error, each shape (n, nl). [1]"""
+    """Disc-integrated reflectance and its error, I of ``disc_stokes``, each shape (n, nl). [1]"""
     values, errors = disc_stokes(solution, phase_angles, radius, progress=progress, cancel=cancel)
     return values[:, 0], errors[:, 0]
 
@@ -202,10 +203,9 @@ def spherical_albedo(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Share of the light on the reference disc that the planet scatters or reflects.
+    """Spherical albedo: scattered and reflected fraction of the power on the reference disc.
 
-    Light that passes through the air without being scattered does not count, light that is
-    scattered forward does.
+    It includes forward scattering, but not the transmitted direct beam.
 
     Parameters
     ----------
@@ -215,7 +215,7 @@ def spherical_albedo(
     Returns
     -------
     values, errors : array, shape (nl,)
-        The albedo, and the difference from a rule with fewer points over the disc. [1]
+        Albedo, and its quadrature error over the disc. [1]
     """
     phases, weights = _panels(np.radians(_PHASES), _FEWER)
     values, errors = disc_reflectance(

@@ -1,4 +1,4 @@
-"""Lines of sight of an observer infinitely far away: parallel, and told by where they pass."""
+"""Parallel lines of sight of an observer at infinity, by impact parameter and position angle."""
 
 from __future__ import annotations
 
@@ -8,31 +8,31 @@ from numpy.typing import NDArray
 from airlight.geometry.path import ray_length
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import vectorized
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
 
 
 def lines_into_shell(
     impact: FloatArray, mu_s: FloatArray, nu: FloatArray, bottom: float, top: float
-) -> Sight:
-    """Lines of sight from the points where they enter the shell.
+) -> LinesOfSight:
+    """Lines of sight from their entry points into the shell.
 
     Parameters
     ----------
     impact : array, shape (n,)
-        Distance of each line from the planet's centre, 0 to ``top``. [m]
+        Impact parameter, 0 to ``top``. [m]
     mu_s, nu : array, shape (n,)
-        Cosines of the sun's zenith angle at the point of entry, and of the angle between the line's
-        direction and the sun. [1]
+        Cosines of the sun's zenith angle at the entry point, and of the angle between line of sight
+        and sun. [1]
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
     """
     sine = np.minimum(impact / top, 1.0)
     mu = -np.sqrt((1.0 - sine) * (1.0 + sine))
     r = np.full(mu.shape, top)
-    return Sight(
+    return LinesOfSight(
         r, mu, np.clip(mu_s, -1.0, 1.0), np.clip(nu, -1.0, 1.0),
         vectorized(ray_length)(r, mu, bottom, top), vectorized(meets_ground)(r, mu, bottom),
     )  # fmt: skip
@@ -40,7 +40,7 @@ def lines_into_shell(
 
 def disc_lines(
     impact: FloatArray, position: FloatArray, phase: float, bottom: float, top: float
-) -> Sight:
+) -> LinesOfSight:
     """Lines of sight over the disc of a planet at a phase angle.
 
     With z towards the observer and x towards the sun's side of the disc, the sun is at
@@ -49,9 +49,9 @@ def disc_lines(
     Parameters
     ----------
     impact, position : array, shape (n,)
-        Distance b from the disc's centre [m], and position angle ψ from the sun's side. [rad]
+        Impact parameter b [m], and position angle ψ from the sun's side [rad].
     phase : float
-        Phase angle α: that between star and observer, seen from the planet. [rad]
+        Phase angle α between star and observer at the planet. [rad]
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
     """
@@ -60,6 +60,6 @@ def disc_lines(
     return lines_into_shell(impact, mu_s, np.full(mu_s.shape, -np.cos(phase)), bottom, top)
 
 
-def ground_edge(paths: RefractedGeometry) -> float:
-    """Radius of the ground's disc as seen from afar, enlarged by refraction. [m]"""
-    return paths.medium.bottom_radius if paths.shell is None else float(paths.shell.bottom)
+def ground_edge(geometry: RefractedGeometry) -> float:
+    """Apparent radius of the ground from infinity, enlarged by refraction. [m]"""
+    return geometry.medium.bottom_radius if geometry.shell is None else float(geometry.shell.bottom)

@@ -1,4 +1,4 @@
-"""Limb: radiance beside the planet's edge, by tangent height."""
+"""Limb radiance as a function of tangent height."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ def limb_radiance(
     ----------
     solution : Solution
     tangent_height : array, shape (...)
-        Height of the line's point nearest to the planet, as if light went straight, up to the top
-        of the shell; below 0 the line meets the ground. [m]
+        Geometric tangent height, without refraction, up to the top of the shell; below 0 the line
+        meets the ground. [m]
     sun_zenith : array, shape (...)
         Zenith angle of the sun at the tangent point, 0 to 180. [deg]
     azimuth : array, shape (...)
-        Azimuth there between the line and the sun: 0 looks towards it, 180 away from it. [deg]
+        Azimuth of the line relative to the sun there: 0 towards the sun, 180 away from it. [deg]
 
     Returns
     -------
     array, shape (..., nl)
-        [W m⁻² sr⁻¹ nm⁻¹]
+        Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
 
     Raises
     ------
     ParameterError
-        If a tangent height is above the shell, where a line meets no air, or below the centre.
+        If a tangent height is above the shell or below the centre.
     """
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     height, sun, around = np.broadcast_arrays(
@@ -52,12 +52,12 @@ def limb_radiance(
     if outside.any():
         raise ParameterError(
             "tangent_height", float(height[outside].flat[0]),
-            f"{-bottom:g} to {top - bottom:g} m; a higher line misses the air",
+            f"{-bottom:g} to {top - bottom:g} m; a higher line misses the atmosphere",
         )  # fmt: skip
     impact = bottom + height
     across = np.sin(np.radians(sun)) * np.cos(np.radians(around))
     half_chord = np.sqrt(np.maximum((top - impact) * (top + impact), 0.0))
     mu_s = (impact * np.cos(np.radians(sun)) - half_chord * across) / top
-    sight = lines_into_shell(impact.ravel(), mu_s.ravel(), across.ravel(), bottom, top)
-    values = solution.relative_radiance(sight) * solution.lights[0].irradiance
+    lines = lines_into_shell(impact.ravel(), mu_s.ravel(), across.ravel(), bottom, top)
+    values = solution.relative_radiance(lines) * solution.lights[0].irradiance
     return np.asarray(values.reshape(*height.shape, -1))

@@ -1,4 +1,4 @@
-"""Neutral points: where the sky's light is unpolarised in the plane through sun and zenith."""
+"""Neutral points: unpolarised points of the sky in the principal plane, through sun and zenith."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Names of the points: above and below the sun, above and below the point opposite to it.
+#: Neutral points: above and below the sun, above and below the antisolar point.
 NEUTRAL_POINTS: Final = ("Babinet", "Brewster", "Arago", "fourth")
-#: Step of the zenith angles at which the sky is looked at. [deg]
+#: Step of the zenith angles in the principal plane. [deg]
 _STEP: Final = 0.25
 
 
 def principal_plane(
     solution: Solution, *, sun_zenith: float, altitude: float = 0.0
 ) -> tuple[FloatArray, FloatArray]:
-    """Degree of polarisation in the plane through sun and zenith, above the horizon.
+    """Signed degree of polarisation in the principal plane, above the horizon.
 
     Parameters
     ----------
     solution : Solution
-        Solution of polarised light.
+        Solution with polarised transfer.
     sun_zenith : float
         Zenith angle of the sun, 0 to 180. [deg]
     altitude : float
@@ -37,14 +37,14 @@ def principal_plane(
     view_zenith : array, shape (n,)
         Zenith angles, positive on the sun's side. [deg]
     degree : array, shape (n, nl)
-        -Q/I, positive where light swings across the plane; NaN where there is no light. [1]
+        -Q/I, positive for polarisation perpendicular to the plane; NaN where I is 0. [1]
 
     Raises
     ------
     ParameterError
-        If the solution is of scalar transfer, or a value is out of its range.
+        If the solution is scalar, or a value is out of its range.
     """
-    view = np.arange(-90.0 + 0.5 * _STEP, 90.0, _STEP)  # without the zenith, which has no plane
+    view = np.arange(-90.0 + 0.5 * _STEP, 90.0, _STEP)  # without the zenith, of undefined plane
     light = solution.radiance(
         altitude=altitude, sun_zenith=sun_zenith, view_zenith=np.abs(view),
         azimuth=np.where(view < 0.0, 180.0, 0.0), stokes=True,
@@ -56,12 +56,12 @@ def principal_plane(
 def neutral_points(
     solution: Solution, *, sun_zenith: float, altitude: float = 0.0
 ) -> dict[str, FloatArray]:
-    """Neutral points of the sky in the plane through sun and zenith.
+    """Neutral points of the sky in the principal plane.
 
-    Where light that was scattered more than once, which swings along the plane, outweighs that
-    scattered once, which swings across it, the degree of ``principal_plane`` is negative; it is 0
-    at the ends. Of several zeros of one name the nearest to the sun, or to the point opposite to
-    it, counts.
+    The degree of ``principal_plane`` is negative where multiple scattering, polarised parallel to
+    the plane, outweighs single scattering, polarised perpendicular to it; neutral points are the
+    zeros on either side. Of several zeros of one name the nearest to the sun, or to the antisolar
+    point, is returned.
 
     Parameters
     ----------
@@ -71,8 +71,8 @@ def neutral_points(
     Returns
     -------
     dict of str to array, shape (nl,)
-        Zenith angle of each of ``NEUTRAL_POINTS``, positive on the sun's side; NaN where there is
-        none above the horizon. [deg]
+        Zenith angle of each of ``NEUTRAL_POINTS``, positive on the sun's side; NaN if below the
+        horizon. [deg]
 
     References
     ----------
@@ -95,7 +95,7 @@ def neutral_points(
 
 
 def _named(view: float, sun: float) -> tuple[str, float]:
-    """Name of a neutral point, and its angle from the sun or from the point opposite to it."""
+    """Name of a neutral point, and its angle from the sun or from the antisolar point."""
     from_sun, from_opposite = view - sun, view - (sun - 180.0)
     if abs(from_sun) <= abs(from_opposite):
         return ("Babinet" if from_sun < 0.0 else "Brewster"), abs(from_sun)

@@ -1,4 +1,4 @@
-"""Catalogue of observables: what each is, what it depends on, and its spectrum."""
+"""Catalogue of observables: description, settings and spectrum of each."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ HEIGHTS: Final = 60
 
 @dataclass(frozen=True, kw_only=True)
 class Geometry:
-    """Settings of an observable; None leaves one to the observable.
+    """Settings of an observable; None stands for the default of the observable.
 
     Numbers, texts with a unit or quantities, see ``airlight.units.values_in``.
 
@@ -71,9 +71,9 @@ class Observable:
     sentence : str
         Description.
     takes : tuple of str
-        Names of the settings in ``Geometry`` that it depends on.
+        Names of its settings in ``Geometry``.
     of : callable
-        Function of solution, geometry, progress and cancel that returns its variables and notes.
+        Function of solution, geometry, progress and cancel that returns variables and notes.
     """
 
     sentence: str
@@ -98,8 +98,8 @@ def observe(
     Parameters
     ----------
     solution : Solution, Planet, str or Path
-        Light of the planet at the wavelengths of the spectrum; a planet, the name of a preset or a
-        path is solved at its own wavelengths.
+        Solution at the wavelengths of the spectrum; a planet, the name of a preset or a path is
+        solved at the planet's wavelengths.
     of : str
         ``"geometric-albedo"``, ``"bond-albedo"``, ``"phase-curve"``, ``"transmission"``,
         ``"limb"`` or ``"disc"``.
@@ -111,14 +111,13 @@ def observe(
     Returns
     -------
     xarray.Dataset
-        Variables over ``wavelength`` with their units, the error of the integration beside each
-        integral, and what to know about them in the attribute ``notes``.
+        Variables over ``wavelength`` with units, quadrature errors of integrals, and the attribute
+        ``notes``.
 
     Raises
     ------
     ParameterError
-        If the observable is unknown, does not depend on a setting that is given, or a value is out
-        of its range.
+        If the observable is unknown or does not take a setting, or a value is out of its range.
 
     Examples
     --------
@@ -179,7 +178,7 @@ def _inside(field: str, value: Measures, low: float, high: float, unit: str) -> 
 
 
 def _radius(solution: Solution, geometry: Geometry) -> tuple[float, str]:
-    """Radius of the reference disc [m], and a line that names it."""
+    """Radius of the reference disc [m], and a note that names it."""
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     if geometry.radius is None:
         return bottom, f"per disc of the ground's radius, {bottom * 1e-3:.6g} km"
@@ -188,11 +187,11 @@ def _radius(solution: Solution, geometry: Geometry) -> tuple[float, str]:
 
 
 def _distance(solution: Solution) -> float | None:
-    """Distance of the star, where it is known. [m]"""
+    """Distance of the star, or None if unknown. [m]"""
     return None if solution.planet is None else solution.planet.star.known_distance
 
 
-_UNSEEN: Final = "distance of the star not known: contrast left out"
+_UNSEEN: Final = "distance of the star unknown: contrast omitted"
 
 
 def _geometric_albedo(
@@ -221,7 +220,7 @@ def _bond_albedo(
         over = f"the star's light from {nm.min():g} to {nm.max():g} nm"
     else:
         mean, over = float(values.mean()), f"{nm[0]:g} nm alone"
-    notes = [line, f"bond_albedo is the mean over {over}; the rest of the spectrum is not in it"]
+    notes = [line, f"bond_albedo is the mean over {over}; other wavelengths are not included"]
     return {
         "spherical_albedo": (("wavelength",), values, "1", "spherical albedo"),
         "error": (("wavelength",), errors, "1", "error of the integrals over the disc"),
@@ -246,7 +245,7 @@ def _phase_curve(
         "phase_angle": (("phase_angle",), angles, "degree", "phase angle"),
         "reflectance": (both, values[:-1], "1", "geometric albedo times phase function"),
         "error": (both, errors[:-1], "1", "error of the integral over the disc"),
-        "phase_function": (both, curve, "1", "brightness over that at full phase"),
+        "phase_function": (both, curve, "1", "brightness relative to full phase"),
         **_polarisation(solution, stokes[:-1], both_errors[:-1]),
     }, [line, *_plane(solution)]
 
@@ -263,7 +262,7 @@ def _disc(
     sun = solution.lights[0].irradiance
     variables: _Variables = {
         "phase_angle": (("phase_angle",), angles, "degree", "phase angle"),
-        "reflectance": (both, values, "1", "brightness over that of a white disc at full phase"),
+        "reflectance": (both, values, "1", "reflectance relative to a white disc at full phase"),
         "error": (both, errors, "1", "error of the integral over the disc"),
         "radiance": (
             both, values * sun / math.pi, "W m-2 sr-1 nm-1", "mean radiance of the reference disc",
@@ -276,12 +275,12 @@ def _disc(
     if distance is None:
         return variables, [*notes, _UNSEEN]
     contrast = values * (radius / distance) ** 2
-    variables["contrast"] = (both, contrast, "1", "light of the planet over that of the star")
+    variables["contrast"] = (both, contrast, "1", "planet-to-star contrast")
     return variables, [*notes, f"star at {distance:.4g} m"]
 
 
 def _polarisation(solution: Solution, stokes: FloatArray, errors: FloatArray) -> _Variables:
-    """Degree of linear polarisation of the disc with its sign; nothing in scalar transfer."""
+    """Signed degree of linear polarisation of the disc; empty in scalar transfer."""
     if not solution.polarised:
         return {}
     i, q = np.moveaxis(stokes, 1, 0)
@@ -300,7 +299,9 @@ def _plane(solution: Solution) -> list[str]:
     """Note on the sign of the polarisation."""
     if not solution.polarised:
         return []
-    return ["polarisation is positive across the plane of star, planet and observer; U is 0"]
+    return [
+        "polarisation is positive perpendicular to the plane of star, planet and observer; U is 0"
+    ]
 
 
 def _transmission(
@@ -308,10 +309,10 @@ def _transmission(
 ) -> tuple[_Variables, list[str]]:
     found = transit(solution)
     bottom = solution.medium.bottom_radius
-    ends = "refraction (lower ones come from beside the star)" if found.bent else "the ground"
+    ends = "refraction (lower rays miss the star)" if found.bent else "the ground"
     notes = [
         f"rays end {(found.lowest - bottom) * 1e-3:.3g} km above the ground, by {ends}",
-        "direct light of a uniform star; light scattered forward is left out",
+        "direct light of a uniform star; forward scattering is neglected",
     ]
     line = ("wavelength",)
     variables: _Variables = {
@@ -321,14 +322,14 @@ def _transmission(
     }
     star = _star_radius(solution)
     if star is None:
-        return variables, [*notes, "radius of the star not known: transit depth left out"]
+        return variables, [*notes, "radius of the star unknown: transit depth omitted"]
     depth = (found.radius / star) ** 2
-    variables["transit_depth"] = (line, depth, "1", "share of the star's light that is blocked")
+    variables["transit_depth"] = (line, depth, "1", "blocked fraction of the star's irradiance")
     return variables, [*notes, f"star of radius {star:.4g} m"]
 
 
 def _star_radius(solution: Solution) -> float | None:
-    """Radius of the star, where it is known. [m]"""
+    """Radius of the star, or None if unknown. [m]"""
     if solution.planet is None or solution.planet.star.known_radius is not None:
         return None if solution.planet is None else solution.planet.star.known_radius
     distance = _distance(solution)
@@ -351,7 +352,7 @@ def _limb(
         f"sun at the tangent point: zenith angle {sun:g} deg, {around:g} deg from the line of sight"
     ]
     if (heights < 0.0).any():
-        notes.append("lines below height 0 end on the ground, whose light is in them")
+        notes.append("below tangent height 0 the radiance includes the ground")
     return {
         "tangent_height": (("tangent_height",), heights, "m", "tangent height"),
         "radiance": (
@@ -364,22 +365,22 @@ def _limb(
 #: Every observable by name.
 KINDS: Final[dict[str, Observable]] = {
     "geometric-albedo": Observable(
-        "brightness at full phase over that of a white disc", ("radius",), _geometric_albedo
+        "brightness at full phase relative to a white disc", ("radius",), _geometric_albedo
     ),
     "bond-albedo": Observable(
-        "share of the star's light that the planet sends back", ("radius",), _bond_albedo
+        "scattered and reflected fraction of the star's irradiance", ("radius",), _bond_albedo
     ),
     "phase-curve": Observable(
         "brightness of the disc over the phase angle", ("radius", "phase_angles"), _phase_curve
     ),
-    "transmission": Observable("effective radius in front of the star", (), _transmission),
+    "transmission": Observable("effective radius in transit", (), _transmission),
     "limb": Observable(
-        "radiance beside the planet's edge over the tangent height",
+        "limb radiance by tangent height",
         ("tangent_heights", "sun_zenith", "azimuth"),
         _limb,
     ),
     "disc": Observable(
-        "light of the whole disc at a phase angle, and against the star",
+        "disc-integrated radiance at a phase angle, and contrast to the star",
         ("radius", "phase_angles"),
         _disc,
     ),

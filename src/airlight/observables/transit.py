@@ -1,19 +1,16 @@
-r"""Transmission spectrum: the star's light that a planet in front of it blocks.
-
-A planet of the radius that its air makes it appear, at the middle of a transit:
+r"""Transmission spectrum: effective radius of a planet at mid-transit.
 
 .. math:: R_{eff}^2 = b_0^2 + 2 \int_{b_0}^{R_{top}} (1 - T(b))\, b\, db
 
-with the transmittance T of the ray at the distance b from the centre. Below :math:`b_0` rays end on
-the ground, or, where light is bent, come from beside the star: a ray that is bent by δ shows the
-star's disc of angular radius θ only where :math:`|\delta - b/a| < \theta`, a being the star's
-distance. Its light is direct: light that the air scatters forward into the line of sight is left
-out, and the disc of the star is uniform.
+with the transmittance T at the impact parameter b. Below :math:`b_0` rays end on the ground or,
+with refraction, miss the star: a ray refracted by δ meets the star's disc of angular radius θ only
+if :math:`|\delta - b/a| < \theta`, with the star's distance a. Forward scattering into the line of
+sight is neglected, and the star's disc is uniform.
 
 References
 ----------
 Brown (2001), ApJ 553, 1006, section 3; Seager (2010), Exoplanet Atmospheres, section 3.5; for
-bent rays Bétrémieux & Kaltenegger (2014), ApJ 791, 7.
+refraction Bétrémieux & Kaltenegger (2014), ApJ 791, 7.
 """
 
 from __future__ import annotations
@@ -31,11 +28,11 @@ from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Panels over the shell, and points of each: of the rule whose result is given, and of the other.
+#: Panels over the shell, and points per panel: of the result, and of the coarser rule.
 _PANELS: Final = 60
 _POINTS: Final = 8
 _FEWER: Final = 5
-#: Bisections of the shell for the lowest ray that shows the star.
+#: Bisections of the shell for the lowest ray that meets the star.
 _HALVINGS: Final = 60
 
 
@@ -48,11 +45,11 @@ class Transit:
     radius : array, shape (nl,)
         Effective radius of the planet. [m]
     error : array, shape (nl,)
-        Its difference from that of a rule with fewer points. [m]
+        Quadrature error: difference from a rule with fewer points. [m]
     lowest : float
-        Distance from the centre of the lowest ray that shows the star. [m]
+        Impact parameter of the lowest ray that meets the star. [m]
     bent : bool
-        Whether refraction, and not the ground, ends the rays there.
+        Whether it is limited by refraction rather than by the ground.
     """
 
     radius: FloatArray
@@ -69,7 +66,7 @@ def transit(solution: Solution) -> Transit:
     solution : Solution
     """
     top = solution.medium.top_radius
-    edge = ground_edge(solution.paths)
+    edge = ground_edge(solution.geometry)
     lowest = _lowest_ray(solution, edge)
     fine, coarse = (_effective_radius(solution, lowest, top, n) for n in (_POINTS, _FEWER))
     return Transit(fine, np.abs(fine - coarse), lowest, bool(lowest > edge))
@@ -81,26 +78,26 @@ def _effective_radius(solution: Solution, lowest: float, top: float, points: int
     width = np.diff(edges)
     b = (edges[:-1, None] + width[:, None] * rule.nodes).ravel()
     weights = (width[:, None] * rule.weights).ravel()
-    through = solution.transmittance(
+    transmittance = solution.transmittance(
         altitude=solution.medium.thickness, view_zenith=180.0 - np.degrees(np.arcsin(b / top))
     ).to_numpy()
-    return np.asarray(np.sqrt(lowest**2 + 2.0 * (weights * b) @ (1.0 - through)))
+    return np.asarray(np.sqrt(lowest**2 + 2.0 * (weights * b) @ (1.0 - transmittance)))
 
 
 def _lowest_ray(solution: Solution, edge: float) -> float:
-    """Distance from the centre of the lowest ray that comes from the star's disc. [m]"""
-    paths = solution.paths
-    if paths.shell is None:
+    """Impact parameter of the lowest ray that meets the star's disc. [m]"""
+    geometry = solution.geometry
+    if geometry.shell is None:
         return edge
     known = None if solution.planet is None else solution.planet.star.known_distance
     distance = math.inf if known is None else known
     radius = solution.lights[0].angular_radius
 
     def shows(b: float) -> bool:
-        bend = 2.0 * float(paths.bent(np.array([b]), np.zeros(1))[0])
+        bend = 2.0 * float(geometry.refraction_angle(np.array([b]), np.zeros(1))[0])
         return abs(bend - b / distance) < radius
 
-    low, high = edge, paths.medium.top_radius
+    low, high = edge, geometry.medium.top_radius
     if shows(low):
         return edge
     for _ in range(_HALVINGS):

@@ -1,4 +1,4 @@
-"""Relative air mass by formula: the column along a ray from the ground over the vertical column."""
+"""Relative air mass: the column along a ray from the ground over the vertical column."""
 
 from __future__ import annotations
 
@@ -12,13 +12,12 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def air_mass_pickering2002(altitude: npt.ArrayLike) -> FloatArray:
-    r"""Air mass of the Earth's gas by Pickering's fit, refraction included.
+    r"""Air mass of the Earth's molecular atmosphere by Pickering's fit, with refraction.
 
     .. math:: AM = \frac{1}{\sin\left(h + 244/(165 + 47 h^{1.1})\right)}
 
-    The result is a ratio of columns from the ground to space for air with the Earth's scale height,
-    neither a path length nor valid for a low haze: on the horizon it gives 38.7 where a haze of
-    scale height 1.2 km has 104.
+    It applies to the Earth's scale height, not to low haze: on the horizon it is 38.7, against 104
+    for a scale height of 1.2 km.
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
 r"""Altitude nodes of tabulated profiles: even in the square root of altitude, finer in thin layers.
 
 The shell is divided into ``CELLS`` cells that are even in :math:`\sqrt{h/H}`, h the altitude and H
-the thickness of the shell. A cell in which a profile changes by more than a small part of its
-maximum is divided evenly, in the same coordinate, into as many steps as it needs. The array
-``first`` holds the index of the first node of each cell, so that the step in which an altitude lies
-is found without a search. Profiles that vary slowly have one step a cell.
+the thickness of the shell. A cell in which a profile changes by more than a small fraction of its
+maximum is divided evenly, in the same coordinate, into as many steps as needed; slowly varying
+profiles have one step per cell. The array ``first`` holds the index of the first node of each cell,
+so that look-up needs no search.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from airlight.kernel import compiled_loop, inlined
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Number of cells. Linear interpolation between their ends errs by less than 1e-5 for a scale
-#: height of a hundredth of the shell's thickness.
+#: Number of cells. The linear interpolation error is below 1e-5 for a scale height of a hundredth
+#: of the shell's thickness.
 CELLS: Final = 4096
 #: Largest change of a profile from node to node, over its maximum. [1]
 _CHANGE: Final = 0.03
@@ -56,7 +56,7 @@ def altitude_nodes(edges: FloatArray, coefficients: FloatArray) -> FloatArray:
 
 @compiled_loop
 def _refine(edges, rows, cells, steps):
-    """Raise the numbers of steps of the cells to what one profile needs."""
+    """Increase the numbers of steps of the cells as required by a profile."""
     low, high, most = np.zeros(len(rows)), np.zeros(len(rows)), 1e-300
     for s in range(len(rows)):
         a, b, c, d = rows[s]
@@ -112,7 +112,7 @@ def node_altitudes(first: FloatArray, thickness: float) -> FloatArray:
 
 @inlined
 def altitude_node(radius, bottom_radius, thickness, first):
-    """Node below a radius, and the radius' fraction of the step to the next.
+    """Node below a radius, and fraction of the step to the next.
 
     Parameters
     ----------

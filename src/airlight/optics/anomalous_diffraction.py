@@ -19,7 +19,7 @@ SERIES_BELOW: Final = 0.05
 
 @kernel
 def absorption_efficiency(path: float) -> float:
-    r"""Absorption efficiency of a sphere that does not refract rays. [1]
+    r"""Absorption efficiency of a sphere in anomalous diffraction. [1]
 
     .. math:: Q_{abs} = 1 + \frac{2e^{-w}}{w} + \frac{2(e^{-w} - 1)}{w^2}
 
@@ -108,8 +108,7 @@ def efficiencies(
     Returns
     -------
     extinction, scattering : array, shape (...)
-        Efficiencies; their difference is the absorption, so that scattering never exceeds
-        extinction. [1]
+        Efficiencies; their difference is the absorption efficiency. [1]
 
     Notes
     -----
@@ -130,7 +129,7 @@ def efficiencies(
 
 
 def cross_sections(sizes: SizeNodes, wavelength: float, index: complex) -> tuple[float, float]:
-    """Extinction and scattering cross-sections of the mean particle.
+    """Mean extinction and scattering cross-sections per particle.
 
     Parameters
     ----------

@@ -1,8 +1,7 @@
-"""Flat layer of clouds above the ground: where lines cross it, and the light that it leaves.
+"""Thin cloud layer above the ground: intersection with lines of sight, and effective reflectance.
 
-A cloud is a Lambert surface. Where the line of sight crosses the layer, the cover hides its share
-of the ground; where the star's light crosses it, the cover shades its share of the ground and
-lets through, as diffuse light, what it does not reflect.
+Clouds are Lambertian. On the line of sight, the cover hides its fraction of the ground; on the
+direct beam, it shadows its fraction, and transmits as diffuse light what it does not reflect.
 """
 
 from __future__ import annotations
@@ -18,8 +17,7 @@ def layer_distance(cosine, bottom, altitude):
 
     .. math:: s = \frac{h (2R + h)}{\sqrt{R^2\mu^2 + h (2R + h)} + R\mu}
 
-    which is h/μ for a steep line; a level one meets the sphere of the layer at
-    :math:`\sqrt{h (2R + h)}`, so that no line runs off.
+    which is h/μ for a steep line and :math:`\sqrt{h (2R + h)}` for a horizontal one.
 
     Parameters
     ----------
@@ -42,30 +40,30 @@ def layer_distance(cosine, bottom, altitude):
 
 @kernel
 def under_clouds(
-    seen, shaded, albedo, star_matte, star_gloss, sky_matte, sky_gloss, mirrored
+    seen, shaded, albedo, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored
 ):  # fmt: skip
-    r"""Shares of ground below clouds, from those of the same ground without clouds.
+    r"""Reflectance of the ground below clouds, from that of the same ground in clear sky.
 
     .. math:: L = c_v A (E_\star + E_s) + (1 - c_v) \left[ (1 - c_s) f_\star E_\star
               + f_s \left(E_s + c_s (1 - A) E_\star\right) \right]
 
-    with the factors f of the ground's law for the star's light and the sky's. Light that goes
-    back and forth between ground and cloud is left out, as is the shade that clouds cast on the
-    sky's light: ground of albedo a below a mean cover c reflects c (1 - c) A a less than the
-    solver's mean ground, at most 0.02 for the Earth's.
+    with the reflectance factors f of the ground under direct and under diffuse light. Multiple
+    reflection between ground and cloud is neglected, as is the shadow of clouds in sky light:
+    ground of albedo a below a mean cover c reflects c (1 - c) A a less than the solver's mean
+    ground, at most 0.02 for the Earth's.
 
     Parameters
     ----------
     seen, shaded : float
-        Cover c_v of the line of sight, and c_s of the star's light. [1]
+        Cloud cover c_v on the line of sight, and c_s on the direct beam. [1]
     albedo : float
         Albedo A of the clouds. [1]
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored : float
-        Results of ``pixels.ground.ground_shares`` without clouds. [1]
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
+        Results of ``pixels.ground.ground_reflectances`` in clear sky. [1]
 
     Returns
     -------
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored : float
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored : float
         The same with clouds. [1]
 
     Examples
@@ -75,12 +73,12 @@ def under_clouds(
     >>> under_clouds(0.0, 1.0, 0.75, 1.0, 0.0, 1.0, 0.0, 0.0)  # in full shade
     (0.25, 0.0, 1.0, 0.0, 0.0)
     """
-    clear, lit, diffuse = 1.0 - seen, 1.0 - shaded, shaded * (1.0 - albedo)
+    clear, lit, diffused = 1.0 - seen, 1.0 - shaded, shaded * (1.0 - albedo)
     cloud = seen * albedo
     return (
-        clear * (lit * star_matte + diffuse * sky_matte),
-        clear * (lit * star_gloss + diffuse * (sky_gloss + mirrored)) + cloud,
-        clear * sky_matte,
-        clear * sky_gloss + cloud,
+        clear * (lit * star_diffuse + diffused * sky_diffuse),
+        clear * (lit * star_specular + diffused * (sky_specular + mirrored)) + cloud,
+        clear * sky_diffuse,
+        clear * sky_specular + cloud,
         clear * mirrored,
     )

@@ -1,11 +1,11 @@
-"""Sea of mirroring facets, whose slopes follow the wind (Cox & Munk 1954).
+"""Microfacet reflectance of a wind-roughened sea (Cox & Munk 1954).
 
-Cox & Munk (1954), J. Opt. Soc. Am. 44, 838: photographs of the sun's glitter off Hawaii, winds of
-0.7 to 14 m/s. The slopes are Gaussian, alike into all directions; the skewness and the greater
-slopes along the wind are left out (a third of the variance). Facets hide and shade each other as in
-Smith (1967), IEEE Trans. Antennas Propag. 15, 668, with the fraction of Walter et al. (2007),
-"Microfacet models for refraction through rough surfaces", EGSR, eq. 34; light that meets two facets
-is left out. Mishchenko & Travis (1997), J. Geophys. Res. 102, 16989, eqs. 8 to 14, use the same.
+Cox & Munk (1954), J. Opt. Soc. Am. 44, 838: photographs of sun glitter off Hawaii, winds of 0.7 to
+14 m/s. The slope distribution is an isotropic Gaussian; skewness and the anisotropy along the wind
+(a third of the variance) are neglected. Shadowing and masking are those of Smith (1967), IEEE
+Trans. Antennas Propag. 15, 668, in the form of Walter et al. (2007), "Microfacet models for
+refraction through rough surfaces", EGSR, eq. 34; multiple reflection between facets is neglected.
+Mishchenko & Travis (1997), J. Geophys. Res. 102, 16989, eqs. 8 to 14, use the same model.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def mean_square_slope(wind):
 
 @kernel
 def hidden_slopes(cosine, slope):
-    """Cosine times Smith's ratio of hidden to visible facets, finite for a level line. [1]
+    """Smith's masking function Λ times the cosine, finite for a horizontal line. [1]
 
     Parameters
     ----------
@@ -64,16 +64,16 @@ def hidden_slopes(cosine, slope):
 
 
 @kernel
-def glint_factor(mu_s, leaving, nu, wind):
-    """Reflectance factor of the facets in the light of a star. [1]
+def glint_factor(mu_s, mu_r, nu, wind):
+    """Reflectance factor of sun glint. [1]
 
-    π F(ω) p S/(4 μ₀ μ cos⁴β) with the facets' tilt β, the density of slopes
-    p = exp(-tan²β/s²)/(π s²), Fresnel's F, and S the fraction of facets that are lit and seen.
+    π F(ω) p S/(4 μ₀ μ cos⁴β) with the facet tilt β, the slope density p = exp(-tan²β/s²)/(π s²),
+    the Fresnel reflectance F, and the shadowing-masking factor S.
 
     Parameters
     ----------
-    mu_s, leaving, nu : float
-        Cosines as in ``reflection.star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
     wind : float
         Wind speed. [m s⁻¹]
 
@@ -85,7 +85,7 @@ def glint_factor(mu_s, leaving, nu, wind):
     """
     square = mean_square_slope(wind)
     slope = sqrt(square)
-    sun, eye = max(mu_s, _LEVEL), max(leaving, 0.0)
+    sun, eye = max(mu_s, _LEVEL), max(mu_r, 0.0)
     cosine = sqrt(min(max(0.5 * (1.0 - nu), 1e-8), 1.0))
     tilt = min((sun + eye) / (2.0 * cosine), 1.0)
     upright = tilt * tilt
@@ -97,7 +97,7 @@ def glint_factor(mu_s, leaving, nu, wind):
 
 @kernel
 def mirrored_fraction(cosine, wind):
-    """Fraction of a beam that the facets mirror, which is also the factor of a uniform sky. [1]
+    """Directional albedo of the facets, also their reflectance factor under a uniform sky. [1]
 
     Fit of the integral of ``glint_factor`` over the hemisphere, for winds of 0.5 to 25 m/s, within
     2.1 % of the value (``builders/sea_reflectance.py``).
@@ -124,7 +124,7 @@ def mirrored_fraction(cosine, wind):
 
 @kernel
 def mean_mirrored(wind):
-    """Fraction of a uniform sky's light that the facets mirror, within 0.4 % of the value. [1]
+    """Spherical albedo of the facets, within 0.4 %. [1]
 
     Parameters
     ----------
@@ -142,12 +142,11 @@ def mean_mirrored(wind):
 
 @kernel
 def mirrored_cosine(cosine, wind):
-    """Cosine of the zenith angle of the sky that an observer sees mirrored, in the mean. [1]
+    """Effective zenith cosine of the mirrored sky. [1]
 
-    Towards the horizon the facets that are seen are those tilted to the observer: of a level
-    sea the sky 10° high is seen at 5 m/s. There a sky that brightens towards the horizon as
-    1/(μ + 0.1) has the mean of what all facets mirror; overhead, where it is even, the cosine goes
-    to 1. Fit as of ``mirrored_fraction``, within 0.012.
+    Towards the horizon the visible facets are tilted to the observer: at 5 m/s a horizontal line of
+    sight mirrors the sky at 10° elevation. A sky that brightens towards the horizon as 1/(μ + 0.1)
+    has the mean mirrored radiance at this cosine. Fit like ``mirrored_fraction``, within 0.012.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Density profiles over altitude, as segments that kernels read quickly.
+"""Density profiles over altitude, as analytic segments.
 
-Every profile becomes a row of segments; within each, the relative density is
+Each profile is a row of segments; within each, the relative density is
 ``max(0, a·exp(b·x) + c·x + d)`` with x the height above the segment's lower edge. This represents
 the exponential, the tent, Bruneton's layers and (in small exponential pieces) any table without
 error, and its vertical column has a closed form.
@@ -28,10 +28,10 @@ FloatArray = npt.NDArray[np.float64]
 #: Profile: its edges, shape (ns + 1,) [m], and its coefficients (a, b, c, d), shape (ns, 4).
 Row = tuple[FloatArray, FloatArray]
 
-#: Largest magnitude of a term of a layer; beyond it the sum loses its digits.
+#: Largest magnitude of a term of a layer; beyond it the sum suffers cancellation.
 _LARGEST_TERM: Final = 1e6
-#: Largest number of inner edges that count as corners; more are a smooth curve in pieces.
-_MOST_CORNERS: Final = 12
+#: Largest number of inner edges that count as breakpoints; more represent a smooth curve.
+_MOST_BREAKPOINTS: Final = 12
 #: Density over its largest above which a layer counts as dense.
 DENSE: Final = 0.01
 #: Largest width of a thin layer, aloft and on the ground, over the thickness of the shell.
@@ -59,8 +59,7 @@ def segment_density(x: float, a: float, b: float, c: float, d: float) -> float:
 def relative_density(altitude: float, edges: FloatArray, coefficients: FloatArray) -> float:
     """Relative density of one constituent at an altitude. [1]
 
-    Altitudes outside the shell give the value at its nearer boundary, so that a point which
-    rounding has put a nanometre outside is not empty.
+    Altitudes outside the shell are clamped, so that rounding at its boundaries is harmless.
 
     Parameters
     ----------
@@ -116,17 +115,17 @@ class DensitySegments:
         fewer segments repeats its last edge. [m]
     coefficients : array, shape (nc, ns, 4)
         Coefficients a, b, c, d of ``segment_density``.
-    known_corners : array, optional
-        Corners, where the segments are pieces of other profiles. [m]
+    known_breakpoints : array, optional
+        Breakpoints, if the segments are resampled profiles. [m]
     """
 
     edges: FloatArray
     coefficients: FloatArray
-    known_corners: FloatArray | None = None
+    known_breakpoints: FloatArray | None = None
 
     @classmethod
     def from_rows(cls, rows: Sequence[Row]) -> DensitySegments:
-        """Join rows of different lengths, padded with segments of no width.
+        """Rows of different lengths, padded with segments of zero width.
 
         Examples
         --------
@@ -167,18 +166,18 @@ class DensitySegments:
         return self.at(self.node_altitudes)
 
     @cached_property
-    def corners(self) -> FloatArray:
-        """Altitudes of the corners of profiles, ascending, shape (n,). [m]
+    def breakpoints(self) -> FloatArray:
+        """Altitudes of breakpoints of the profiles, ascending, shape (n,). [m]
 
-        Few segments have a corner wherever they meet: a tent, layers. Of one, or of many that are
-        pieces of a smooth curve, the ends of thin layers count.
+        All edges of profiles with few segments; for one segment, or many that represent a smooth
+        curve, the boundaries of thin layers.
         """
-        if self.known_corners is not None:
-            return self.known_corners
+        if self.known_breakpoints is not None:
+            return self.known_breakpoints
         found: set[float] = set()
         for edges, profile in zip(self.edges, self.at_nodes, strict=True):
             inside = np.unique(edges[(edges > edges[0]) & (edges < edges[-1])])
-            if not 0 < inside.size <= _MOST_CORNERS:
+            if not 0 < inside.size <= _MOST_BREAKPOINTS:
                 ends = np.ravel(thin_runs(profile, self.node_altitudes))
                 inside = ends[(ends > 0.0) & (ends < self.thickness)]
             found.update(inside.tolist())
@@ -195,8 +194,8 @@ class DensitySegments:
 
     @property
     def arrays(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Edges, coefficients and corners, as arguments of compiled loops. [m], [1], [m]"""
-        return self.edges, self.coefficients, self.corners
+        """Edges, coefficients and breakpoints, as arguments of compiled loops. [m], [1], [m]"""
+        return self.edges, self.coefficients, self.breakpoints
 
     def at(self, altitudes: npt.ArrayLike) -> FloatArray:
         """Relative densities of every constituent.

@@ -1,4 +1,4 @@
-"""Refractive index of a particle that contains grains of another material."""
+"""Effective medium approximation: refractive index of particles with inclusions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ComplexArray = npt.NDArray[np.complex128]
 def maxwell_garnett(
     matrix: npt.ArrayLike, inclusions: npt.ArrayLike, fraction: float
 ) -> ComplexArray:
-    r"""Refractive index of a matrix with small round inclusions.
+    r"""Effective refractive index of a matrix with small spherical inclusions (Maxwell Garnett).
 
     .. math:: \varepsilon = \varepsilon_m \frac{1 + 2f\beta}{1 - f\beta}, \qquad
               \beta = \frac{\varepsilon_i - \varepsilon_m}{\varepsilon_i + 2\varepsilon_m},

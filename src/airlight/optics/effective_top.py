@@ -1,4 +1,4 @@
-"""Top of the air in a shell that is much higher than its constituents."""
+"""Effective top of the atmosphere in a shell much thicker than its scale heights."""
 
 from __future__ import annotations
 
@@ -8,21 +8,20 @@ import numpy as np
 
 from airlight.optics.density_profile import DensitySegments
 
-#: Part of each constituent's column that may lie above the effective top.
+#: Largest fraction of each constituent's column above the effective top.
 _ABOVE: Final = 1e-7
-#: Effective top, over the thickness of the shell, above which the shell stays as it is.
+#: Effective top, over the thickness of the shell, above which the shell is not truncated.
 _HIGH: Final = 0.7
-#: Effective top over the altitude of that part: successive orders of scattering converge slowly in
-#: a deep cloud that ends at the top of the shell.
+#: Margin factor of that altitude: successive orders of scattering converge slowly in a thick cloud
+#: that ends at the top of the shell.
 _MARGIN: Final = 1.1
 
 
 def effective_top(density: DensitySegments) -> float:
-    """Altitude above which no constituent has more than 1e-7 of its column. [m]
+    """Altitude above which every constituent has less than 1e-7 of its column, with margin. [m]
 
-    The grids of a solver follow the shell: in one of 63 000 km the lowest 100 km, and the
-    terminator, would have few nodes. The thickness itself where that is less than 1.4 times as
-    high.
+    Solver grids span the shell; with a thickness of 63 000 km the lowest 100 km, and the
+    terminator, would have few nodes. If the shell is less than 1.4 times as thick, its thickness.
 
     Examples
     --------

@@ -28,7 +28,7 @@ def fresnel_amplitudes(n, cosine):
     Returns
     -------
     r_s, r_p : float
-        Amplitudes for light that swings perpendicular to the plane of incidence, and in it. [1]
+        Amplitudes for s polarisation (perpendicular to the plane of incidence) and for p. [1]
 
     Examples
     --------
@@ -42,7 +42,7 @@ def fresnel_amplitudes(n, cosine):
 
 @kernel
 def fresnel_reflectances(n, cosine):
-    """Fractions of light that are reflected, by its polarisation.
+    """Fresnel reflectances of a dielectric for s and p polarisation.
 
     Parameters
     ----------
@@ -52,8 +52,7 @@ def fresnel_reflectances(n, cosine):
     Returns
     -------
     R_s, R_p : float
-        Fractions of light that swings perpendicular to the plane of incidence, and in it; the
-        mean of both is that of unpolarised light. [1]
+        Reflectances; their mean is that of unpolarised light. [1]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Absorption: Dobson units, the ozone profile, particles much smaller than the wavelength."""
+"""Absorption: Dobson units, an ozone profile, and particles in the Rayleigh limit."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def column_from_dobson(dobson: float) -> float:
-    """Molecules per area, from Dobson units.
+    """Column number density from Dobson units.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def column_from_dobson(dobson: float) -> float:
 
 
 def dobson_from_column(column: float) -> float:
-    """Dobson units, from molecules per area [m⁻²]. [DU]"""
+    """Dobson units from column number density [m⁻²]. [DU]"""
     return column / DOBSON_UNIT
 
 
@@ -76,7 +76,7 @@ def ozone_profile_afgl1986() -> tuple[FloatArray, FloatArray]:
 def reference_coefficient(
     column: float, vertical_column: float, cross_sections: npt.ArrayLike
 ) -> FloatArray:
-    """Absorption coefficient at relative density 1 of a gas of known total column.
+    """Absorption coefficient at relative density 1, from the total column of a gas.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def small_particle_absorption(
     real: npt.ArrayLike,
     imaginary: npt.ArrayLike,
 ) -> FloatArray:
-    r"""Absorption coefficient of particles much smaller than the wavelength.
+    r"""Absorption coefficient of particles in the Rayleigh limit.
 
     .. math:: \beta = \frac{8\pi^2 r^3 N}{\lambda}\,
               \mathrm{Im}\,\frac{m^2-1}{m^2+2}, \quad m = n + ik

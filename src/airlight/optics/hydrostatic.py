@@ -1,6 +1,6 @@
-r"""Air at rest in layers of constant lapse rate: temperature, pressure and density over altitude.
+r"""Hydrostatic atmosphere in layers of constant lapse rate: temperature, pressure and density.
 
-Under its own weight, :math:`dp = -\rho g\,dh`, an ideal gas whose temperature is linear over
+In hydrostatic equilibrium, :math:`dp = -\rho g\,dh`, an ideal gas with temperature linear in
 geopotential altitude has closed forms:
 
 .. math::
@@ -34,7 +34,7 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Largest relative error of the density between two nodes of the exponential pieces.
 PIECE_TOLERANCE: Final = 5e-5
-#: Number of samples of a layer by which its pieces are counted.
+#: Number of samples of a layer for the number of its pieces.
 _SAMPLES: Final = 33
 #: Largest number of exponential pieces of a layer.
 _MOST_PIECES: Final = 200
@@ -63,7 +63,7 @@ def mass_per_length(molar_mass: float, gravity: float) -> float:
 def thickness_of_layer(
     weight: float, temperature: float, lapse_rate: float, pressure_ratio: float
 ) -> float:
-    """Thickness over which the pressure of a layer falls: the hypsometric equation. [m]
+    """Thickness of a layer from its pressure ratio, by the hypsometric equation. [m]
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def thickness_of_layer(
     temperature : float
         Temperature at the base. [K]
     lapse_rate : float
-        Fall of the temperature with altitude. [K m⁻¹]
+        Decrease of temperature with altitude. [K m⁻¹]
     pressure_ratio : float
         Pressure at the top over that at the base. [1]
 
@@ -88,7 +88,7 @@ def thickness_of_layer(
 
 
 def thickness_between(weight: float, low: float, high: float, pressure_ratio: float) -> float:
-    """Thickness of a layer between two levels of known temperature and pressure. [m]
+    """Thickness of a layer between two levels of given temperature and pressure ratio. [m]
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def thickness_between(weight: float, low: float, high: float, pressure_ratio: fl
 
 @dataclass(frozen=True, eq=False)
 class HydrostaticLayers:
-    """Layers of an ideal gas of constant composition, in each of which the lapse rate is constant.
+    """Layers of constant lapse rate of an ideal gas of constant composition.
 
     Attributes
     ----------
@@ -121,12 +121,11 @@ class HydrostaticLayers:
     temperatures : array, shape (n,)
         Temperatures there. [K]
     lapse_rates : array, shape (n,)
-        Fall of the temperature with geopotential altitude in each layer. [K m⁻¹]
+        Decrease of temperature with geopotential altitude in each layer. [K m⁻¹]
     weight : float
         Result of ``mass_per_length`` at the ground. [K m⁻¹]
     radius : float
-        Distance of the ground from the centre of the planet, by which gravity falls; infinite
-        where it is constant. [m]
+        Radius of the ground, for the decrease of gravity; infinite for constant gravity. [m]
     """
 
     altitudes: FloatArray
@@ -144,7 +143,7 @@ class HydrostaticLayers:
         weight: float,
         radius: float = math.inf,
     ) -> HydrostaticLayers:
-        """Stack layers on a ground of known temperature [K]; arguments as the attributes."""
+        """Layers above a ground of given temperature [K]; arguments as the attributes."""
         bases, rates = np.asarray(altitudes, float), np.asarray(lapse_rates, float)
         falls = np.concatenate([[0.0], np.cumsum(rates[:-1] * np.diff(bases))])
         return cls(bases, temperature - falls, rates, weight, radius)
@@ -180,7 +179,7 @@ class HydrostaticLayers:
         return np.asarray(self._base_logs[at] + self._fall(at, above))
 
     def _density_log(self, altitude: npt.ArrayLike) -> FloatArray:
-        """Logarithm of the density ratio, finite where the ratio itself is too small to be told."""
+        """Logarithm of the density ratio, finite where the ratio underflows."""
         cooling = np.log(self.temperatures[0] / self.temperature(altitude))
         return np.asarray(self._pressure_log(altitude) + cooling)
 
@@ -191,7 +190,7 @@ class HydrostaticLayers:
         return at, np.asarray(geopotential - self.altitudes[at])
 
     def _fall(self, at: npt.NDArray[np.intp], above: FloatArray) -> FloatArray:
-        """Logarithm of the pressure over that at the layer's base. [1]"""
+        """Logarithm of the pressure ratio to the base of the layer. [1]"""
         base, rate = self.temperatures[at], self.lapse_rates[at]
         share = np.where(rate == 0.0, 0.0, -rate * above / base)
         safe = np.where(rate == 0.0, 1.0, rate)
@@ -200,7 +199,7 @@ class HydrostaticLayers:
 
     @property
     def _base_logs(self) -> FloatArray:
-        """Logarithm of the pressure at each base over that at the ground, shape (n,). [1]"""
+        """Logarithm of the pressure ratio of each base to the ground, shape (n,). [1]"""
         layers = np.arange(self.altitudes.size - 1)
         falls = self._fall(layers, np.diff(self.altitudes))
         return np.concatenate([[0.0], np.cumsum(falls)])
@@ -208,8 +207,8 @@ class HydrostaticLayers:
     def row(self, thickness: float) -> Row:
         """Segments of the density ratio over a shell; see ``optics.density_profile``.
 
-        Layers are cut into exponential pieces that err by less than ``PIECE_TOLERANCE``; an
-        isothermal layer under constant gravity is one piece, without error.
+        Layers are divided into exponential pieces with errors below ``PIECE_TOLERANCE``; an
+        isothermal layer under constant gravity is a single, exact piece.
 
         Parameters
         ----------

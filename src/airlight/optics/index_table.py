@@ -51,7 +51,7 @@ class IndexTable:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Wavelengths at which the index is known, including the 10 nm beyond the ends. [nm]"""
+        """Wavelength range of the table, extended by 10 nm at both ends. [nm]"""
         return float(self.wavelengths[0]) - ALLOWANCE, float(self.wavelengths[-1]) + ALLOWANCE
 
     def at(self, wavelengths: npt.ArrayLike) -> ComplexArray:
@@ -87,7 +87,7 @@ def index_names() -> tuple[str, ...]:
 
 @cache
 def read_index(name: str) -> IndexTable:
-    """Read one of the package's tables, or a CSV file of the same form.
+    """Refractive index table of the package, or from a CSV file of the same format.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def read_index(name: str) -> IndexTable:
     ParameterError
         If there is no such table.
     FileError
-        If the file cannot be read or is not of this form.
+        If the file cannot be read or is not of this format.
     """
     if name in index_names():
         file = resources.files("airlight.optics") / "data" / f"{_PREFIX}{name}.csv"

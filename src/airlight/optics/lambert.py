@@ -1,4 +1,4 @@
-"""Reflection alike into all directions (Lambert 1760)."""
+"""Lambertian reflection (Lambert 1760)."""
 
 from __future__ import annotations
 
@@ -13,46 +13,46 @@ def largest_albedo(ground: Any) -> float:
 
 
 @kernel
-def star_share(ground, mu_s, leaving, nu):
-    """Reflectance factor in the light of a star: the albedo.
+def brdf_direct(ground, mu_s, mu_r, nu):
+    """Direct reflectance factor: the albedo.
 
     Parameters
     ----------
     ground : Reflection
-    mu_s, leaving, nu : float
-        Cosines as in ``reflection.star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
 
     Returns
     -------
-    matte, gloss : float
+    diffuse, specular : float
         Factor of the albedo, and part without it. [1]
 
     Examples
     --------
-    >>> star_share(None, 0.5, 0.2, 0.1)
+    >>> brdf_direct(None, 0.5, 0.2, 0.1)
     (1.0, 0.0)
     """
     return 1.0, 0.0
 
 
 @kernel
-def sky_share(ground, leaving):
-    """Reflectance factor under a uniform sky: the albedo.
+def brdf_diffuse(ground, mu_r):
+    """Diffuse reflectance factor: the albedo.
 
     Parameters
     ----------
     ground : Reflection
-    leaving : float
-        Cosine as in ``reflection.sky_factor``. [1]
+    mu_r : float
+        Cosine as in ``reflection.diffuse_reflectance``. [1]
 
     Returns
     -------
-    matte, gloss : float
+    diffuse, specular : float
         Factor of the albedo, and part without it. [1]
 
     Examples
     --------
-    >>> sky_share(None, 0.2)
+    >>> brdf_diffuse(None, 0.2)
     (1.0, 0.0)
     """
     return 1.0, 0.0

@@ -1,4 +1,4 @@
-"""Layers: altitudes between which a march must not take too long a step, and thin layers."""
+"""Detection of elevated and of thin layers, whose boundaries end the panels of rays."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ FloatArray = npt.NDArray[np.float64]
 _SAMPLES: Final = 2001
 #: Smallest ratio of the largest density to that at the ground in an elevated layer.
 _ALOFT: Final = 2.0
-#: Smallest scattering optical depth of a layer that counts.
+#: Smallest scattering optical depth of a significant layer.
 FAINT: Final = 1e-4
 #: Width over the shell's thickness above which a layer is wide.
 _WIDE: Final = 0.15
-#: Distance below which edges are merged, but for the two ends of one layer, and that below which
-#: these are, as fractions of the shell.
+#: Distances, over the shell's thickness, below which edges of different layers, and both ends of a
+#: layer, are merged.
 _APART: Final = 0.015
 _SAME: Final = 0.002
 
 
-#: Largest width of a thin layer, over the shell's thickness, where its absorption optical depth is
-#: above a limit; and where the air's scattering optical depth is.
+#: Largest width of a thin layer, over the shell's thickness, for absorption optical depths above a
+#: limit; and for scattering optical depths of the atmosphere above a limit.
 _WIDEST: Final = 0.25
 _ABSORBING: Final = 0.3
 _IN_DEEP_AIR: Final = 0.07
@@ -34,7 +34,7 @@ _DEEP: Final = 1.5
 
 
 class ThinLayer(NamedTuple):
-    """Layer that is thin compared with the shell.
+    """Geometrically thin layer.
 
     Attributes
     ----------
@@ -53,10 +53,10 @@ def thin_layers(
     *,
     widest: float | None = None,
 ) -> list[ThinLayer]:
-    """Layers that are thin compared with the shell, from the lowest up.
+    """Geometrically thin layers, in ascending order.
 
-    They are narrower than 12 % of the shell (7 % where the air scatters so often that a solver's
-    levels follow its depth), or 25 % where they absorb much of the light, or 1.5 % on the ground.
+    They are thinner than 12 % of the shell (7 % in an optically thick atmosphere, whose levels
+    follow its depth), 25 % with strong absorption, or 1.5 % at the ground.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def thin_layers(
 
 
 def _samples(density: DensitySegments) -> FloatArray:
-    """Altitudes at which profiles are sampled: even, and closer where they change fast. [m]"""
+    """Sampling altitudes of the profiles: even, and denser where they vary fast. [m]"""
     steps = np.diff(density.first_nodes).astype(int)
     refined = np.repeat(steps > 1, steps)
     even = np.linspace(0.0, density.thickness, _SAMPLES)
@@ -101,9 +101,9 @@ def layer_edges(
     faint: float = FAINT,
     faint_and_wide: float = 0.0,
 ) -> FloatArray:
-    """Altitudes of the bottom, the peak and the top of each elevated layer that scatters.
+    """Altitudes of bottom, peak and top of each elevated scattering layer.
 
-    Edges of different layers next to each other are merged, and peaks left out next to ends.
+    Nearby edges of different layers are merged, and peaks next to edges omitted.
 
     Parameters
     ----------
@@ -112,15 +112,14 @@ def layer_edges(
     scattering : array, shape (nc,)
         Largest scattering coefficient of each constituent at relative density 1. [m⁻¹]
     faint : float
-        Smallest scattering optical depth of a layer that counts. [1]
+        Smallest scattering optical depth of a layer. [1]
     faint_and_wide : float
-        Smallest scattering optical depth that counts of a layer wider than 15 % of the shell. [1]
+        Smallest scattering optical depth of a layer wider than 15 % of the shell. [1]
 
     Returns
     -------
     array, shape (n,)
-        Altitudes, ascending, within the shell; empty if all scatterers are densest at the ground.
-        [m]
+        Altitudes, ascending, within the shell; empty without elevated layers. [m]
 
     Examples
     --------

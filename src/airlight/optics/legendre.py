@@ -1,4 +1,4 @@
-"""Legendre moments of phase functions: all that multiple scattering depends on."""
+"""Legendre moments of phase functions."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Number of times that panels of the quadrature in u = sin(θ/2) halve towards 0 and towards 1:
-#: the innermost is 0.0005° wide.
+#: Number of halvings of quadrature panels in u = sin(θ/2) towards 0 and 1: the innermost panel is
+#: 0.0005° wide.
 _HALVINGS: Final = 18
 #: Smallest number of Gauss-Legendre points of a panel.
 _POINTS: Final = 20
@@ -22,8 +22,8 @@ _POINTS: Final = 20
 def _quadrature(degree: int) -> tuple[FloatArray, FloatArray]:
     """Nodes nu and weights over [-1, 1], graded towards both ends.
 
-    In u = sin(θ/2), nu = 1 - 2u² and dnu = -4u du; forward and backward peaks of any width down
-    to the innermost panel lie on panels no wider than themselves.
+    In u = sin(θ/2), nu = 1 - 2u² and dnu = -4u du; panels resolve forward and backward peaks down
+    to the width of the innermost one.
     """
     halves = 0.5 ** np.arange(1, _HALVINGS + 1)
     edges = np.unique(np.concatenate([[0.0, 1.0], halves, 1.0 - halves]))

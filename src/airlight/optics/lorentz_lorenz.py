@@ -44,7 +44,7 @@ def refractivity_of(refraction: npt.ArrayLike) -> FloatArray:
     Returns
     -------
     array, shape (...)
-        Refractivity n - 1, without loss of digits however thin the gas. [1]
+        Refractivity n - 1, without cancellation at low density. [1]
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""Exact scattering by spheres: Mie's theory, averaged over a size distribution.
+"""Mie scattering by spheres, averaged over a size distribution.
 
-The coefficients a_n, b_n come from ``miepython``; the sums over them, over angles and over radii
-are matrix products here, a few hundred times faster than one sphere and one angle at a time.
+The coefficients a_n, b_n come from ``miepython``; sums over them, over angles and over radii are
+matrix products, a few hundred times faster than loops over spheres and angles.
 """
 
 from __future__ import annotations
@@ -21,25 +21,24 @@ from airlight.optics.size_distribution import SizeNodes
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
 
-#: Largest size parameter 2πr/λ that is computed: beyond it light is that of geometric optics.
+#: Largest size parameter 2πr/λ by Mie theory; larger spheres are in the geometric-optics regime.
 LARGEST_SIZE_PARAMETER: Final = 3000.0
-#: Step of ln r between absorbing spheres beyond it.
+#: Step in ln r between larger absorbing spheres.
 _LARGE_STEP: Final = 0.1
 #: Largest number of even steps between scattering angles.
 MOST_STEPS: Final = 8000.0
-#: Number of rings around the forward direction, and of the glory's, that are always resolved, and
-#: angles per ring.
+#: Number of diffraction rings, and of glory rings, that are always resolved, and angles per ring.
 _RINGS: Final = 12
 _PER_RING: Final = 40.0
 #: Growth of the steps between angles from the ends inwards.
 _GROWTH: Final = 1.15
-#: Number of radii that are summed together, as their series have about the same length.
+#: Number of radii summed together, since their series have similar lengths.
 _BLOCK: Final = 64
 
 
 @dataclass(frozen=True, eq=False)
 class Scattering:
-    """Optical properties of the mean particle at one wavelength.
+    """Mean optical properties per particle at one wavelength.
 
     Parameters
     ----------
@@ -61,7 +60,7 @@ class Scattering:
 
 
 def efficiencies(size_parameter: float, index: complex) -> tuple[float, float, float]:
-    """Extinction and scattering efficiency and asymmetry of one sphere.
+    """Extinction and scattering efficiencies and asymmetry of a sphere.
 
     Parameters
     ----------
@@ -101,20 +100,20 @@ def scattering(
     *,
     cancel: Cancel | None = None,
 ) -> Scattering:
-    """Cross-sections and phase matrix of the mean particle.
+    """Mean cross-sections and phase matrix per particle.
 
     Parameters
     ----------
     sizes : SizeNodes
         Sizes from ``optics.size_distribution``.
     wavelength : float
-        Wavelength in the air, taken as that in vacuum. [nm]
+        Vacuum wavelength; the surrounding medium is taken as vacuum. [nm]
     index : complex
         Refractive index of the particles n + ik, k 0 or more. [1]
     angles : array, shape (na,)
         Scattering angles. [deg]
     cancel : callable, optional
-        Called every 64 radii; True stops the work.
+        Called every 64 radii; True stops with ``Cancelled``.
 
     Returns
     -------
@@ -123,7 +122,7 @@ def scattering(
     Raises
     ------
     ParameterError
-        If the index is impossible.
+        If the index is unphysical.
     Cancelled
         If ``cancel`` returned True.
 
@@ -162,7 +161,7 @@ def scattering(
 
 
 def check_index(index: complex) -> None:
-    """Refuse a refractive index that no material has, or that would amplify light."""
+    """Raise an error for an unphysical refractive index or one with gain."""
     if not 0.1 <= index.real <= 10.0:
         raise ParameterError("index.real", index.real, "0.1 to 10")
     if not 0.0 <= index.imag <= 10.0:
@@ -172,7 +171,7 @@ def check_index(index: complex) -> None:
 def computed_spheres(
     sizes: SizeNodes, wavelength: float, index: complex
 ) -> tuple[SizeNodes, ComplexArray]:
-    """Spheres that stand for those of a size parameter above 3000, and the index of each.
+    """Equivalent spheres for size parameters above 3000, and their refractive indices.
 
     In geometric optics light depends on a sphere's area, and on its absorption along a diameter. A
     larger sphere is that of size parameter 3000, with as many more per area and with an imaginary
@@ -192,7 +191,7 @@ def computed_spheres(
     Returns
     -------
     sizes : SizeNodes
-        Radii up to the largest, those of nearly the same index as one. [m]
+        Radii up to the largest, with those of nearly equal index merged. [m]
     indices : array, shape (n,)
         Refractive index of each. [1]
     """
@@ -213,14 +212,14 @@ def computed_spheres(
 
 
 def work(radii: int, size_parameter: float, angles: int) -> float:
-    """Amount of work of ``scattering``: terms of all radii at all angles. [1]
+    """Estimated work of ``scattering``: terms of all radii at all angles. [1]
 
     Parameters
     ----------
     radii : int
         Number of radii.
     size_parameter : float
-        That of the largest. [1]
+        Largest size parameter. [1]
     angles : int
         Number of scattering angles; the coefficients of a radius take as long as 3000 of them.
     """
@@ -228,12 +227,12 @@ def work(radii: int, size_parameter: float, angles: int) -> float:
 
 
 def memory(size_parameter: float, angles: int) -> float:
-    """Memory that ``scattering`` needs. [byte]
+    """Memory of ``scattering``. [byte]
 
     Parameters
     ----------
     size_parameter : float
-        That of the largest radius. [1]
+        Largest size parameter. [1]
     angles : int
         Number of scattering angles.
     """
@@ -242,11 +241,11 @@ def memory(size_parameter: float, angles: int) -> float:
 
 
 def scattering_angles(size_parameter: float, per_ripple: float = 12.0) -> FloatArray:
-    """Angles at which to tabulate a phase function, ascending from 0 to 180. [deg]
+    """Scattering angles for the table of a phase function, ascending from 0 to 180. [deg]
 
     Even steps resolve the ripples of a sphere; they grow from a sixteenth of a step at both ends,
-    where the diffraction peak and the glory are. There are at most 8000: of a larger sphere they
-    resolve the first 12 rings at both ends, and ``ripples.ripple_means`` takes the mean elsewhere.
+    for the diffraction peak and the glory. There are at most 8000; for larger spheres they resolve
+    the first 12 rings at both ends, and ``ripples.ripple_means`` averages elsewhere.
 
     Parameters
     ----------
@@ -282,7 +281,7 @@ def _blocks(count: int) -> Iterator[slice]:
 
 
 def _terms(size_parameter: float) -> int:
-    """Length of miepython's series by Wiscombe's criterion. [1]"""
+    """Number of terms of miepython's series, by Wiscombe's criterion. [1]"""
     return int(size_parameter + 4.05 * size_parameter**0.33333 + 2.0)
 
 

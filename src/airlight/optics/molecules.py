@@ -1,4 +1,4 @@
-"""Gases that airlight knows: the scattering properties of each, in one table."""
+"""Scattering properties of gases."""
 
 from __future__ import annotations
 
@@ -23,28 +23,28 @@ Spectrum = Callable[[npt.ArrayLike], FloatArray]
 
 
 def constant_king_factor(wavelengths: npt.ArrayLike, value: float = 1.0) -> FloatArray:
-    """Same King factor at every wavelength [nm], shape (...). [1]"""
+    """King factor independent of wavelength [nm], shape (...). [1]"""
     return np.full(np.shape(wavelengths), value)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Molecule:
-    """Gas of known scattering.
+    """Scattering properties of a gas.
 
     Parameters
     ----------
     name : str
-        Name in words.
+        Name.
     molar_mass : float
-        Mass of a mole. [kg mol⁻¹]
+        Molar mass. [kg mol⁻¹]
     refractivities : callable
-        Function that gives n - 1 at the temperature and pressure below, of wavelengths in nm. [1]
+        n - 1 at the temperature and pressure below, as a function of wavelength in nm. [1]
     temperature, pressure : float
         State of the gas at which the refractivity was measured. [K], [Pa]
     king_factors : callable
-        Function that gives the King factor, of wavelengths in nm. [1]
+        King factor as a function of wavelength in nm. [1]
     limits : tuple of float
-        Wavelengths at which both are known. [nm]
+        Wavelength range of both. [nm]
     """
 
     name: str

@@ -1,6 +1,6 @@
-r"""Brightness of a moon by its phase: spheres without air, and the Moon as it is measured.
+r"""Phase functions of airless spheres and of the Moon.
 
-The irradiance by a sphere of radius R at a distance d, lit by E at the phase angle α, is
+The irradiance by a sphere of radius R at a distance d, under the irradiance E at phase angle α, is
 
 .. math:: E' = E \, p \, \Phi(\alpha) \, (R/d)^2
 
@@ -27,18 +27,18 @@ FULL_MOON: Final = -12.73
 SUN: Final = -26.74
 #: Ratio of the Moon's mean distance to its radius, to which the magnitude refers. [1]
 _RADII_AWAY: Final = 384_400.0 / 1737.4
-#: Geometric albedo of the Moon at 550 nm that these magnitudes mean. [1]
+#: Geometric albedo of the Moon at 550 nm, from these magnitudes. [1]
 MOON_ALBEDO: Final = 10.0 ** (-0.4 * (FULL_MOON - SUN)) * _RADII_AWAY**2
-#: Power of the wavelength by which the Moon's albedo rises: its colour B - V is 0.92 mag, the sun's
-#: 0.65 mag (Cox 2000, table 12.1), between 440 and 550 nm. [1]
+#: Exponent of wavelength in the Moon's albedo, from B - V of 0.92 mag, that of the sun 0.65 mag
+#: (Cox 2000, table 12.1), between 440 and 550 nm. [1]
 MOON_REDDENING: Final = 0.4 * (0.92 - 0.65) * np.log(10.0) / np.log(550.0 / 440.0)
-#: Largest phase angle of the measurements; thinner crescents keep their surface's brightness. [deg]
+#: Largest phase angle of the measurements; beyond, surface radiance is taken as constant. [deg]
 _THINNEST: Final = 160.0
 _LOG10: Final = log(10.0)
 
 
 def lambert_phase(phase: ArrayLike) -> FloatArray:
-    """Phase function of a Lambert sphere, whose geometric albedo is 2/3 of its albedo. [1]
+    """Phase function of a Lambertian sphere, with a geometric albedo of 2/3 its albedo. [1]
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def lambert_phase(phase: ArrayLike) -> FloatArray:
 
 @kernel
 def dusty_sphere(phase):
-    """Phase function of a sphere of dark dust; ``lommel_seeliger_phase`` of one number. [1]
+    """``lommel_seeliger_phase`` of a single phase angle. [1]
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def dusty_sphere(phase):
 
 @kernel
 def measured_phase(phase):
-    """Phase function of the Moon; ``moon_phase`` of one number. [1]
+    """``moon_phase`` of a single phase angle. [1]
 
     Parameters
     ----------
@@ -86,9 +86,9 @@ def measured_phase(phase):
 
 @kernel
 def moon_share(phase):
-    """Light of the Moon over that of the full Moon. [1]
+    """Brightness of the Moon over that of the full Moon. [1]
 
-    Beyond the phases that are measured, 160 degrees, the crescent keeps its surface's brightness.
+    Beyond the measured phases, 160 degrees, the surface radiance of the crescent is constant.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def moon_share(phase):
 
 
 def lommel_seeliger_phase(phase: ArrayLike) -> FloatArray:
-    r"""Phase function of a sphere of dark dust, by Lommel and Seeliger's law. [1]
+    r"""Phase function of a Lommel-Seeliger sphere. [1]
 
     .. math:: \Phi = 1 - \sin\frac{\alpha}{2} \tan\frac{\alpha}{2} \ln\cot\frac{\alpha}{4}
 
@@ -127,9 +127,9 @@ def lommel_seeliger_phase(phase: ArrayLike) -> FloatArray:
 
 
 def moon_phase(phase: ArrayLike) -> FloatArray:
-    """Phase function of the Moon as measured, without the opposition surge of the last degrees. [1]
+    """Measured phase function of the Moon, without the opposition surge at full Moon. [1]
 
-    It is ΔV = 0.026 α + 4e-9 α⁴ magnitudes fainter than full, α in degrees.
+    ΔV = 0.026 α + 4e-9 α⁴ magnitudes fainter than full, α in degrees.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def moon_phase(phase: ArrayLike) -> FloatArray:
 
 
 def moon_albedo(wavelengths: ArrayLike) -> FloatArray:
-    """Geometric albedo of the Moon, which rises with the wavelength by its colour B - V. [1]
+    """Geometric albedo of the Moon, reddened by its colour B - V. [1]
 
     Parameters
     ----------
@@ -180,10 +180,10 @@ def moon_brightness(wavelengths: ArrayLike, phase: float) -> FloatArray:
 
 
 def moon_surface_factor(phase: ArrayLike) -> FloatArray:
-    """Factor by which the Moon's surface is fainter than one of dark dust, at a phase angle. [1]
+    """Correction factor of Lommel-Seeliger surface radiance for the Moon, at a phase angle. [1]
 
-    With it the whole disc has the brightness that is measured. Phases are known up to 160 degrees;
-    beyond, the factor stays.
+    It makes the disc-integrated brightness equal to the measurement, up to 160 degrees; beyond, it
+    is constant.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""Phase functions: distribution of scattered light over directions; each integrates to 1.
+"""Phase functions, normalised to 1 over the sphere.
 
-The argument ``nu`` is the cosine between the directions before and after the scattering, +1
-for straight forward. With the observer's view and the direction towards the star, nu = view · sun.
+The argument ``nu`` is the cosine of the scattering angle, +1 for forward scattering: for a line of
+sight and the direction towards the star, nu = view · sun.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ INV_4PI: Final = 1.0 / (4.0 * math.pi)
 
 @kernel
 def rayleigh(nu: float, depolarisation: float) -> float:
-    r"""Rayleigh phase function of molecules with a depolarisation factor. [sr⁻¹]
+    r"""Rayleigh phase function with depolarisation. [sr⁻¹]
 
     .. math:: p = \frac{3}{16\pi(1+2\gamma)}\left[(1+3\gamma) + (1-\gamma)\nu^2\right],
               \qquad \gamma = \frac{\delta}{2-\delta}
@@ -45,10 +45,10 @@ def rayleigh(nu: float, depolarisation: float) -> float:
 
 @kernel
 def rayleigh_modified(nu: float) -> float:
-    """An artist's Rayleigh phase function, 0.8 (1.4 + 0.5 ν)/4π: **not** normalised. [sr⁻¹]
+    """Empirical Rayleigh phase function of computer graphics, 0.8 (1.4 + 0.5 ν)/4π. [sr⁻¹]
 
-    It integrates to 1.12, so it does not conserve energy; no planet file can select it. It darkens
-    the sky opposite the sun, where real Rayleigh scattering is symmetric.
+    **Not** normalised: it integrates to 1.12, and violates energy conservation; no planet file can
+    select it. It darkens the antisolar sky, where Rayleigh scattering is symmetric.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def double_henyey_greenstein(nu: float, g1: float, g2: float, alpha: float) -> f
     g1, g2 : float
         Mean cosine of each lobe, between -1 and 1. [1]
     alpha : float
-        Share of the first lobe, 0 to 1. [1]
+        Weight of the first lobe, 0 to 1. [1]
 
     References
     ----------

@@ -1,7 +1,7 @@
-r"""Phase matrices: what scattering does to the Stokes parameters of light.
+r"""Phase matrices: scattering of the Stokes parameters.
 
-With I, Q, U, V referred to the scattering plane, Q > 0 for light that swings in it, scattering by
-molecules and by spheres is
+With I, Q, U, V referred to the scattering plane, Q > 0 parallel to it, the phase matrix of
+molecules and of spheres is
 
 .. math:: \begin{pmatrix} F_{11} & F_{12} & 0 & 0 \\ F_{12} & F_{22} & 0 & 0 \\
           0 & 0 & F_{33} & F_{34} \\ 0 & 0 & -F_{34} & F_{44} \end{pmatrix} .
@@ -17,7 +17,7 @@ from airlight.kernel import kernel
 
 @kernel
 def anisotropy(depolarisation):
-    """Part Δ of molecular scattering that is Rayleigh's; the rest is isotropic, unpolarised. [1]
+    """Fraction Δ of Rayleigh scattering; the rest is isotropic and unpolarised. [1]
 
     Parameters
     ----------
@@ -67,10 +67,9 @@ def rayleigh_ratios(nu, depolarisation):
 
 @kernel
 def unpolarising_ratio(nu):
-    """F₃₃ and F₄₄ over F₁₁ of particles of which only the phase function is known. [1]
+    """F₃₃ and F₄₄ over F₁₁ of particles with only a phase function. [1]
 
-    They polarise nothing, F₁₂ = F₃₄ = 0, and keep F₂₂ = F₁₁, as spheres do. The ratio is that of
-    Rayleigh's law: 1 forward, so that light that is hardly turned keeps its polarisation, and -1
-    backward.
+    They do not polarise, F₁₂ = F₃₄ = 0, and F₂₂ = F₁₁ as for spheres. The ratio is that of Rayleigh
+    scattering: 1 forward, which preserves polarisation, and -1 backward.
     """
     return 2.0 * nu / (1.0 + nu * nu)

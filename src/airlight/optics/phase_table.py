@@ -12,8 +12,7 @@ from airlight.kernel import compiled_loop
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Smallest value interpolated in the logarithm; smaller values and zeros are joined by lines.
-#: [sr⁻¹]
+#: Smallest value interpolated in the logarithm; smaller values are interpolated linearly. [sr⁻¹]
 SMALLEST_LOGARITHMIC: Final = 1e-30
 #: Largest width of the pieces in integrals over a table. [deg]
 _WIDEST_PIECE: Final = 1.0
@@ -22,7 +21,7 @@ _POINTS: Final = 6
 
 
 def interpolated(angles: FloatArray, rows: FloatArray, at: npt.ArrayLike) -> FloatArray:
-    """Interpolate the tabulated functions at any angles.
+    """Interpolated phase functions.
 
     Parameters
     ----------

@@ -1,18 +1,17 @@
-"""Reflection by the ground: one object for every solver, sweep, march and pixel.
+"""Reflectance of the ground: parameters and laws for all solvers and renderers.
 
-A law of reflection gives the radiance of the ground along a line, relative to that of a white
-Lambert surface in the same light: the reflectance factor, π times the BRDF (Nicodemus et al. 1977,
-NBS Monograph 160). It is evaluated twice, because the ground's light has two parts: the star's
-comes from one direction, the sky's from all, which counts as uniform there (0.6 % of reciprocity by
-Lommel and Seeliger's law under Rayleigh's sky). Each factor is ``matte · albedo + gloss``: light
-that the matter below the surface has coloured, and light that the surface itself mirrors.
+A reflection law gives the reflectance factor: the radiance of the ground relative to that of a
+white Lambertian surface under the same illumination, π times the BRDF (Nicodemus et al. 1977,
+NBS Monograph 160). It has two forms: direct (bidirectional) for the star's beam, and diffuse
+(hemispherical-directional) for sky light, which is taken as isotropic (reciprocity error 0.6 % for
+Lommel-Seeliger under a Rayleigh sky). Each is ``diffuse · albedo + specular``: volume scattering
+below the surface, which has the ground's colour, and Fresnel reflection by the surface.
 
-Clouds hide the same share of the ground everywhere from solvers, which know nothing of places; a
-picture looks their cover up.
+Solvers use a uniform cloud cover; a renderer looks up the local one.
 
-A new law is a file of its own with two kernels, ``star_share`` and ``sky_share``, and a function
-``largest_albedo``, and a line in ``LAWS``; its parameters other than the albedo are fields of
-``Reflection``, numbers with a default, which every solver, table and shader passes on.
+A law is a module with two kernels, ``brdf_direct`` and ``brdf_diffuse``, a function
+``largest_albedo``, and an entry in ``LAWS``; its parameters other than the albedo are numeric
+fields of ``Reflection`` with a default, passed to every solver, table and shader.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ LAWS: Final[dict[str, Any]] = {
 
 
 def law_number(name: str) -> int:
-    """Number by which kernels know a law.
+    """Index of a law in ``LAWS``.
 
     Parameters
     ----------
@@ -55,21 +54,20 @@ WATER: Final = law_number("water")
 
 
 class Reflection(NamedTuple):
-    """Ground as an argument of kernels.
+    """Reflectance of the ground, as an argument of kernels.
 
     Attributes
     ----------
     albedo : array, shape (w,), or float
-        Fraction of diffuse light that is reflected; wavelengths in the lanes, or one of them. [1]
+        Spherical albedo; wavelengths in the lanes, or a single one. [1]
     law : int
-        Number of the law, its position in ``LAWS``.
+        Index of the law in ``LAWS``.
     wet : bool
         Whether some of the ground is water, by the law or by a map.
     wind : float
         Wind speed over water. [m s⁻¹]
     cover, cloud_albedo : float
-        Mean cover of the clouds that hide the ground, and the albedo of full cover, which reflects
-        by Lambert's law. [1]
+        Mean cloud cover, and albedo of the Lambertian clouds. [1]
     """
 
     albedo: Annotated[Any, SPECTRA]
@@ -98,23 +96,23 @@ NUMBERS: Final[dict[str, type]] = {
     name: kind for name, kind in get_type_hints(Reflection).items() if name != "albedo"
 }
 
-#: ``star_share(law, ground, mu_s, leaving, nu)``: factor of the albedo, and part without it, of the
-#: light of a star, by the law of that number in ``LAWS``.
-star_share = chosen_kernel("star_share", [law.star_share for law in LAWS.values()], __name__)
-#: ``sky_share(law, ground, leaving)``: the same, of the light of a uniform sky.
-sky_share = chosen_kernel("sky_share", [law.sky_share for law in LAWS.values()], __name__)
+#: ``brdf_direct(law, ground, mu_s, mu_r, nu)``: diffuse (factor of the albedo) and specular parts
+#: of π times the BRDF, by the law of that number in ``LAWS``.
+brdf_direct = chosen_kernel("brdf_direct", [law.brdf_direct for law in LAWS.values()], __name__)
+#: ``brdf_diffuse(law, ground, mu_r)``: the same under isotropic illumination.
+brdf_diffuse = chosen_kernel("brdf_diffuse", [law.brdf_diffuse for law in LAWS.values()], __name__)
 
 
 @inlined
 def _with_clouds(factor, ground):
-    """Reflectance factor of ground and of the clouds above it, from that of the ground. [1]"""
+    """Reflectance factor with clouds, from that of the ground. [1]"""
     cloud = ground.cover * ground.cloud_albedo
     return factor * np.float32(1.0 - ground.cover) + np.float32(cloud)
 
 
 @inlined
-def star_factor(ground, at, mu_s, leaving, nu):
-    """Reflectance factor of the ground in the light of a star. [1]
+def direct_reflectance(ground, at, mu_s, mu_r, nu):
+    """Bidirectional reflectance factor of the ground, π times its BRDF. [1]
 
     Parameters
     ----------
@@ -123,50 +121,53 @@ def star_factor(ground, at, mu_s, leaving, nu):
         Index of the first lane.
     mu_s : float
         Cosine of the star's zenith angle at the ground. [1]
-    leaving : float
-        Cosine of the zenith angle of the reflected light, towards the observer. [1]
+    mu_r : float
+        Cosine of the zenith angle of reflection, towards the observer. [1]
     nu : float
-        Cosine between the line of sight, as it arrives at the ground, and the star. [1]
+        Cosine between the line of sight towards the ground and the direction to the star. [1]
 
     Returns
     -------
     lanes, or a float where ``ground`` is of one wavelength
     """
-    matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
-    return _with_clouds(load(ground.albedo, at) * np.float32(matte) + np.float32(gloss), ground)
+    diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
+    return _with_clouds(
+        load(ground.albedo, at) * np.float32(diffuse) + np.float32(specular), ground
+    )
 
 
 @inlined
-def sky_factor(ground, at, leaving):
-    """Reflectance factor of the ground under a uniform sky. [1]
+def diffuse_reflectance(ground, at, mu_r):
+    """Hemispherical-directional reflectance factor of the ground, for isotropic illumination. [1]
 
-    By reciprocity this is also the total reflected fraction of a beam from the direction
-    ``leaving``.
+    By reciprocity it is also the directional albedo, for a beam from the direction ``mu_r``.
 
     Parameters
     ----------
     ground : Reflection
     at : int
         Index of the first lane.
-    leaving : float
+    mu_r : float
         Cosine of the zenith angle of the reflected light, towards the observer. [1]
 
     Returns
     -------
     lanes, or a float where ``ground`` is of one wavelength
     """
-    matte, gloss = sky_share(ground.law, ground, leaving)
-    return _with_clouds(load(ground.albedo, at) * np.float32(matte) + np.float32(gloss), ground)
+    diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
+    return _with_clouds(
+        load(ground.albedo, at) * np.float32(diffuse) + np.float32(specular), ground
+    )
 
 
 @inlined
-def leaving_cosine(r, mu, bottom):
-    """Cosine of the zenith angle at which light leaves the ground along a straight line. [1]
+def cos_reflected(r, mu, bottom):
+    """Cosine of the zenith angle of reflection at the ground end of a straight line. [1]
 
     Parameters
     ----------
     r, mu : float
-        Radius at which the line is seen [m], and its zenith cosine there, towards the ground [1].
+        Radius of the start of the line [m], and its zenith cosine there, towards the ground [1].
     bottom : float
         Radius of the ground. [m]
     """
@@ -175,32 +176,32 @@ def leaving_cosine(r, mu, bottom):
 
 
 @inlined
-def star_factor_at(ground, l, mu_s, leaving, nu):
-    """``star_factor`` at one of the wavelengths, in double precision. [1]"""
-    matte, gloss = star_share(ground.law, ground, mu_s, leaving, nu)
-    clear = matte * ground.albedo[l] + gloss
+def direct_reflectance_at(ground, l, mu_s, mu_r, nu):
+    """``direct_reflectance`` at wavelength l, in double precision. [1]"""
+    diffuse, specular = brdf_direct(ground.law, ground, mu_s, mu_r, nu)
+    clear = diffuse * ground.albedo[l] + specular
     return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
 
 
 @inlined
-def sky_factor_at(ground, l, leaving):
-    """``sky_factor`` at one of the wavelengths, in double precision. [1]"""
-    matte, gloss = sky_share(ground.law, ground, leaving)
-    clear = matte * ground.albedo[l] + gloss
+def diffuse_reflectance_at(ground, l, mu_r):
+    """``diffuse_reflectance`` at wavelength l, in double precision. [1]"""
+    diffuse, specular = brdf_diffuse(ground.law, ground, mu_r)
+    clear = diffuse * ground.albedo[l] + specular
     return clear * (1.0 - ground.cover) + ground.cover * ground.cloud_albedo
 
 
 @compiled_loop
-def star_factors(ground, mu_s, leaving, nu, out):
-    """Write ``star_factor`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
+def direct_reflectances(ground, mu_s, mu_r, nu, out):
+    """``direct_reflectance`` of n lines at all wavelengths, to ``out``, shape (n, nl). [1]"""
     for k in range(mu_s.size):
         for l in range(out.shape[1]):
-            out[k, l] = star_factor_at(ground, l, mu_s[k], leaving[k], nu[k])
+            out[k, l] = direct_reflectance_at(ground, l, mu_s[k], mu_r[k], nu[k])
 
 
 @compiled_loop
-def sky_factors(ground, leaving, out):
-    """Write ``sky_factor`` of n lines at all wavelengths to ``out``, shape (n, nl). [1]"""
-    for k in range(leaving.size):
+def diffuse_reflectances(ground, mu_r, out):
+    """``diffuse_reflectance`` of n lines at all wavelengths, to ``out``, shape (n, nl). [1]"""
+    for k in range(mu_r.size):
         for l in range(out.shape[1]):
-            out[k, l] = sky_factor_at(ground, l, leaving[k])
+            out[k, l] = diffuse_reflectance_at(ground, l, mu_r[k])

@@ -1,4 +1,4 @@
-"""Refractivity n - 1 of air and carbon dioxide, each at the state of its measurement.
+"""Refractivity n - 1 of air and carbon dioxide, at the reference state of each measurement.
 
 Other gases are in ``element_refractivity`` and ``compound_refractivity``.
 """

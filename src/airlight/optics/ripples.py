@@ -1,4 +1,4 @@
-"""Means over ripples of a phase function that its angles are too far apart to resolve."""
+"""Averages over unresolved ripples of a phase function."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ _HALF_WIDTH: Final = 1.5
 
 
 def ripple_means(angles: FloatArray, rows: FloatArray, ripple: float) -> FloatArray:
-    """Average functions of angle over ripples, where the angles do not resolve them.
+    """Functions of angle, averaged over ripples that the angles do not resolve.
 
-    A straight line between the logarithms of two samples of a ripple lies below its mean: spheres
-    of 100 µm would lose 1 % of their light. The samples are closer than half a ripple, so that
-    their own mean, weighted by sin θ and a Hann window of three ripples, loses none.
+    Logarithmic interpolation between two samples of a ripple is below its mean: spheres of 100 µm
+    would lose 1 % of their scattering. The samples are closer than half a ripple, so that their
+    mean, weighted by sin θ and a Hann window of three ripples, is exact.
 
     Parameters
     ----------

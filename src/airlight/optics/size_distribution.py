@@ -1,7 +1,7 @@
-"""Size distributions of particles: gamma, log-normal and single radius, with quadrature nodes.
+"""Size distributions of particles: gamma, log-normal and monodisperse, with quadrature nodes.
 
-A distribution is a number density over radius with integral 1. Scattering depends on areas, so the
-nodes are spread over the radii that carry area; the radii left out carry a millionth of it.
+A distribution is a probability density over radius. Scattering depends on cross-sectional area, so
+the nodes cover the radii that contribute area, but for a millionth of it.
 """
 
 from __future__ import annotations
@@ -16,22 +16,22 @@ from airlight.errors import ParameterError
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Share of the area in the small radii that the nodes omit.
+#: Fraction of the area in the omitted small radii.
 _SMALL_SHARE: Final = 1e-6
-#: Share of Σ r⁴, the forward light, in the large radii that the nodes omit.
+#: Fraction of Σ r⁴, forward scattering, in the omitted large radii.
 _LARGE_SHARE: Final = 1e-6
 
 
 class SizeNodes(NamedTuple):
-    """Radii and the number of particles at each.
+    """Quadrature over a size distribution.
 
     Parameters
     ----------
     radii : array, shape (n,)
         Radii, ascending. [m]
     weights : array, shape (n,)
-        Number of particles, as fractions of one particle; Σ weights f(radii) is the mean of f for
-        any f that grows like an area or faster. [1]
+        Weights: Σ weights f(radii) is the mean of f per particle, for f that grows at least like an
+        area. [1]
     """
 
     radii: FloatArray
@@ -212,17 +212,17 @@ def log_normal_sizes(median_radius: float, geometric_deviation: float, count: in
 
 
 def single_size(radius: float) -> SizeNodes:
-    """Distribution of particles of one radius [m]."""
+    """Monodisperse distribution of a radius [m]."""
     if not radius > 0.0:
         raise ParameterError("radius", radius, "more than 0 m")
     return SizeNodes(np.array([radius]), np.array([1.0]))
 
 
 def _nodes(low: float, high: float, count: int) -> tuple[FloatArray, FloatArray]:
-    """Midpoints and widths of steps that are even in √r, fine enough for small and large radii.
+    """Midpoint rule with even steps in √r.
 
     The density vanishes at both ends, so the midpoint rule converges fast; even steps in ln r would
-    leave the ripples of large spheres between the nodes, even steps in r the small spheres.
+    not resolve the ripples of large spheres, even steps in r the small spheres.
     """
     edges = np.linspace(math.sqrt(low), math.sqrt(high), 2 * count + 1)
     middle, step = edges[1::2], edges[2] - edges[0]

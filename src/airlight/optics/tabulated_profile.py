@@ -17,7 +17,7 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Number of exponential pieces per interval of the table.
 PIECES: Final = 8
-#: Largest relative density of the continuation down to the ground.
+#: Largest relative density of the extrapolation down to the ground.
 _LARGEST: Final = 1e6
 #: Steepest exponential of one segment, as an exponent: e^-300 is negligible.
 _STEEPEST: Final = 300.0
@@ -29,10 +29,9 @@ _Piece = tuple[float, float, float, float, float, float]
 def tabulated(altitudes: npt.ArrayLike, densities: npt.ArrayLike, thickness: float) -> Row:
     """Segments of a tabulated profile.
 
-    Between two positive densities: a monotone cubic (PCHIP) through their logarithms, cut into
-    exponential pieces. Next to a density of 0: a straight line. Beyond the table's ends: 0 where
-    the end value is 0; otherwise the exponential that continues the cubic's slope, or the constant
-    end value where that exponential would grow upwards.
+    Between positive densities: a monotone cubic (PCHIP) through their logarithms, divided into
+    exponential pieces. Next to a density of 0: linear. Outside the table: 0 if the end value is 0;
+    otherwise exponential with the slope of the cubic, or constant if it would grow upwards.
 
     Parameters
     ----------
@@ -41,7 +40,7 @@ def tabulated(altitudes: npt.ArrayLike, densities: npt.ArrayLike, thickness: flo
     densities : array, shape (n,)
         Densities relative to that of the coefficients; not negative. [1]
     thickness : float
-        Thickness of the shell, where the table is cut off. [m]
+        Thickness of the shell, where the table is truncated. [m]
 
     Returns
     -------
@@ -51,7 +50,7 @@ def tabulated(altitudes: npt.ArrayLike, densities: npt.ArrayLike, thickness: flo
     Raises
     ------
     ParameterError
-        If the profile, continued down to the ground, exceeds a million.
+        If the extrapolation to the ground exceeds a million.
 
     Examples
     --------
@@ -74,7 +73,7 @@ def tabulated(altitudes: npt.ArrayLike, densities: npt.ArrayLike, thickness: flo
 
 
 def _runs(density: FloatArray) -> list[tuple[int, int]]:
-    """Index ranges, in order: each stretch of positive densities, and each interval next to a 0."""
+    """Index ranges, in order: runs of positive densities, and intervals next to a 0."""
     runs: list[tuple[int, int]] = []
     k = 0
     while k < len(density) - 1:
@@ -144,7 +143,7 @@ def _above(h: FloatArray, density: FloatArray, thickness: float) -> list[_Piece]
 
 
 def _as_row(pieces: list[_Piece], thickness: float) -> Row:
-    """Edges and coefficients of the pieces, cut off at the top of the shell."""
+    """Edges and coefficients of the pieces, truncated at the top of the shell."""
     kept = [piece for piece in pieces if piece[0] < thickness]
     edges = [0.0, *(min(piece[1], thickness) for piece in kept)]
     return np.array(edges), np.array([piece[2:] for piece in kept])

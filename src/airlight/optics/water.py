@@ -1,10 +1,10 @@
-"""Reflection by the sea: mirroring facets, foam, and light that comes back from below.
+"""Reflection by the sea: glint, whitecaps, and water-leaving radiance.
 
-The facets are Cox and Munk's (``cox_munk``), their refractive index that of sea water at all
-wavelengths. Foam covers a share of the sea that grows with the wind (Monahan & O'Muircheartaigh
-1980, J. Phys. Oceanogr. 10, 2094, eq. 5) and reflects 0.22 of the light alike into all directions,
-the mean over a patch's life (Koepke 1984, Appl. Opt. 23, 1816). What is left goes below: of it the
-fraction ``albedo`` of all light comes back, through the surface both ways.
+Glint is that of Cox-Munk facets (``cox_munk``), with one refractive index of sea water at all
+wavelengths. Whitecap coverage increases with wind (Monahan & O'Muircheartaigh 1980, J. Phys.
+Oceanogr. 10, 2094, eq. 5); the effective reflectance of foam is 0.22, Lambertian, the mean over a
+patch's lifetime (Koepke 1984, Appl. Opt. 23, 1816). The rest is transmitted into the water;
+``albedo`` is the fraction of incident light that leaves it again, with both transmissions.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ FOAM = 0.22
 
 
 def largest_albedo(ground: Any) -> float:
-    """Largest albedo that conserves energy, of a ``Reflection``, at all winds. [1]"""
+    """Largest albedo that conserves energy: the transmittance of the surface at all winds. [1]"""
     return 0.93
 
 
 @kernel
-def foam_share(wind):
-    """Share of the sea that foam covers, 2.95e-6 U^3.52. [1]
+def foam_fraction(wind):
+    """Whitecap coverage, 2.95e-6 U^3.52. [1]
 
     Parameters
     ----------
@@ -34,15 +34,15 @@ def foam_share(wind):
 
     Examples
     --------
-    >>> round(foam_share(10.0), 4)
+    >>> round(foam_fraction(10.0), 4)
     0.0098
     """
     return 2.95e-6 * wind**3.52
 
 
 @kernel
-def mean_gloss(wind):
-    """Fraction of a uniform sky's light that surface and foam send back. [1]
+def mean_specular(wind):
+    """Spherical albedo of surface and foam. [1]
 
     Parameters
     ----------
@@ -51,72 +51,72 @@ def mean_gloss(wind):
 
     Examples
     --------
-    >>> round(mean_gloss(5.0), 3), round(mean_gloss(20.0), 3)
+    >>> round(mean_specular(5.0), 3), round(mean_specular(20.0), 3)
     (0.056, 0.064)
     """
-    foam = foam_share(wind)
+    foam = foam_fraction(wind)
     return (1.0 - foam) * mean_mirrored(wind) + foam * FOAM
 
 
 @kernel
-def wet_shares(wind, mu_s, leaving, nu):
-    """Both shares of water at once, which a pixel asks for.
+def water_reflectances(wind, mu_s, mu_r, nu):
+    """``brdf_direct`` and ``brdf_diffuse`` of water together, for renderers.
 
     Parameters
     ----------
     wind : float
         Wind speed. [m s⁻¹]
-    mu_s, leaving, nu : float
-        Cosines as in ``reflection.star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
 
     Returns
     -------
-    star_matte, star_gloss, sky_matte, sky_gloss : float
-        Results of ``star_share`` and of ``sky_share``. [1]
+    star_diffuse, star_specular, sky_diffuse, sky_specular : float
+        Results of ``brdf_direct`` and of ``brdf_diffuse``. [1]
     """
-    foam, through = foam_share(wind), 1.0 - mean_mirrored(wind)
+    foam, through = foam_fraction(wind), 1.0 - mean_mirrored(wind)
     free, white = 1.0 - foam, foam * FOAM
-    mirrored = mirrored_fraction(leaving, wind)
-    matte = free * (1.0 - mirrored) / through
-    star_matte = matte * (1.0 - mirrored_fraction(mu_s, wind)) / through
-    glint = glint_factor(mu_s, leaving, nu, wind)
-    return star_matte, free * glint + white, matte, free * mirrored + white
+    mirrored = mirrored_fraction(mu_r, wind)
+    diffuse = free * (1.0 - mirrored) / through
+    star_diffuse = diffuse * (1.0 - mirrored_fraction(mu_s, wind)) / through
+    glint = glint_factor(mu_s, mu_r, nu, wind)
+    return star_diffuse, free * glint + white, diffuse, free * mirrored + white
 
 
 @kernel
-def star_share(ground, mu_s, leaving, nu):
-    """Reflectance factor in the light of a star: what comes from below, and the glint with foam.
+def brdf_direct(ground, mu_s, mu_r, nu):
+    """Direct reflectance factor: water-leaving light (diffuse), glint and foam (specular).
 
     Parameters
     ----------
     ground : Reflection
-    mu_s, leaving, nu : float
-        Cosines as in ``reflection.star_factor``. [1]
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
 
     Returns
     -------
-    matte, gloss : float
+    diffuse, specular : float
         Factor of the albedo, and part without it. [1]
     """
-    matte, gloss, _, _ = wet_shares(ground.wind, mu_s, leaving, nu)
-    return matte, gloss
+    diffuse, specular, _, _ = water_reflectances(ground.wind, mu_s, mu_r, nu)
+    return diffuse, specular
 
 
 @kernel
-def sky_share(ground, leaving):
-    """Reflectance factor under a uniform sky: what comes from below, and mirrored sky with foam.
+def brdf_diffuse(ground, mu_r):
+    """Diffuse reflectance factor: water-leaving light (diffuse), mirrored sky and foam (specular).
 
     Parameters
     ----------
     ground : Reflection
-    leaving : float
-        Cosine as in ``reflection.sky_factor``. [1]
+    mu_r : float
+        Cosine as in ``reflection.diffuse_reflectance``. [1]
 
     Returns
     -------
-    matte, gloss : float
+    diffuse, specular : float
         Factor of the albedo, and part without it. [1]
     """
-    foam, mirrored = foam_share(ground.wind), mirrored_fraction(leaving, ground.wind)
-    matte = (1.0 - foam) * (1.0 - mirrored) / (1.0 - mean_mirrored(ground.wind))
-    return matte, (1.0 - foam) * mirrored + foam * FOAM
+    foam, mirrored = foam_fraction(ground.wind), mirrored_fraction(mu_r, ground.wind)
+    diffuse = (1.0 - foam) * (1.0 - mirrored) / (1.0 - mean_mirrored(ground.wind))
+    return diffuse, (1.0 - foam) * mirrored + foam * FOAM

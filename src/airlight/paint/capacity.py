@@ -44,5 +44,5 @@ def check_planet(planet: Planet, wavelengths: int) -> None:
     """
     from airlight.pixels.capacity import check_capacity
 
-    constituents = len(planet.constituents) + (planet.refraction != "none")  # "bending" is one
+    constituents = len(planet.constituents) + (planet.refraction != "none")  # "refraction" is one
     check_capacity(wavelengths, constituents)

@@ -227,7 +227,7 @@ class _Picture:
             brightest = max(brightest, float(source.irradiance.max()))
             if source.irradiance.max() <= _FAINTEST * brightest:
                 continue
-            lit = solution.lit_by(source, beside=number > 0)
+            lit = solution.with_light(source, secondary=number > 0)
             local = level_axes(up, self.lights.towards(light, body.centre[None])[0])
             scene = self._scene(body, light, up, local, latitude, longitude, altitude)
             drawing = planet_drawing(
@@ -354,7 +354,11 @@ class _Picture:
         inside, edge = np.zeros(len(rays), bool), np.zeros(len(rays), bool)
         margin = 2.0 * self.camera.pixel_angle
         bend = max(
-            (item.solution.paths.largest_bend for item in self.items if isinstance(item, _Air)),
+            (
+                item.solution.geometry.max_refraction
+                for item in self.items
+                if isinstance(item, _Air)
+            ),
             default=0.0,
         )
         shown = np.any(rays != 0.0, axis=-1)

@@ -178,7 +178,7 @@ class SceneLights:
     ) -> tuple[FloatArray, FloatArray]:
         """Light behind a planet, at all separations that another body's surface can have."""
         distance = float(np.linalg.norm(body.centre - own.centre))
-        shadow = ShadowLight(self.solutions[body.name].lit_by(source), distance)
+        shadow = ShadowLight(self.solutions[body.name].with_light(source), distance)
         # From any point of the body to any other, the directions of centre and star turn by this.
         reach = 2.0 * float(np.arcsin(min(self.system.radius(own) / distance, 1.0)))
         low = max(float(separation.min()) - reach, 0.0)

@@ -12,7 +12,7 @@ from airlight.ephemeris.instant import days_of
 from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun
 from airlight.ephemeris.world import WORLDS
 from airlight.errors import ConflictError
-from airlight.geometry.bending import apparent_sun_cosine
+from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.render.through_air import through_air
 from airlight.scene import Scene
 from airlight.scene.pixel_position import pixel_positions
@@ -154,12 +154,17 @@ def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) 
     array, shape (n, 3)
         Unit vectors in the observer's local frame.
     """
-    paths = solution.paths
-    if paths.shell is None:
+    geometry = solution.geometry
+    if geometry.shell is None:
         return true
     r = np.array(solution.medium.bottom_radius + altitude)
-    place = float(paths.optical_radius(r)), paths.shell.bottom, paths.shell.top
-    seen = np.array([apparent_sun_cosine(place[0], z, *place[1:], paths.lift) for z in true[:, 2]])
+    place = float(geometry.optical_radius(r)), geometry.shell.bottom, geometry.shell.top
+    seen = np.array(
+        [
+            apparent_sun_cosine(place[0], z, *place[1:], geometry.refraction_table)
+            for z in true[:, 2]
+        ]
+    )
     flat = np.hypot(true[:, 0], true[:, 1])
     level = np.sqrt(np.maximum((1.0 - seen) * (1.0 + seen), 0.0))
     scale = np.divide(level, flat, out=np.ones_like(flat), where=flat > 0.0)

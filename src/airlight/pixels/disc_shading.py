@@ -162,21 +162,21 @@ def disc_powers(
 
 
 @inlined
-def darkened(p0, p1, p2, p3, p4, p5, light, at):
+def darkened(p0, p1, p2, p3, p4, p5, tables, at):
     """Radiance of the disc in a pixel before attenuation by the air, per irradiance. [sr⁻¹]
 
     Parameters
     ----------
     p0, p1, p2, p3, p4, p5 : float
         Result of ``disc_powers``. [sr⁻¹]
-    light : MarchTables
+    tables : MarchTables
         Tables of the solution, with ``darkening``.
     at : int
         Index of the first lane.
     """
-    total = load(light.darkening, at) * np.float32(p0)
-    total = total + load(light.darkening, light.lanes + at) * np.float32(p1)
-    total = total + load(light.darkening, 2 * light.lanes + at) * np.float32(p2)
-    total = total + load(light.darkening, 3 * light.lanes + at) * np.float32(p3)
-    total = total + load(light.darkening, 4 * light.lanes + at) * np.float32(p4)
-    return total + load(light.darkening, 5 * light.lanes + at) * np.float32(p5)
+    total = load(tables.darkening, at) * np.float32(p0)
+    total = total + load(tables.darkening, tables.lanes + at) * np.float32(p1)
+    total = total + load(tables.darkening, 2 * tables.lanes + at) * np.float32(p2)
+    total = total + load(tables.darkening, 3 * tables.lanes + at) * np.float32(p3)
+    total = total + load(tables.darkening, 4 * tables.lanes + at) * np.float32(p4)
+    return total + load(tables.darkening, 5 * tables.lanes + at) * np.float32(p5)

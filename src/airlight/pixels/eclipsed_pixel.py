@@ -10,15 +10,15 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle
+from airlight.geometry.refraction import refraction_angle
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
-from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_shares, lamp_light
+from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_reflectances, lamp_light
 from airlight.pixels.ground_angles import columns_to_ground
-from airlight.pixels.pixel import sight
+from airlight.pixels.pixel import classify_ray
 from airlight.pixels.samples import sample_place, samples_per_side
 from airlight.pixels.sky_table import half_sine_between
 from airlight.pixels.star_disc import camera_direction
@@ -34,7 +34,7 @@ from airlight.solvers.moments.source import read_phase
 
 @inlined
 def eclipsed_light(
-    x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+    x, y, z, turn, observer, screen, tables, shadow, work, scratch, color, found, result
 ):  # fmt: skip
     """Spectral light of a line of sight, per irradiance of the unshadowed star. [sr⁻¹]
 
@@ -44,17 +44,17 @@ def eclipsed_light(
         Its direction in the observer's frame. [1]
     turn : array, shape (3, 3)
         Axes of the shadow's frame in the observer's, as rows. [1]
-    observer, screen, light, work, color :
+    observer, screen, tables, work, color :
         Arguments of ``pixel_light``.
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
     found : array, shape (2·w,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    lanes = light.lanes
-    sine, _, through_air, to_ground = sight(x, y, z, observer, light)
+    lanes = tables.lanes
+    sine, _, through_air, to_ground = classify_ray(x, y, z, observer, tables)
     for at in range(0, lanes, LANES):
         store(result, at, splat(0.0))
     if not through_air:
@@ -65,102 +65,115 @@ def eclipsed_light(
     r, mu, way = observer.r, z, 0.0
     if observer.outside:
         impact = observer.r * sine
-        half = sqrt(max((light.top - impact) * (light.top + impact), 0.0))
+        half = sqrt(max((tables.top - impact) * (tables.top + impact), 0.0))
         way = -observer.r * z - half
-        r, mu = light.top, -half / light.top
+        r, mu = tables.top, -half / tables.top
     a = turn[0, 2] * observer.r + way * u
     b = turn[1, 2] * observer.r + way * v
     c = turn[2, 2] * observer.r + way * w
-    length = distance_to_top(r, mu, light.top)
+    length = distance_to_top(r, mu, tables.top)
     if to_ground:
-        length = distance_to_bottom(r, mu, light.bottom)
+        length = distance_to_bottom(r, mu, tables.bottom)
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-    read_phase(half_sine, light.phase, light.phase_nodes, lanes * light.constituents, work.phase)
+    read_phase(half_sine, tables.phase, tables.phase_nodes, lanes * tables.constituents, work.phase)
     march_eclipsed(
-        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, spare, found
+        a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
     )
     for at in range(0, lanes, LANES):
         store(result, at, load(found, at))
     if not to_ground:
         return
-    p, q, s, leaving = end_on_ground(a, b, c, u, v, w, length, light, work)
-    bent = 0.0
-    if light.bend > 0.0:
-        bent = bend_angle(r, mu, light.bend, work.columns_total[light.constituents - 1])
-    for at in range(0, lanes, LANES):
-        store(work.found, lanes + at, load(found, lanes + at))
-    if light.ground.wet:
-        _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found)
-        for at in range(0, lanes, LANES):
-            store(work.found, MIRRORED * lanes + at, load(found, at))
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
-        x, y, z, sine, bent, observer, screen, light, work, color
-    )
-    eclipsed_ground_light(p, q, s, TOTAL, light, shadow, work, spare)
-    if screen.overlaid:
-        columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
-    for at in range(0, lanes, LANES):
-        received = load(work.received, at) + load(work.received, lanes + at)
-        factor = ground_factor(
-            color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
+    p, q, s, mu_r = end_on_ground(a, b, c, u, v, w, length, tables, work)
+    refraction = 0.0
+    if tables.refraction_strength > 0.0:
+        refraction = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns_total[tables.constituents - 1]
         )
-        behind = received * INVERSE_PI * load(work.found, lanes + at)
+    for at in range(0, lanes, LANES):
+        store(work.radiance, lanes + at, load(found, lanes + at))
+    if tables.ground.wet:
+        _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found)
+        for at in range(0, lanes, LANES):
+            store(work.radiance, MIRRORED * lanes + at, load(found, at))
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
+        x, y, z, sine, refraction, observer, screen, tables, work, color
+    )
+    eclipsed_ground_light(p, q, s, TOTAL, tables, shadow, work, scratch)
+    if screen.overlaid:
+        columns_to_ground(z, sine, observer, tables, work.columns_total, work.columns_so_far)
+    for at in range(0, lanes, LANES):
+        received = load(work.irradiance, at) + load(work.irradiance, lanes + at)
+        factor = ground_factor(
+            color,
+            screen,
+            star_diffuse,
+            star_specular,
+            sky_diffuse,
+            sky_specular,
+            mirrored,
+            tables,
+            work,
+            at,
+        )
+        behind = received * INVERSE_PI * load(work.radiance, lanes + at)
         total = load(result, at) + behind * factor
         if screen.overlaid:
-            total = total + lamp_light(color, screen, light, work.columns_total, at)
+            total = total + lamp_light(color, screen, tables, work.columns_total, at)
         store(result, at, total)
 
 
 @inlined
-def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
-    """Light of the sky that water at the end of a line mirrors, into ``found``. [sr⁻¹]
+def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
+    """Radiance of the sky mirrored by water at the end of a line, into ``found``. [sr⁻¹]
 
     Parameters
     ----------
-    p, q, s, u, v, w, leaving : float
+    p, q, s, u, v, w, mu_r : float
         Point and cosine from ``end_on_ground``, and direction of the line. [m], [1]
-    light, shadow, work, spare, found :
+    tables, shadow, work, scratch, found :
         Arguments of ``eclipsed_light``.
     """
-    a, b, c = p / light.bottom, q / light.bottom, s / light.bottom
-    mu = mirrored_cosine(leaving, light.ground.wind)
-    level = sqrt(max((1.0 - leaving) * (1.0 + leaving), 1e-12))
+    a, b, c = p / tables.bottom, q / tables.bottom, s / tables.bottom
+    mu = mirrored_cosine(mu_r, tables.ground.wind)
+    level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
     side = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / level
     # The line without its vertical part, at its new zenith angle.
     u, v, w = (
-        mu * a + side * (u + leaving * a),
-        mu * b + side * (v + leaving * b),
-        mu * c + side * (w + leaving * c),
+        mu * a + side * (u + mu_r * a),
+        mu * b + side * (v + mu_r * b),
+        mu * c + side * (w + mu_r * c),
     )
     star = shadow.star
     nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
     # Spread as the facets are: a peaked phase function is read no closer to the star than that.
-    spread = 0.25 * mean_square_slope(light.ground.wind)
+    spread = 0.25 * mean_square_slope(tables.ground.wind)
     half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
     read_phase(
-        half_sine, light.phase, light.phase_nodes, light.lanes * light.constituents, work.phase
+        half_sine, tables.phase, tables.phase_nodes, tables.lanes * tables.constituents, work.phase
     )
-    length = distance_to_top(light.bottom, mu, light.top)
+    length = distance_to_top(tables.bottom, mu, tables.top)
     march_eclipsed(
-        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, light, shadow, work, spare, found
+        p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
     )
 
 
 @compiled_loop
-def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, out):
+def draw_eclipsed(px, py, turn, observer, screen, tables, shadow, work, scratch, out):
     """Draw pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Centres of the pixels, from the picture's left and top edge. [pixel]
-    turn, observer, screen, light, shadow, work, spare :
+    turn, observer, screen, tables, shadow, work, scratch :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
         Receives the radiance per irradiance of the unshadowed star. [sr⁻¹]
     """
-    screen, light, shadow, work, spare = without_refcount((screen, light, shadow, work, spare))
-    lanes = light.lanes
+    screen, tables, shadow, work, scratch = without_refcount(
+        (screen, tables, shadow, work, scratch)
+    )
+    lanes = tables.lanes
     found, result = np.empty(2 * lanes, np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     for k in range(px.size):
@@ -173,7 +186,7 @@ def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, ou
                 sx, sy = sample_place(px[k], py[k], sample, side, screen)
                 x, y, z = camera_direction(sx, sy, screen)
             eclipsed_light(
-                x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+                x, y, z, turn, observer, screen, tables, shadow, work, scratch, color, found, result
             )
             for at in range(lanes):
                 out[k, at] += result[at] / (side * side)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import sqrt
 
-from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import first_meeting
 from airlight.kernel import inlined, kernel
 from airlight.optics.cox_munk import mirrored_cosine
@@ -28,7 +28,7 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
 
 
 @inlined
-def ground_cosine(z, sine, observer, light):
+def ground_cosine(z, sine, observer, tables):
     """Cosine of the zenith angle, at the ground, of the way back along a line of sight. [1]
 
     The ground's radius less the line's nearest distance from the centre, R - (R + h) sin θ, is
@@ -38,75 +38,82 @@ def ground_cosine(z, sine, observer, light):
     ----------
     z, sine : float
         Cosine and sine of the line's zenith angle at the observer. [1]
-    observer, light : Observer, MarchTables
+    observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     """
-    within = max(light.bottom * z * z / (1.0 + sine) - observer.optical_altitude * sine, 0.0)
-    return sqrt(within * (2.0 * light.bottom - within)) / light.bottom
+    within = max(tables.bottom * z * z / (1.0 + sine) - observer.optical_altitude * sine, 0.0)
+    return sqrt(within * (2.0 * tables.bottom - within)) / tables.bottom
 
 
 @inlined
-def bent_to_ground(z, sine, observer, light, columns):
+def refraction_to_ground(z, sine, observer, tables, columns):
     """Angle of refraction of a line of sight that ends on the ground. [rad]
 
     Parameters
     ----------
     z, sine : float
         Cosine and sine of its zenith angle. [1]
-    observer, light : Observer, MarchTables
+    observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     columns : array, shape (nc,)
         Workspace. [m]
     """
-    bottom, top = light.bottom, light.top
-    slant = ground_cosine(z, sine, observer, light)
+    bottom, top = tables.bottom, tables.top
+    slant = ground_cosine(z, sine, observer, tables)
     columns_to_top(
-        bottom, slant, bottom, top, light.first_nodes, light.column_rows, light.columns, columns
+        bottom, slant, bottom, top, tables.first_nodes, tables.column_rows, tables.columns, columns
     )
-    column = columns[light.constituents - 1]
+    column = columns[tables.constituents - 1]
     if not observer.outside:
         columns_to_top(
             observer.r,
             -z,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             columns,
         )
-        column = max(column - columns[light.constituents - 1], 0.0)
-    return bend_angle(bottom, slant, light.bend, column)
+        column = max(column - columns[tables.constituents - 1], 0.0)
+    return refraction_angle(bottom, slant, tables.refraction_strength, column)
 
 
 @inlined
-def columns_to_ground(z, sine, observer, light, columns, beyond):
+def columns_to_ground(z, sine, observer, tables, columns, beyond):
     """Columns of all constituents between the observer and the ground, into ``columns``. [m]
 
     Parameters
     ----------
-    z, sine, observer, light :
-        Arguments of ``bent_to_ground``.
+    z, sine, observer, tables :
+        Arguments of ``refraction_to_ground``.
     columns : array, shape (nc,)
         Receives the columns. [m]
     beyond : array, shape (nc,)
         Workspace: columns of the line's continuation behind the observer. [m]
     """
-    bottom, top = light.bottom, light.top
-    slant = ground_cosine(z, sine, observer, light)
+    bottom, top = tables.bottom, tables.top
+    slant = ground_cosine(z, sine, observer, tables)
     columns_to_top(
-        bottom, slant, bottom, top, light.first_nodes, light.column_rows, light.columns, columns
+        bottom, slant, bottom, top, tables.first_nodes, tables.column_rows, tables.columns, columns
     )
     if not observer.outside:
         columns_to_top(
-            observer.r, -z, bottom, top, light.first_nodes, light.column_rows, light.columns, beyond
+            observer.r,
+            -z,
+            bottom,
+            top,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
+            beyond,
         )
-        for c in range(light.constituents):
+        for c in range(tables.constituents):
             columns[c] = max(columns[c] - beyond[c], 0.0)
 
 
 @inlined
-def ground_angles(x, z, sine, angle, observer, light):
+def ground_angles(x, z, sine, angle, observer, tables):
     """Directions at the end of a line of sight on the ground.
 
     Parameters
@@ -116,33 +123,33 @@ def ground_angles(x, z, sine, angle, observer, light):
         zenith angle. [1]
     angle : float
         Angle of refraction. [rad]
-    observer, light : Observer, MarchTables
+    observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
 
     Returns
     -------
-    mu_s, leaving, nu : float
-        Cosines of ``star_factor``: of the star's zenith angle there, of the zenith angle towards
-        the observer, and between the arriving line and the star. [1]
+    mu_s, mu_r, nu : float
+        Cosines of ``direct_reflectance``: of the star's zenith angle, of the zenith angle of
+        reflection, and between the incoming line of sight and the star. [1]
     """
-    leaving = ground_cosine(z, sine, observer, light)
-    across, up = first_meeting(min(observer.r * sine, light.bottom), sine, light.bottom)
+    mu_r = ground_cosine(z, sine, observer, tables)
+    across, up = first_meeting(min(observer.r * sine, tables.bottom), sine, tables.bottom)
     cos_azimuth = x / sine if sine > 0.0 else 1.0
-    mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+    mu_s = star_from(across, up, tables.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
-    if light.bend > 0.0:
-        mu_s, nu = turned(-leaving, mu_s, nu, angle)
+    if tables.refraction_strength > 0.0:
+        mu_s, nu = turned(-mu_r, mu_s, nu, angle)
         mu_s = min(max(mu_s, -1.0), 1.0)
-    return mu_s, leaving, nu
+    return mu_s, mu_r, nu
 
 
 @inlined
-def mirrored_line(x, z, sine, angle, observer, light):
+def mirrored_line(x, z, sine, angle, observer, tables):
     """Line from the end of a line of sight on water to the sky that is seen mirrored there.
 
     Parameters
     ----------
-    x, z, sine, angle, observer, light :
+    x, z, sine, angle, observer, tables :
         Arguments of ``ground_angles``.
 
     Returns
@@ -150,9 +157,9 @@ def mirrored_line(x, z, sine, angle, observer, light):
     mu, mu_s, nu : float
         Cosines at the ground: of its zenith angle, of the star's, and between both. [1]
     """
-    mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
-    mu = mirrored_cosine(leaving, light.ground.wind)
-    level = sqrt(max((1.0 - leaving) * (1.0 + leaving), 1e-12))
-    ahead = min(max((nu + leaving * mu_s) / level, -1.0), 1.0)
+    mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, tables)
+    mu = mirrored_cosine(mu_r, tables.ground.wind)
+    level = sqrt(max((1.0 - mu_r) * (1.0 + mu_r), 1e-12))
+    ahead = min(max((nu + mu_r * mu_s) / level, -1.0), 1.0)
     towards = mu * mu_s + sqrt((1.0 - mu) * (1.0 + mu)) * ahead
     return mu, mu_s, min(max(towards, -1.0), 1.0)

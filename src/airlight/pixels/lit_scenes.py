@@ -68,8 +68,8 @@ def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
         if shown == 0.0:
             continue
         plain = number == 0 and source is sources[0]
-        lit = solution if plain else solution.lit_by(source, beside=number > 0)
-        pictures.append(LitScene(scene.lit_by(light), lit, shown > 1.0, light))
+        lit = solution if plain else solution.with_light(source, secondary=number > 0)
+        pictures.append(LitScene(scene.with_light(light), lit, shown > 1.0, light))
     return pictures
 
 

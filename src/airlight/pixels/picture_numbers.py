@@ -14,7 +14,7 @@ from airlight.color.texels import CHANNELS
 from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.geometry.bending import apparent_sun
+from airlight.geometry.refraction import apparent_sun
 from airlight.pixels.disc_shading import OCCULTER, shading_numbers
 from airlight.pixels.observer_numbers import observer_numbers
 from airlight.pixels.occulted_light import disc_factor
@@ -55,18 +55,22 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     dict
         Values by name.
     """
-    camera, medium = scene.camera, solution.paths.medium
+    camera, medium = scene.camera, solution.geometry.medium
     if scene.altitude < 0.0:
         allowed = "0 m or more above the ground of the solution: see airlight.lowered_ground"
         raise ParameterError("scene.altitude", scene.altitude, allowed)
     true_r = solution.medium.bottom_radius + scene.altitude
-    r = float(solution.paths.optical_radius(np.array(true_r)))
+    r = float(solution.geometry.optical_radius(np.array(true_r)))
     outside = scene.altitude >= solution.medium.thickness
     bottom = medium.bottom_radius
     sun = scene.sun_direction
-    seen, lift = sun[2], solution.paths
-    if lift.shell is not None and not outside:
-        seen = float(apparent_sun(r, sun[2], lift.shell.bottom, lift.shell.top, lift.lift)[0])
+    seen, geometry = sun[2], solution.geometry
+    if geometry.shell is not None and not outside:
+        seen = float(
+            apparent_sun(
+                r, sun[2], geometry.shell.bottom, geometry.shell.top, geometry.refraction_table
+            )[0]
+        )
     axes = camera.axes
     assert camera.field_of_view is not None
     star_radius = solution.lights[0].angular_radius
@@ -223,7 +227,7 @@ def overlay_numbers(solution: MomentsSolution) -> dict[str, float]:
         Solution, lit by one of the lights.
     """
     medium, altitude = solution.medium, solution.medium.surface.cloud_altitude
-    radius = solution.paths.optical_radius(np.array(medium.bottom_radius + altitude))
+    radius = solution.geometry.optical_radius(np.array(medium.bottom_radius + altitude))
     return lamp_numbers(solution) | {
         "clouded": float(medium.surface.clouds is not None),
         "cloud_altitude": altitude,
@@ -244,7 +248,7 @@ def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
     """
     names = ("lamp_red", "lamp_green", "lamp_blue")
     star = solution.lights[0]
-    if solution.beside:
+    if solution.secondary:
         return dict.fromkeys(names, 0.0)
     eye = np.arange(360.0, 831.0)
     color = np.maximum(sun_color(planck_radiance(eye, LAMP_TEMPERATURE)), 0.0)

@@ -12,8 +12,8 @@ from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.disc_shading import darkened
-from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
-from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
+from airlight.pixels.ground import ground_factor, ground_reflectances, lamp_light
+from airlight.pixels.ground_angles import columns_to_ground, refraction_to_ground
 from airlight.pixels.polarising_filter import filter_shares
 from airlight.pixels.sky_table import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
@@ -154,7 +154,7 @@ def between_texels(table, near, stride, right, down, lanes, at):
 
 
 @inlined
-def phase_of(half_sine, constituent, table, light, lanes, at):
+def phase_of(half_sine, constituent, table, tables, lanes, at):
     """Element of one constituent's phase matrix, from the table of all. [sr⁻¹]
 
     Parameters
@@ -165,40 +165,40 @@ def phase_of(half_sine, constituent, table, light, lanes, at):
         Index of the constituent.
     table : array
         ``phase`` or ``phase_f12`` of the tables.
-    light : MarchTables
+    tables : MarchTables
         Tables of the solution.
     lanes, at : int
         Arguments of ``between_texels``.
     """
-    u = half_sine * (light.phase_nodes - 1)
-    node = min(int(u), light.phase_nodes - 2)
+    u = half_sine * (tables.phase_nodes - 1)
+    node = min(int(u), tables.phase_nodes - 2)
     f = np.float32(u - node)
-    first = lanes * (node * light.constituents + constituent) + at
+    first = lanes * (node * tables.constituents + constituent) + at
     low = load(table, first)
-    return low + f * (load(table, first + lanes * light.constituents) - low)
+    return low + f * (load(table, first + lanes * tables.constituents) - low)
 
 
 @inlined
 def polarised_between(
-    near, stride, right, down, half_sine, turn_cosine, turn_sine, screen, light, lanes, at
+    near, stride, right, down, half_sine, turn_cosine, turn_sine, screen, tables, lanes, at
 ):  # fmt: skip
     """Q and U of the air from the table of the sky, with exact phase matrices of its peaks. [sr⁻¹]
 
     Parameters
     ----------
-    near, stride, right, down, half_sine, screen, light, lanes, at :
+    near, stride, right, down, half_sine, screen, tables, lanes, at :
         Arguments of ``air_between``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
     """
     peaked = splat(0.0)
-    if light.separated_1 >= 0:
-        element = phase_of(half_sine, light.separated_1, light.phase_f12, light, lanes, at)
+    if tables.separated_1 >= 0:
+        element = phase_of(half_sine, tables.separated_1, tables.phase_f12, tables, lanes, at)
         peaked = peaked + element * between_texels(
             screen.sky_first, near, stride, right, down, lanes, at
         )
-    if light.separated_2 >= 0:
-        element = phase_of(half_sine, light.separated_2, light.phase_f12, light, lanes, at)
+    if tables.separated_2 >= 0:
+        element = phase_of(half_sine, tables.separated_2, tables.phase_f12, tables, lanes, at)
         peaked = peaked + element * between_texels(
             screen.sky_second, near, stride, right, down, lanes, at
         )
@@ -209,7 +209,7 @@ def polarised_between(
 
 
 @inlined
-def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
+def air_between(near, stride, right, down, half_sine, screen, tables, lanes, at):
     """Light of the air from the table of the sky, with exact phase functions of its peaks. [sr⁻¹]
 
     Parameters
@@ -218,30 +218,30 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
         Arguments of ``between_texels``.
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
-    screen, light : Screen, MarchTables
+    screen, tables : Screen, MarchTables
         Table of the sky, and tables of the solution.
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
-    if light.separated_1 >= 0:
+    if tables.separated_1 >= 0:
         total = total + phase_of(
-            half_sine, light.separated_1, light.phase, light, lanes, at
+            half_sine, tables.separated_1, tables.phase, tables, lanes, at
         ) * between_texels(screen.sky_first, near, stride, right, down, lanes, at)
-    if light.separated_2 >= 0:
+    if tables.separated_2 >= 0:
         total = total + phase_of(
-            half_sine, light.separated_2, light.phase, light, lanes, at
+            half_sine, tables.separated_2, tables.phase, tables, lanes, at
         ) * between_texels(screen.sky_second, near, stride, right, down, lanes, at)
     return total
 
 
 @inlined
-def sight(x, y, z, observer, light):
-    """Classify a line of sight, and find its row in the table of the sky.
+def classify_ray(x, y, z, observer, tables):
+    """Class of a line of sight, and its row in the sky-view table.
 
     Parameters
     ----------
     x, y, z : float
         Direction in the observer's frame; zero vector for none. [1]
-    observer, light : Observer, MarchTables
+    observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
 
     Returns
@@ -255,9 +255,9 @@ def sight(x, y, z, observer, light):
     shown = x != 0.0 or y != 0.0 or z != 0.0
     if observer.outside:
         impact = observer.r * sine
-        inside = shown and z < 0.0 and impact < light.top
-        to_ground = inside and impact < light.bottom
-        return sine, row_from_impact(impact, light.bottom, light.top), inside, to_ground
+        inside = shown and z < 0.0 and impact < tables.top
+        to_ground = inside and impact < tables.bottom
+        return sine, row_from_impact(impact, tables.bottom, tables.top), inside, to_ground
     angle_up = angle_above_horizon(z, sine, observer.horizon_mu, observer.horizon_sine)
     row = row_from_angle(angle_up, observer.horizon_mu)
     return sine, row, shown, shown and angle_up < 0.0
@@ -272,7 +272,7 @@ def place_in_sky(x, y, row, to_ground, window):
     x, y : float
         Horizontal components of its direction in the observer's frame. [1]
     row, to_ground : float, bool
-        Results of ``sight``.
+        Results of ``classify_ray``.
     window : SkyWindow
         Available part.
 
@@ -295,83 +295,83 @@ def place_in_sky(x, y, row, to_ground, window):
 
 
 @inlined
-def seen_line(
-    x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
+def sky_lookup(
+    x, y, z, sine, row, to_ground, exact, window, observer, screen, tables, work
 ):  # fmt: skip
-    """Find the air's light along a line of sight, and that of a white ground behind it.
+    """Path radiance of a line of sight, and radiance of a white ground behind it.
 
     Parameters
     ----------
     x, y, z : float
         Its direction in the observer's frame. [1]
     sine, row, to_ground : float, float, bool
-        Results of ``sight``.
-    exact, window, observer, screen, light, work :
-        Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
-        the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
-        water there mirrors; with a filter Q and U, as ``march`` has them. [sr⁻¹]
+        Results of ``classify_ray``.
+    exact, window, observer, screen, tables, work :
+        Arguments of ``pixel_light``; ``work.radiance`` receives the path radiance and, for a line
+        to the ground, the radiance of a white Lambertian ground and, at ``MIRRORED``, of the sky
+        mirrored by water there; with a filter Q and U, as ``march`` has them. [sr⁻¹]
 
     Returns
     -------
     float
-        Angle of refraction of a line that ends on the ground. [rad]
+        Refraction angle of a line that ends on the ground. [rad]
     """
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-    bent = 0.0
-    wet = to_ground and light.ground.wet
+    refraction = 0.0
+    wet = to_ground and tables.ground.wet
     if exact:
         cos_azimuth = x / sine if sine > 0.0 else 1.0
         # The mirrored sky first, since the other results are kept where the march leaves them.
         for part in range(2):
             mirrored = part == 0
             if not mirrored or (wet and observer.orders != 1):
-                bent = look(
+                refraction = look(
                     z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
-                    screen.filter > 0, observer, light, work, work.found,
+                    screen.filter > 0, observer, tables, work, work.radiance,
                 )  # fmt: skip
             if mirrored:
-                for at in range(0, light.lanes, LANES):
+                for at in range(0, tables.lanes, LANES):
                     value = splat(0.0)
                     if wet and observer.orders != 1:
-                        value = load(work.found, at)
-                    store(work.found, MIRRORED * light.lanes + at, value)
+                        value = load(work.radiance, at)
+                    store(work.radiance, MIRRORED * tables.lanes + at, value)
     else:
         near, right, down = place_in_sky(x, y, row, to_ground, window)
         turn_cosine, turn_sine = 1.0, 0.0
         if screen.filter > 0:
             nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
             turn_cosine, turn_sine = star_plane(z, observer.sun_z, nu)
-        for at in range(0, light.lanes, LANES):
+        for at in range(0, tables.lanes, LANES):
             value = air_between(
-                near, window.column_count, right, down, half_sine, screen, light, light.lanes, at
+                near, window.column_count, right, down, half_sine, screen, tables, tables.lanes, at
             )
-            store(work.found, at, value)
+            store(work.radiance, at, value)
             if screen.filter > 0:
                 stokes_q, stokes_u = polarised_between(
                     near, window.column_count, right, down, half_sine, turn_cosine, turn_sine,
-                    screen, light, light.lanes, at,
+                    screen, tables, tables.lanes, at,
                 )  # fmt: skip
-                store(work.found, 4 * light.lanes + at, stokes_q)
-                store(work.found, 5 * light.lanes + at, stokes_u)
+                store(work.radiance, 4 * tables.lanes + at, stokes_q)
+                store(work.radiance, 5 * tables.lanes + at, stokes_u)
             if to_ground:
                 value = between_texels(
-                    screen.sky_ground, near, window.column_count, right, down, light.lanes, at
+                    screen.sky_ground, near, window.column_count, right, down, tables.lanes, at
                 )
-                store(work.found, light.lanes + at, value)
+                store(work.radiance, tables.lanes + at, value)
             if wet:
                 value = between_texels(
                     screen.sky_air, near + window.ground_count * window.column_count,
-                    window.column_count, right, down, light.lanes, at,
+                    window.column_count, right, down, tables.lanes, at,
                 )  # fmt: skip
-                store(work.found, MIRRORED * light.lanes + at, value)
-        if to_ground and light.bend > 0.0:
-            bent = bent_to_ground(z, sine, observer, light, work.columns_total)
-    return bent
+                store(work.radiance, MIRRORED * tables.lanes + at, value)
+        if to_ground and tables.refraction_strength > 0.0:
+            refraction = refraction_to_ground(z, sine, observer, tables, work.columns_total)
+    return refraction
 
 
 @inlined
 def pixel_light(
-    px, py, x, y, z, exact, reach, window, observer, screen, light, work, color, result
+    px, py, x, y, z, exact, reach, window, observer, screen, tables, work, color, result
 ):  # fmt: skip
     """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
@@ -387,58 +387,60 @@ def pixel_light(
         Angle from the apparent star beyond which nothing of its disc is visible. [rad]
     window : SkyWindow
         Available part of the table of the sky.
-    observer, screen, light : Observer, Screen, MarchTables
+    observer, screen, tables : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work, color : MarchWorkspace, array of shape (11,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    sine, row, through_air, to_ground = sight(x, y, z, observer, light)
+    sine, row, through_air, to_ground = classify_ray(x, y, z, observer, tables)
     through_air = through_air and screen.draws_air
-    star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
+    star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
-        bent = seen_line(
-            x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
+        refraction = sky_lookup(
+            x, y, z, sine, row, to_ground, exact, window, observer, screen, tables, work
         )
         if to_ground:
-            star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
-                x, y, z, sine, bent, observer, screen, light, work, color
+            star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
+                x, y, z, sine, refraction, observer, screen, tables, work, color
             )
             if screen.overlaid:
-                columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
+                columns_to_ground(
+                    z, sine, observer, tables, work.columns_total, work.columns_so_far
+                )
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
     if screen.filter > 0:
         whole, stokes_q, stokes_u = filter_shares(x, y, z, screen)
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         total = splat(0.0)
         if through_air:
-            total = load(work.found, at)
+            total = load(work.radiance, at)
         if to_ground and screen.draws_air:
             factor = ground_factor(
-                color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
-                light, work, at,
+                color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
+                tables, work, at,
             )  # fmt: skip
-            total = total + load(work.found, light.lanes + at) * factor
+            total = total + load(work.radiance, tables.lanes + at) * factor
             if screen.overlaid:
-                total = total + lamp_light(color, screen, light, work.columns_total, at)
+                total = total + lamp_light(color, screen, tables, work.columns_total, at)
         if screen.filter > 0:
             total = total * np.float32(whole)
             if through_air:
-                total = total + load(work.found, 4 * light.lanes + at) * np.float32(stokes_q)
-                total = total + load(work.found, 5 * light.lanes + at) * np.float32(stokes_u)
+                total = total + load(work.radiance, 4 * tables.lanes + at) * np.float32(stokes_q)
+                total = total + load(work.radiance, 5 * tables.lanes + at) * np.float32(stokes_u)
         store(result, at, total)
     if screen.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
         p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         if apart < reach:
             p0, p1, p2, p3, p4, p5 = star_disc(
-                px, py, x, y, z, observer, screen, light, work.columns_total
+                px, py, x, y, z, observer, screen, tables, work.columns_total
             )
         if p0 > 0.0:
-            for at in range(0, light.lanes, LANES):
-                through = transmittance_columns(
-                    work.columns_total, light.extinction, light.constituents, light.lanes, at
+            for at in range(0, tables.lanes, LANES):
+                transmittance = transmittance_columns(
+                    work.columns_total, tables.extinction, tables.constituents, tables.lanes, at
                 )
-                disc = darkened(p0, p1, p2, p3, p4, p5, light, at)
-                store(result, at, load(result, at) + through * disc * np.float32(whole))
+                disc = darkened(p0, p1, p2, p3, p4, p5, tables, at)
+                store(result, at, load(result, at) + transmittance * disc * np.float32(whole))

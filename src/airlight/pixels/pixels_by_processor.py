@@ -12,11 +12,11 @@ from airlight.pixels.samples import sampled_light
 
 
 @inlined
-def _as_color(light, lanes, weights, sums, out):
+def _as_color(radiance, lanes, weights, sums, out):
     """Convert the light of a pixel to linear sRGB, into ``out``."""
     red, green, blue = splat(0.0), splat(0.0), splat(0.0)
     for at in range(0, lanes, LANES):
-        total = load(light, at)
+        total = load(radiance, at)
         red = red + total * load(weights, at)
         green = green + total * load(weights, lanes + at)
         blue = blue + total * load(weights, 2 * lanes + at)
@@ -31,21 +31,21 @@ def _as_color(light, lanes, weights, sums, out):
 
 
 @inlined
-def _pixels(exact, px, py, window, observer, screen, light, work, weights, reach, out):
+def _pixels(exact, px, py, window, observer, screen, tables, work, weights, reach, out):
     """Draw pixels, see ``draw_pixels``; ``exact`` as in ``pixel_light``."""
-    screen, light, work, weights, out = without_refcount((screen, light, work, weights, out))
-    found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
+    screen, tables, work, weights, out = without_refcount((screen, tables, work, weights, out))
+    found, total = np.empty(tables.lanes, np.float32), np.empty(tables.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     sums = np.empty(3 * LANES, np.float32)
     for k in range(px.size):
         sampled_light(
-            px[k], py[k], exact, reach, window, observer, screen, light, work, color, total, found
+            px[k], py[k], exact, reach, window, observer, screen, tables, work, color, total, found
         )
-        _as_color(found, light.lanes, weights, sums, out[k])
+        _as_color(found, tables.lanes, weights, sums, out[k])
 
 
 @compiled_loop
-def draw_pixels(px, py, window, observer, screen, light, work, weights, reach, out):
+def draw_pixels(px, py, window, observer, screen, tables, work, weights, reach, out):
     """Draw pixels from the table of the sky.
 
     Parameters
@@ -54,7 +54,7 @@ def draw_pixels(px, py, window, observer, screen, light, work, weights, reach, o
         Centres of the pixels, from the picture's left and top edge. [pixel]
     window : SkyWindow
         Available part of the table.
-    observer, screen, light : Observer, Screen, MarchTables
+    observer, screen, tables : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work : MarchWorkspace
         Workspace of the thread.
@@ -65,10 +65,10 @@ def draw_pixels(px, py, window, observer, screen, light, work, weights, reach, o
     out : array, shape (n, 3)
         Receives linear sRGB.
     """
-    _pixels(False, px, py, window, observer, screen, light, work, weights, reach, out)
+    _pixels(False, px, py, window, observer, screen, tables, work, weights, reach, out)
 
 
 @compiled_loop
-def march_pixels(px, py, window, observer, screen, light, work, weights, reach, out):
+def march_pixels(px, py, window, observer, screen, tables, work, weights, reach, out):
     """Draw pixels, each by its own march; arguments as in ``draw_pixels``."""
-    _pixels(True, px, py, window, observer, screen, light, work, weights, reach, out)
+    _pixels(True, px, py, window, observer, screen, tables, work, weights, reach, out)

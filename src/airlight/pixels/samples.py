@@ -76,16 +76,18 @@ def sample_place(px, py, sample, side, screen):
 
 @inlined
 def light_of_centre(
-    px, py, exact, reach, window, observer, screen, light, work, color, result
+    px, py, exact, reach, window, observer, screen, tables, work, color, result
 ):  # fmt: skip
     """Spectral light of a pixel by one sample; arguments of ``sampled_light``."""
     x, y, z = camera_direction(px, py, screen)
-    pixel_light(px, py, x, y, z, exact, reach, window, observer, screen, light, work, color, result)
+    pixel_light(
+        px, py, x, y, z, exact, reach, window, observer, screen, tables, work, color, result
+    )
 
 
 @inlined
 def sampled_light(
-    px, py, exact, reach, window, observer, screen, light, work, color, total, result
+    px, py, exact, reach, window, observer, screen, tables, work, color, total, result
 ):  # fmt: skip
     """Spectral light of a pixel, the mean of its samples, per irradiance of the star. [sr⁻¹]
 
@@ -93,7 +95,7 @@ def sampled_light(
     ----------
     px, py : float
         Centre of the pixel, from the picture's left and top edge. [pixel]
-    exact, reach, window, observer, screen, light, work, color :
+    exact, reach, window, observer, screen, tables, work, color :
         Arguments of ``pixel_light``.
     total : array, shape (w,)
         Workspace.
@@ -109,14 +111,14 @@ def sampled_light(
             sx, sy = sample_place(px, py, sample, side, screen)
             x, y, z = camera_direction(sx, sy, screen)
         pixel_light(
-            sx, sy, x, y, z, exact, reach, window, observer, screen, light, work, color, result
+            sx, sy, x, y, z, exact, reach, window, observer, screen, tables, work, color, result
         )
         if side > 1:
-            for at in range(0, light.lanes, LANES):
+            for at in range(0, tables.lanes, LANES):
                 share = load(result, at) * np.float32(step * step)
                 if sample > 0:
                     share = share + load(total, at)
                 store(total, at, share)
     if side > 1:
-        for at in range(0, light.lanes, LANES):
+        for at in range(0, tables.lanes, LANES):
             store(result, at, load(total, at))

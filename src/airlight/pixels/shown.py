@@ -17,8 +17,8 @@ Float32Array = NDArray[np.float32]
 
 #: Number of wavelengths in a texel.
 WAVELENGTHS: Final = 4
-#: Largest number of constituents in a shader, including "bending", of points of a panel there, and
-#: number of harmonics up to degree 24.
+#: Largest numbers in a shader: constituents, including the refraction column, and points of a
+#: panel; and number of harmonics up to degree 24.
 MOST_CONSTITUENTS: Final = 8
 MOST_POINTS: Final = 24
 MOST_TERMS: Final = 325
@@ -48,7 +48,7 @@ def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
     tuple of int
         Indices in ``medium.names``, the strongest scatterer first.
     """
-    medium = solution.paths.medium
+    medium = solution.geometry.medium
     u = np.linspace(0.0, np.sin(np.radians(5.0)), 201)
     at = np.linspace(0.0, 1.0, medium.phase_table.shape[2])
     depth = medium.scattering.max(axis=1) * medium.columns
@@ -69,11 +69,11 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     Mesa's software renderer ends the loops of neighbouring lines as soon as those with the fewest
     points are done, and all loops of a shader after 65 535 iterations.
     """
-    light, degree = solution.light, solution.moments.degree
-    constituents = len(solution.paths.medium.names)
+    tables, degree = solution.tables, solution.moments.degree
+    constituents = len(solution.geometry.medium.names)
     # Two legs, the ends of the shadow and the cuts of a thick line; water's mirrored sky has one.
-    legs, more = light.ends.size + 1, 5
-    panels = 2 * legs + more + (legs + more if light.ground.wet else 0)
+    legs, more = tables.ends.size + 1, 5
+    panels = 2 * legs + more + (legs + more if tables.ground.wet else 0)
     terms = sum((l + 1) // 4 + (l + 1) % 4 for l in range(degree + 1))
     polarised = 2 * EVEN + 3 * constituents
     point = (degree + 1) * (constituents + 2) + 2 * terms + 12 * constituents + polarised
@@ -103,7 +103,7 @@ def shown_solution(
         Number of panels of a leg; shaders have one.
     """
     kept = (*(separated_constituents(solution) if peaks else ()), -1, -1)
-    return solution.light._replace(
+    return solution.tables._replace(
         separated_1=kept[0],
         separated_2=kept[1],
         rules=quadratures(even_points(solution) if points is None else points),

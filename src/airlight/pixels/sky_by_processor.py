@@ -56,11 +56,11 @@ class SkyLayers(NamedTuple):
 
 
 @compiled_loop
-def fill_texels(begin, end, window, observer, light, work, layers):
+def fill_texels(begin, end, window, observer, tables, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
-    light, work, layers = without_refcount((light, work, layers))
-    found, lanes = work.found, light.lanes
-    peaks, polarised = light.separated_1 >= 0, layers.stokes_q.size > 1
+    tables, work, layers = without_refcount((tables, work, layers))
+    found, lanes = work.radiance, tables.lanes
+    peaks, polarised = tables.separated_1 >= 0, layers.stokes_q.size > 1
     stride = window.column_count
     sky_texels = stride * window.sky_count
     for texel in range(begin, end):
@@ -72,15 +72,15 @@ def fill_texels(begin, end, window, observer, light, work, layers):
             if line >= window.ground_count:
                 row += window.rows - window.ground_count
         sky_texel(
-            column, row, window.columns, window.rows, True, peaks, polarised, observer, light,
+            column, row, window.columns, window.rows, True, peaks, polarised, observer, tables,
             work, found,
         )  # fmt: skip
         for at in range(0, lanes, LANES):
             store(layers.air, lanes * texel + at, load(found, at))
             store(layers.ground, lanes * texel + at, load(found, lanes + at))
-            if light.separated_1 >= 0:
+            if tables.separated_1 >= 0:
                 store(layers.first, lanes * texel + at, load(found, 2 * lanes + at))
-            if light.separated_2 >= 0:
+            if tables.separated_2 >= 0:
                 store(layers.second, lanes * texel + at, load(found, 3 * lanes + at))
             if polarised:
                 store(layers.stokes_q, lanes * texel + at, load(found, 4 * lanes + at))

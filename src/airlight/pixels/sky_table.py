@@ -10,13 +10,13 @@ from __future__ import annotations
 from math import cos, pi, sqrt
 from typing import Final, NamedTuple
 
-from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, maximum, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.optics.cox_munk import mean_square_slope
-from airlight.pixels.ground_angles import bent_to_ground, mirrored_line, star_from
+from airlight.pixels.ground_angles import mirrored_line, refraction_to_ground, star_from
 from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.source import read_phase
@@ -79,12 +79,12 @@ def half_sine_between(x, y, z, sun_x, sun_z):
 
 
 @inlined
-def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, light):
+def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
     """Find the stretch of a line of sight that lies in the air.
 
     Parameters
     ----------
-    mu, sine, cos_azimuth, to_ground, observer, light :
+    mu, sine, cos_azimuth, to_ground, observer, tables :
         Arguments of ``look``.
 
     Returns
@@ -97,23 +97,23 @@ def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, light):
     r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
     if observer.outside:
         impact = observer.r * sine
-        r = light.top
-        across, up = first_meeting(min(impact, light.top), sine, light.top)
-        start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
-        start_mu_s = star_from(across, up, light.top, cos_azimuth, observer.sun_x, observer.sun_z)
-    length = distance_to_top(r, start_mu, light.top)
+        r = tables.top
+        across, up = first_meeting(min(impact, tables.top), sine, tables.top)
+        start_mu = -sqrt(max((tables.top - impact) * (tables.top + impact), 0.0)) / tables.top
+        start_mu_s = star_from(across, up, tables.top, cos_azimuth, observer.sun_x, observer.sun_z)
+    length = distance_to_top(r, start_mu, tables.top)
     if to_ground:
-        length = distance_to_bottom(r, start_mu, light.bottom)
+        length = distance_to_bottom(r, start_mu, tables.bottom)
     return r, start_mu, start_mu_s, nu, length
 
 
 @inlined
-def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer, light):
+def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer, tables):
     """Cosine of the star's zenith angle at the end of a line of sight, and angle of refraction.
 
     Parameters
     ----------
-    sine, cos_azimuth, observer, light :
+    sine, cos_azimuth, observer, tables :
         Arguments of ``look``.
     r, start_mu, nu, length : float
         Results of ``line_of_sight``.
@@ -126,12 +126,12 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
         Cosine [1] and angle [rad].
     """
     impact = observer.r * sine
-    across, up = first_meeting(min(impact, light.bottom), sine, light.bottom)
-    mu_s = star_from(across, up, light.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
+    across, up = first_meeting(min(impact, tables.bottom), sine, tables.bottom)
+    mu_s = star_from(across, up, tables.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, start_mu, light.bend, column)
-        slant = (r * start_mu + length) / light.bottom
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(r, start_mu, tables.refraction_strength, column)
+        slant = (r * start_mu + length) / tables.bottom
         mu_s, _ = turned(slant, mu_s, nu, angle)
         mu_s = min(max(mu_s, -1.0), 1.0)
     return mu_s, angle
@@ -140,7 +140,7 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
 @inlined
 def look(
     mu, sine, cos_azimuth, half_sine, to_ground, mirrored, separated_phases, air, peaks, polarised,
-    observer, light, work, result,
+    observer, tables, work, result,
 ):  # fmt: skip
     """Light along one line of sight, and that of a ground behind the air.
 
@@ -160,7 +160,7 @@ def look(
         Whether the air's radiance has the single scattering of the peaked constituents.
     air, peaks, polarised, work : bool, bool, bool, MarchWorkspace
         Arguments of ``march``.
-    observer, light : Observer, MarchTables
+    observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     result : array, shape (4·w,), or (6·w,) if ``polarised``
         Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single
@@ -172,44 +172,44 @@ def look(
         Angle of refraction of a line that ends on the ground. [rad]
     """
     r, start_mu, start_mu_s, nu, length = line_of_sight(
-        mu, sine, cos_azimuth, to_ground, observer, light
+        mu, sine, cos_azimuth, to_ground, observer, tables
     )
     angle, orders = 0.0, observer.orders
     if mirrored:
-        if light.bend > 0.0:
-            angle = bent_to_ground(mu, sine, observer, light, work.columns_total)
-        r, orders = light.bottom, 2
+        if tables.refraction_strength > 0.0:
+            angle = refraction_to_ground(mu, sine, observer, tables, work.columns_total)
+        r, orders = tables.bottom, 2
         start_mu, start_mu_s, nu = mirrored_line(
-            sine * cos_azimuth, mu, sine, angle, observer, light
+            sine * cos_azimuth, mu, sine, angle, observer, tables
         )
-        length = distance_to_top(r, start_mu, light.top)
-        spread = 0.25 * mean_square_slope(light.ground.wind)
+        length = distance_to_top(r, start_mu, tables.top)
+        spread = 0.25 * mean_square_slope(tables.ground.wind)
         half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
-    phases_towards(half_sine, separated_phases or mirrored, light.phase, light, work.phase)
+    phases_towards(half_sine, separated_phases or mirrored, tables.phase, tables, work.phase)
     if polarised:
-        phases_towards(half_sine, separated_phases, light.phase_f12, light, work.phase_f12)
+        phases_towards(half_sine, separated_phases, tables.phase_f12, tables, work.phase_f12)
     march(
         r, start_mu, start_mu_s, nu, half_sine, length, orders, air, peaks, polarised, work.phase,
-        work.phase_f12, light, work, result,
+        work.phase_f12, tables, work, result,
     )  # fmt: skip
     if air and to_ground and not mirrored:
         mu_s, angle = star_on_ground(
-            sine, cos_azimuth, r, start_mu, nu, length, work.columns_total[light.constituents - 1],
-            observer, light,
+            sine, cos_azimuth, r, start_mu, nu, length, work.columns_total[tables.constituents - 1],
+            observer, tables,
         )  # fmt: skip
-        ground_light(mu_s, observer.orders, light, work)
-        for at in range(0, light.lanes, LANES):
-            received = load(work.received, at) + load(work.received, light.lanes + at)
-            behind = received * INVERSE_PI * load(result, light.lanes + at)
-            store(result, light.lanes + at, behind)
+        ground_light(mu_s, observer.orders, tables, work)
+        for at in range(0, tables.lanes, LANES):
+            received = load(work.irradiance, at) + load(work.irradiance, tables.lanes + at)
+            behind = received * INVERSE_PI * load(result, tables.lanes + at)
+            store(result, tables.lanes + at, behind)
     else:
-        for at in range(0, light.lanes, LANES):
-            store(result, light.lanes + at, splat(0.0))
+        for at in range(0, tables.lanes, LANES):
+            store(result, tables.lanes + at, splat(0.0))
     return angle
 
 
 @inlined
-def phases_towards(half_sine, separated_phases, table, light, phase):
+def phases_towards(half_sine, separated_phases, table, tables, phase):
     """Element of all constituents' phase matrices; 0 for the peaked ones unless kept. [sr⁻¹]
 
     Parameters
@@ -220,27 +220,27 @@ def phases_towards(half_sine, separated_phases, table, light, phase):
         Whether those of the peaked constituents are kept.
     table : array
         ``phase`` or ``phase_f12`` of the tables.
-    light : MarchTables
+    tables : MarchTables
         Tables of the solution.
     phase : array, shape (c·w,)
         Receives the elements. [sr⁻¹]
     """
-    read_phase(half_sine, table, light.phase_nodes, light.lanes * light.constituents, phase)
+    read_phase(half_sine, table, tables.phase_nodes, tables.lanes * tables.constituents, phase)
     if not separated_phases:
-        for at in range(0, light.lanes, LANES):
-            if light.separated_1 >= 0:
-                store(phase, light.lanes * light.separated_1 + at, splat(0.0))
-            if light.separated_2 >= 0:
-                store(phase, light.lanes * light.separated_2 + at, splat(0.0))
+        for at in range(0, tables.lanes, LANES):
+            if tables.separated_1 >= 0:
+                store(phase, tables.lanes * tables.separated_1 + at, splat(0.0))
+            if tables.separated_2 >= 0:
+                store(phase, tables.lanes * tables.separated_2 + at, splat(0.0))
 
 
 @inlined
-def direction_of_texel(column, row, columns, rows, observer, light):
+def direction_of_texel(column, row, columns, rows, observer, tables):
     """Line of sight of a texel.
 
     Parameters
     ----------
-    column, row, columns, rows, observer, light :
+    column, row, columns, rows, observer, tables :
         Arguments of ``sky_texel``.
 
     Returns
@@ -254,7 +254,7 @@ def direction_of_texel(column, row, columns, rows, observer, light):
     at = row_coordinate(row, rows, observer.outside)
     cos_azimuth = cos(pi * column / (columns - 1))
     if observer.outside:
-        sine = impact_from_row(at, sky, light.bottom, light.top) / observer.r
+        sine = impact_from_row(at, sky, tables.bottom, tables.top) / observer.r
         mu = -sqrt(max((1.0 - sine) * (1.0 + sine), 0.0))
     else:
         mu, sine = direction_from_row(at, sky, observer.horizon_mu, observer.horizon_sine)
@@ -291,7 +291,7 @@ def row_coordinate(row, rows, outside):
 
 
 @inlined
-def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, light, work, result):
+def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, tables, work, result):
     """Texel of the table: fourth roots of the results of ``look``.
 
     Q and U may be negative, and I + Q and I + U are stored.
@@ -303,31 +303,31 @@ def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, light
         ground's, and the last the mirrored sky's, of the same lines.
     columns, rows : int
         Numbers of azimuths from 0 to π, ends included, and of rows of one half.
-    air, peaks, polarised, observer, light, work, result :
+    air, peaks, polarised, observer, tables, work, result :
         Arguments of ``look``.
     """
     mirrored = row >= 2 * rows
-    shown = air and light.ground.wet and observer.orders != 1
+    shown = air and tables.ground.wet and observer.orders != 1
     if shown or not mirrored:
         line = row - rows if mirrored else row
         mu, sine, cos_azimuth, half_sine = direction_of_texel(
-            column, line, columns, rows, observer, light
+            column, line, columns, rows, observer, tables
         )
         if polarised and sine < UPRIGHT:
             sine = UPRIGHT
             mu = sqrt(1.0 - UPRIGHT * UPRIGHT) * (1.0 if mu > 0.0 else -1.0)
         look(
             mu, sine, cos_azimuth, half_sine, line >= rows, mirrored, False, air, peaks, polarised,
-            observer, light, work, result,
+            observer, tables, work, result,
         )  # fmt: skip
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         if polarised:
             for layer in range(4, 6):
-                both = load(result, at) + load(result, light.lanes * layer + at)
-                store(result, light.lanes * layer + at, fourth_root(maximum(both, 0.0)))
+                both = load(result, at) + load(result, tables.lanes * layer + at)
+                store(result, tables.lanes * layer + at, fourth_root(maximum(both, 0.0)))
         for layer in range(4):
             root = splat(0.0)
             # The mirrored sky has its peaks in the light of the air.
             if not mirrored or (shown and layer < 2):
-                root = fourth_root(load(result, light.lanes * layer + at))
-            store(result, light.lanes * layer + at, root)
+                root = fourth_root(load(result, tables.lanes * layer + at))
+            store(result, tables.lanes * layer + at, root)

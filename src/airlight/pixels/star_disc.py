@@ -11,7 +11,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle
+from airlight.geometry.refraction import refraction_angle
 from airlight.kernel import inlined, kernel
 from airlight.mappings.sky_view import angle_above_horizon
 from airlight.pixels.disc_shading import disc_powers, whole_powers
@@ -55,14 +55,14 @@ def camera_direction(px, py, screen):
 
 
 @inlined
-def leaving_air(x, y, z, observer, light, columns):
+def leaving_air(x, y, z, observer, tables, columns):
     """Direction of a line of sight after it has left the air.
 
     Parameters
     ----------
     x, y, z : float
         Direction at the observer. [1]
-    observer, light : Observer, MarchTables
+    observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the whole line. [m]
@@ -79,27 +79,29 @@ def leaving_air(x, y, z, observer, light, columns):
     start_r, start_mu = observer.r, z
     inside, free = True, True
     if observer.outside:
-        inside = z < 0.0 and impact < light.top
-        free = not (inside and impact < light.bottom)
-        start_r = light.top
-        start_mu = -sqrt(max((light.top - impact) * (light.top + impact), 0.0)) / light.top
+        inside = z < 0.0 and impact < tables.top
+        free = not (inside and impact < tables.bottom)
+        start_r = tables.top
+        start_mu = -sqrt(max((tables.top - impact) * (tables.top + impact), 0.0)) / tables.top
     else:
         free = angle_above_horizon(z, level, observer.horizon_mu, observer.horizon_sine) >= 0.0
-    for c in range(light.constituents):
+    for c in range(tables.constituents):
         columns[c] = 0.0
     if inside and free:
         columns_to_top(
             start_r,
             start_mu,
-            light.bottom,
-            light.top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.bottom,
+            tables.top,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             columns,
         )
-        if light.bend > 0.0:
-            angle = bend_angle(start_r, start_mu, light.bend, columns[light.constituents - 1])
+        if tables.refraction_strength > 0.0:
+            angle = refraction_angle(
+                start_r, start_mu, tables.refraction_strength, columns[tables.constituents - 1]
+            )
             turn, keep = sin(angle), cos(angle)
             scale = (level * keep + z * turn) / max(level, 1e-30)
             return x * scale, y * scale, z * keep - level * turn, free
@@ -158,7 +160,7 @@ def covered(apart, radius, pixel):
 
 
 @inlined
-def star_disc(px, py, x, y, z, observer, screen, light, columns):
+def star_disc(px, py, x, y, z, observer, screen, tables, columns):
     """Radiance of the light's disc in a pixel before attenuation by the air, per irradiance.
 
     Parameters
@@ -167,7 +169,7 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
         Position of the pixel. [pixel]
     x, y, z : float
         Its viewing direction; zero vector for none. [1]
-    observer, screen, light : Observer, Screen, MarchTables
+    observer, screen, tables : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the air in front of it. [m]
@@ -180,15 +182,15 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
     """
     if x == 0.0 and y == 0.0 and z == 0.0:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
+    lx, ly, lz, free = leaving_air(x, y, z, observer, tables, columns)
     apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
     pixel = screen.pixel_angle
     # Two pixel diagonals: no point of a disc is assigned to a pixel farther away.
-    if not free or apart > light.star_radius + 3.0 * pixel:
+    if not free or apart > tables.star_radius + 3.0 * pixel:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    part = covered(apart, light.star_radius, pixel) * screen.disc
-    if light.star_radius < SMALL * pixel:
-        part = _point_like(px, py, part, observer, screen, light, columns)
+    part = covered(apart, tables.star_radius, pixel) * screen.disc
+    if tables.star_radius < SMALL * pixel:
+        part = _point_like(px, py, part, observer, screen, tables, columns)
         return whole_powers(part)
     if screen.occulter_radius > 0.0:
         dx, dy, dz = lx - screen.occulter_x, ly - screen.occulter_y, lz - screen.occulter_z
@@ -201,13 +203,13 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
         toward += (lz - observer.sun_z) * screen.limb_z
         along = toward / max(apart, 1e-12)
     return disc_powers(
-        part, apart, light.star_radius, pixel, along, screen.phased, screen.phase_sine,
+        part, apart, tables.star_radius, pixel, along, screen.phased, screen.phase_sine,
         screen.phase_cosine, screen.phase_share,
     )  # fmt: skip
 
 
 @inlined
-def _point_like(px, py, otherwise, observer, screen, light, columns):
+def _point_like(px, py, otherwise, observer, screen, tables, columns):
     """Radiance of a small disc in a pixel, per irradiance outside the air. [sr⁻¹]"""
     steps = np.empty(_NUMBERS)
     fits = np.empty(_PLACES)
@@ -219,7 +221,7 @@ def _point_like(px, py, otherwise, observer, screen, light, columns):
         aside = way if side == 1 else (-way if side == 3 else 0.0)
         below = way if side == 2 else (-way if side == 4 else 0.0)
         x, y, z = camera_direction(px + aside, py + below, screen)
-        nx, ny, nz, free = leaving_air(x, y, z, observer, light, columns)
+        nx, ny, nz, free = leaving_air(x, y, z, observer, tables, columns)
         steps[3 * place] = nx
         steps[3 * place + 1] = ny
         steps[3 * place + 2] = nz
@@ -272,5 +274,5 @@ def _point_like(px, py, otherwise, observer, screen, light, columns):
         return otherwise
     across = dx * ux + dy * uy + dz * uz
     down = (dx * vx + dy * vy + dz * vz) / upright
-    part = shared_out(across, down, light.star_radius, right, slant, upright)
+    part = shared_out(across, down, tables.star_radius, right, slant, upright)
     return part / area

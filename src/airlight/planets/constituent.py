@@ -63,7 +63,7 @@ class Constituent(TomlModel):
         Substance, a gas mixture or particles; then ``scattering`` is not given, and ``absorption``
         ``absorption`` comes on top of the matter's own.
     amount : float
-        Factor of scattering and absorption at all wavelengths, 0 to 100; the bending of light by a
+        Factor of scattering and absorption at all wavelengths, 0 to 100; refraction by a
         gas is unchanged. [1]
 
     Notes
@@ -262,7 +262,7 @@ class Constituent(TomlModel):
         nm = np.atleast_1d(values_in(wavelengths, "nm", "wavelengths"))
         if not self.scatters:
             return np.zeros((*np.shape(nu), len(nm)))
-        return self.phase_function_at(nm).polarising(nu, nm)
+        return self.phase_function_at(nm).phase_f12(nu, nm)
 
     def polarising_moments(self, wavelengths: npt.ArrayLike) -> FloatArray:
         """Elements that polarise, see ``PhaseFunction``, shape (nl, 4). [1]"""

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from airlight.color.upsampling import reflectance_basis
-from airlight.optics.water import mean_gloss
+from airlight.optics.water import mean_specular
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -42,8 +42,8 @@ class GroundMeans(NamedTuple):
             Wind speed over the water, which then mirrors the sky. [m s⁻¹]
         """
         known = np.clip(reflectance_basis(wavelengths) @ np.asarray(self.color), 0.0, 1.0)
-        gloss = 0.0 if wind is None else float(mean_gloss(wind))
-        return np.asarray(known + self.water * gloss)
+        specular = 0.0 if wind is None else float(mean_specular(wind))
+        return np.asarray(known + self.water * specular)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -17,11 +17,11 @@ import numpy.typing as npt
 from airlight.color.upsampling import reflectance_basis
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.optics.bent_density import RefractingShell
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.effective_top import effective_top
 from airlight.optics.layer_edges import ThinLayer, thin_layers
 from airlight.optics.reflection import WHITE, Reflection
+from airlight.optics.refracting_shell import RefractingShell
 from airlight.planets.constituent import Constituent
 from airlight.planets.light_source import LightSource
 from airlight.planets.matter.phases import INTEGRAL_TOLERANCE
@@ -38,10 +38,10 @@ FloatArray = npt.NDArray[np.float64]
 PHASE_NODES: Final = 4097
 #: Largest vertical optical depth of one constituent.
 LARGEST_OPTICAL_DEPTH: Final = 1e4
-#: Name of the constituent whose column is the bending of light.
-BENDING: Final = "bending"
-#: Wavelength whose bending is used for all. [nm]
-BENDING_WAVELENGTH: Final = 550.0
+#: Name of the constituent whose column is proportional to the refraction angle.
+REFRACTION_COLUMN: Final = "refraction"
+#: Wavelength whose refractivity is used for all. [nm]
+REFRACTION_WAVELENGTH: Final = 550.0
 #: Largest number of wavelengths of one medium.
 MOST_WAVELENGTHS: Final = 2000
 #: Number of media that a planet keeps, since reader, solver and pictures request the same, and
@@ -77,8 +77,8 @@ class Medium:
         Angular radius of the star. [rad]
     refractivity : array, shape (nc,)
         n - 1 of each constituent at relative density 1, at 550 nm or the nearest wavelength known;
-        zero without refraction. One value bends all wavelengths alike: the bending of air differs
-        by 3 % over the visible. [1]
+        zero without refraction. Dispersion is neglected: the refractivity of the Earth's air
+        varies by 3 % over the visible. [1]
     constituents : tuple of Constituent
         Constituents from which the arrays were sampled.
     surface : Surface
@@ -141,7 +141,7 @@ class Medium:
         )
         return (star,)
 
-    def lit_by(self, source: LightSource) -> Medium:
+    def with_light(self, source: LightSource) -> Medium:
         """Medium under another light source, sampled at the same wavelengths."""
         other = copy.copy(self)
         object.__setattr__(other, "solar_irradiance", source.irradiance)
@@ -268,10 +268,10 @@ class Medium:
         )
 
     def in_optical_radius(self) -> Medium:
-        """Medium in which rays are straight: by optical radius if light is bent, otherwise itself.
+        """Medium over the optical radius, in which rays are straight; itself without refraction.
 
-        It has one more constituent, "bending", which neither scatters nor absorbs; see
-        ``optics.bent_density``.
+        It has one more constituent, the refraction column, which neither scatters nor absorbs; see
+        ``optics.refracting_shell``.
         """
         shell = self.refracting_shell
         if shell is None:
@@ -282,13 +282,16 @@ class Medium:
             self,
             bottom_radius=shell.bottom,
             top_radius=shell.top,
-            names=(*self.names, BENDING),
+            names=(*self.names, REFRACTION_COLUMN),
             scattering=np.concatenate([self.scattering, nothing]),
             absorption=np.concatenate([self.absorption, nothing]),
             density=shell.density,
             phase_table=np.concatenate([self.phase_table, phases]),
             refractivity=np.zeros(len(self.names) + 1),
-            constituents=(*self.constituents, Constituent(name=BENDING, profile=Uniform())),
+            constituents=(
+                *self.constituents,
+                Constituent(name=REFRACTION_COLUMN, profile=Uniform()),
+            ),
         )
 
     @property
@@ -326,7 +329,7 @@ class Medium:
             [one.phase_values(nu, self.wavelengths) for one in self.constituents], axis=-2
         )
 
-    def polarising(self, nu: npt.ArrayLike) -> FloatArray:
+    def phase_f12(self, nu: npt.ArrayLike) -> FloatArray:
         """Elements F₁₂ of the phase matrices.
 
         Parameters
@@ -434,7 +437,7 @@ def _refractivity(planet: Planet) -> FloatArray:
     if planet.refraction == "none":
         return result
     low, high = planet.wavelength_limits
-    nm = [min(max(BENDING_WAVELENGTH, low), high)]
+    nm = [min(max(REFRACTION_WAVELENGTH, low), high)]
     for i, one in enumerate(planet.constituents):
         result[i] = one.refractivities(nm, planet.thickness)[0]
     if not result.any():

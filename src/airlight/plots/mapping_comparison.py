@@ -19,7 +19,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.mappings import linear, power, weighted_power
 from airlight.mappings.texels import index_coordinate
 from airlight.plots.figure import new_figure, wavelength_words
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.solution import Solution
 
 if TYPE_CHECKING:
@@ -38,12 +38,12 @@ _TONE_MAP: Final = "hable"
 _LIGHT_GREY: Final = 0.4
 
 
-def table_sights(
+def table_lines(
     solution: Solution,
     mapping: Literal["linear", "weighted-power"],
     shape: tuple[int, int, int] = SHAPE,
     azimuth: float = 0.0,
-) -> Sight:
+) -> LinesOfSight:
     """Lines of sight at the texels of a 3-D table over (h, cos φ, cos δ), through the air alone.
 
     Parameters
@@ -59,7 +59,7 @@ def table_sights(
 
     Returns
     -------
-    Sight
+    LinesOfSight
         Flat arrays, the sun direction running slowest and the height fastest. No line is marked
         as ending on the ground, so that only the air's light is returned.
     """
@@ -108,7 +108,7 @@ def table_sights(
     def flat(values: FloatArray) -> FloatArray:
         return np.ascontiguousarray(np.broadcast_to(values, full)).ravel()
 
-    return Sight(
+    return LinesOfSight(
         r=flat(r[None, None, :]),
         mu=flat(mu[None]),
         mu_s=flat(mu_s[:, None, None]),
@@ -120,7 +120,7 @@ def table_sights(
 
 def table_rgb(
     solution: Solution,
-    sights: Sight,
+    lines: LinesOfSight,
     shape: tuple[int, int, int],
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -129,15 +129,15 @@ def table_rgb(
     light = solution.lights[0]
     irradiance = light.irradiance
     weights = rgb_weights(solution.wavelengths, light.spectrum)
-    rgb = np.empty((sights.r.size, 3))
-    for first in range(0, sights.r.size, _BLOCK):
+    rgb = np.empty((lines.r.size, 3))
+    for first in range(0, lines.r.size, _BLOCK):
         if cancel is not None and cancel():
             raise Cancelled("mapping comparison")
         rows = slice(first, first + _BLOCK)
-        block = Sight(*(getattr(sights, one.name)[rows] for one in fields(sights)))
+        block = LinesOfSight(*(getattr(lines, one.name)[rows] for one in fields(lines)))
         rgb[rows] = (solution.relative_radiance(block) * irradiance) @ weights
         if progress is not None:
-            progress(min(first + _BLOCK, sights.r.size), sights.r.size, "radiance of the table")
+            progress(min(first + _BLOCK, lines.r.size), lines.r.size, "radiance of the table")
     return rgb.reshape(*shape[::-1], 3)
 
 
@@ -207,7 +207,7 @@ def mapping_comparison(
     name = solution.planet.name if solution.planet is not None else "planet"
     colors = {
         mapping: table_rgb(
-            solution, table_sights(solution, mapping, shape, azimuth), shape, progress, cancel
+            solution, table_lines(solution, mapping, shape, azimuth), shape, progress, cancel
         )
         for mapping in ("linear", "weighted-power")
     }
@@ -231,8 +231,8 @@ def mapping_comparison(
             axes.axvline(edge, color="white", linewidth=0.5)
         for edge in range(1, rows):
             axes.axhline(edge, color="white", linewidth=0.5)
-        sights = table_sights(solution, mapping, (1, 2, depth), azimuth)  # type: ignore[arg-type]
-        zeniths = np.degrees(np.arccos(np.clip(sights.mu_s.reshape(depth, -1)[:, 0], -1.0, 1.0)))
+        lines = table_lines(solution, mapping, (1, 2, depth), azimuth)  # type: ignore[arg-type]
+        zeniths = np.degrees(np.arccos(np.clip(lines.mu_s.reshape(depth, -1)[:, 0], -1.0, 1.0)))
         for index, zenith in enumerate(zeniths):
             axes.text(
                 index % columns + 0.96, index // columns + 0.97, f"{zenith:.0f}°",

@@ -37,13 +37,13 @@ class Convergence:
 
     Attributes
     ----------
-    radiance : array, shape (orders, sights, nl)
+    radiance : array, shape (orders, lines, nl)
         Radiance of each order. [W m⁻² sr⁻¹ nm⁻¹]
-    ratio : array, shape (sights, nl)
+    ratio : array, shape (lines, nl)
         Ratio of the last order to the previous one. [1]
-    tail : array, shape (sights, nl)
+    tail : array, shape (lines, nl)
         Sum of the orders beyond the last, as a geometric series of that ratio. [W m⁻² sr⁻¹ nm⁻¹]
-    rest : array, shape (orders, sights, nl)
+    rest : array, shape (orders, lines, nl)
         Remainder after each order, tail included, relative to the total. [1]
     """
 
@@ -58,7 +58,7 @@ def convergence(radiance: FloatArray) -> Convergence:
 
     Parameters
     ----------
-    radiance : array, shape (orders, sights, nl)
+    radiance : array, shape (orders, lines, nl)
         Radiance of the first, second, … order; at least two. [W m⁻² sr⁻¹ nm⁻¹]
 
     Examples

@@ -54,11 +54,11 @@ def mean_transmittance(medium: Medium, altitude: ArrayLike, view_zenith: ArrayLi
     >>> f"{float(mean_transmittance(medium, 0.0, 0.0)):.5f}"  # of .940359, .867616, .762310
     '0.85676'
     """
-    paths = RefractedGeometry.of(medium)
-    drawn = paths.medium
+    geometry = RefractedGeometry.of(medium)
+    drawn = geometry.medium
     r = np.minimum(medium.bottom_radius + values_in(altitude, "m", "altitude"), medium.top_radius)
     mu = np.cos(np.radians(values_in(view_zenith, "deg", "view_zenith")))
-    r, mu = (np.array(one) for one in np.broadcast_arrays(paths.optical_radius(r), mu))
+    r, mu = (np.array(one) for one in np.broadcast_arrays(geometry.optical_radius(r), mu))
     length = vectorized(ray_length)(r, mu, drawn.bottom_radius, drawn.top_radius)
     depth = columns(r, mu, length, drawn.bottom_radius, drawn.density) @ drawn.extinction
     return np.asarray(np.exp(-depth).mean(axis=-1))
@@ -73,9 +73,9 @@ def horizon_zenith(medium: Medium, altitude: ArrayLike) -> FloatArray:
     altitude : array, shape (...)
         Altitude of the observer. [m]
     """
-    paths = RefractedGeometry.of(medium)
-    r = paths.optical_radius(medium.bottom_radius + values_in(altitude, "m", "altitude"))
-    cosine = vectorized(horizon_cosine)(r, paths.medium.bottom_radius)
+    geometry = RefractedGeometry.of(medium)
+    r = geometry.optical_radius(medium.bottom_radius + values_in(altitude, "m", "altitude"))
+    cosine = vectorized(horizon_cosine)(r, geometry.medium.bottom_radius)
     return np.asarray(np.degrees(np.arccos(cosine)))
 
 

@@ -67,7 +67,7 @@ class Drawing:
         air: bool = True,
         stokes: bool = False,
     ) -> None:
-        camera, light = scene.camera, solution.light
+        camera, tables = scene.camera, solution.tables
         numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
         numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
         numbers["draws_air"] = float(air)
@@ -78,7 +78,7 @@ class Drawing:
         self._observer = observer_from(numbers)
         self.window = None
         if not exact and air:
-            self.window = sky_window(camera, self._observer, light.bottom, light.top)
+            self.window = sky_window(camera, self._observer, tables.bottom, tables.top)
         resolution = march_points(solution)
         self._tables = shown_solution(
             solution, peaks=self.window is not None, points=resolution.points,
@@ -91,7 +91,7 @@ class Drawing:
         self._screen = screen_from(numbers, camera, self._ground, self._overlay, SkyLayers.none())
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius
-        self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.largest_bend
+        self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.geometry.max_refraction
 
     def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
         """Fill the table of the sky, if there is one, before any row is drawn.
@@ -173,6 +173,6 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
     """Weights as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
     weights = color_weights(solution)
-    padded = np.zeros((3, solution.light.lanes), np.float32)
+    padded = np.zeros((3, solution.tables.lanes), np.float32)
     padded[:, : weights.shape[0]] = weights.T
     return padded.reshape(-1)

@@ -7,13 +7,15 @@ from math import pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight, enter_shell
 
 FloatArray = NDArray[np.float64]
 
 
-def straight_sight(directions: FloatArray, solution: MomentsSolution, altitude: float) -> Sight:
+def straight_lines(
+    directions: FloatArray, solution: MomentsSolution, altitude: float
+) -> LinesOfSight:
     """Lines of sight from the observer, as straight lines.
 
     Parameters
@@ -27,7 +29,7 @@ def straight_sight(directions: FloatArray, solution: MomentsSolution, altitude: 
 
     Returns
     -------
-    Sight
+    LinesOfSight
         Lines of sight inside the shell.
     """
     medium = solution.medium
@@ -35,7 +37,9 @@ def straight_sight(directions: FloatArray, solution: MomentsSolution, altitude: 
     mu = np.clip(directions[:, 2], -1.0, 1.0)
     sine = np.hypot(directions[:, 0], directions[:, 1])
     r = np.full(mu.shape, bottom + altitude)
-    return solution.paths.sight(enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top))
+    return solution.geometry.optical_lines(
+        enter_shell(r, mu, sine, mu, np.ones_like(mu), bottom, top)
+    )
 
 
 def leaving_direction(
@@ -57,12 +61,12 @@ def leaving_direction(
     array, shape (n, 3)
         Unit vectors; those that meet the ground are returned unchanged.
     """
-    if solution.paths.shell is None or len(directions) == 0:
+    if solution.geometry.shell is None or len(directions) == 0:
         return directions
-    sight = straight_sight(directions, solution, altitude)
-    free = ~sight.to_ground & (sight.length > 0.0)
+    lines = straight_lines(directions, solution, altitude)
+    free = ~lines.to_ground & (lines.length > 0.0)
     angle = np.zeros(len(directions))
-    angle[free] = solution.paths.bent(sight.r[free], sight.mu[free])
+    angle[free] = solution.geometry.refraction_angle(lines.r[free], lines.mu[free])
     level = np.hypot(directions[:, 0], directions[:, 1])
     height = np.arctan2(directions[:, 2], level) - angle
     scale = np.divide(np.cos(height), level, out=np.ones_like(level), where=level > 0.0)

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.render.sun_disc import leaving_direction
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import enter_shell
 from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
@@ -34,22 +34,22 @@ def through_air(
     directions : array, shape (n, 3)
         Unit vectors behind the air, lowered by the angle of refraction.
     """
-    medium, paths = solution.medium, solution.paths
+    medium, geometry = solution.medium, solution.geometry
     r = np.full(len(directions), medium.bottom_radius + altitude)
     mu = np.clip(directions[:, 2], -1.0, 1.0)
     sine = np.hypot(directions[:, 0], directions[:, 1])
     zero = np.zeros_like(mu)
-    sight = paths.sight(
+    lines = geometry.optical_lines(
         enter_shell(r, mu, sine, zero, zero, medium.bottom_radius, medium.top_radius)
     )
-    through = np.ones((len(mu), solution.wavelengths.size))
-    crossing = np.flatnonzero((sight.length > 0.0) & ~sight.to_ground)
-    drawn = paths.medium
+    transmittance = np.ones((len(mu), solution.wavelengths.size))
+    crossing = np.flatnonzero((lines.length > 0.0) & ~lines.to_ground)
+    drawn = geometry.medium
     if crossing.size:
         depth = columns(
-            sight.r[crossing], sight.mu[crossing], sight.length[crossing], drawn.bottom_radius,
+            lines.r[crossing], lines.mu[crossing], lines.length[crossing], drawn.bottom_radius,
             drawn.density,
         )  # fmt: skip
-        through[crossing] = np.exp(-(depth @ drawn.extinction))
-    through[sight.to_ground] = 0.0
-    return through, leaving_direction(directions, solution, altitude)
+        transmittance[crossing] = np.exp(-(depth @ drawn.extinction))
+    transmittance[lines.to_ground] = 0.0
+    return transmittance, leaving_direction(directions, solution, altitude)

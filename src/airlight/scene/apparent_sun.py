@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from airlight.geometry.bending import apparent_sun_cosine
+from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.planets.medium import Medium
 from airlight.solvers.refracted_geometry import RefractedGeometry
 
 if TYPE_CHECKING:
     from airlight.planets.planet import Planet
 
-#: Wavelength whose bending is meant. [nm]
+#: Wavelength whose refractivity is used. [nm]
 _WAVELENGTH = 550.0
 #: Halvings of the interval of apparent zenith angles.
 _HALVINGS = 50
@@ -45,13 +45,13 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
     >>> f"{apparent_altitude(load_planet('earth'), 0.0, 90.0):.2f}"  # refraction lifts the low sun
     '0.47'
     """
-    paths = _paths(planet)
-    if paths.shell is None or altitude > planet.thickness:
+    geometry = _geometry(planet)
+    if geometry.shell is None or altitude > planet.thickness:
         return None
-    x = float(paths.optical_radius(np.array(planet.bottom_radius + altitude)))
-    shell = paths.shell
+    x = float(geometry.optical_radius(np.array(planet.bottom_radius + altitude)))
+    shell = geometry.shell
     true = math.cos(math.radians(sun_zenith))
-    seen = float(apparent_sun_cosine(x, true, shell.bottom, shell.top, paths.lift))
+    seen = float(apparent_sun_cosine(x, true, shell.bottom, shell.top, geometry.refraction_table))
     lowest = -math.sqrt(max(1.0 - (shell.bottom / x) ** 2, 0.0))
     return None if seen < lowest else math.degrees(math.asin(seen))
 
@@ -82,12 +82,12 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
     >>> f"{apparent_zenith(load_planet('earth'), 0.0, 90.0):.2f}"
     '89.53'
     """
-    paths = _paths(planet)
-    if paths.shell is None:
+    geometry = _geometry(planet)
+    if geometry.shell is None:
         return zenith
-    shell, r = paths.shell, planet.bottom_radius + altitude
+    shell, r = geometry.shell, planet.bottom_radius + altitude
     outside = altitude > planet.thickness
-    x = r if outside else float(paths.optical_radius(np.array(r)))
+    x = r if outside else float(geometry.optical_radius(np.array(r)))
 
     def true(seen: float) -> float:
         at, mu = x, math.cos(math.radians(seen))
@@ -96,7 +96,9 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
             if mu >= 0.0 or sine >= 1.0:
                 return seen
             at, mu = shell.top, -math.sqrt(1.0 - sine * sine)
-        return seen + math.degrees(float(paths.bent(np.array([at]), np.array([mu]))[0]))
+        return seen + math.degrees(
+            float(geometry.refraction_angle(np.array([at]), np.array([mu]))[0])
+        )
 
     # slightly above the horizon, so that rounding does not send the ray into the ground
     horizon = 180.0 - math.degrees(math.asin(min(shell.bottom / x * (1.0 + 1e-12), 1.0)))
@@ -111,6 +113,6 @@ def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
     return 0.5 * (low + high)
 
 
-def _paths(planet: Planet) -> RefractedGeometry:
+def _geometry(planet: Planet) -> RefractedGeometry:
     low, high = planet.wavelength_limits
     return RefractedGeometry.of(Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)]))

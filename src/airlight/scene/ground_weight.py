@@ -17,7 +17,7 @@ section 14.1). From the ground, half of the weight lies within a few scale heigh
 as air can be seen above the horizon; from far away it is spread over the disc.
 
 Left out: light that is scattered more than twice after the ground, which comes from farther away;
-the place of the star, so that one solution serves a day; the bending of light.
+the place of the star, so that one solution serves a day; refraction.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class _Legs(NamedTuple):
     ----------
     impact : array
         Distance at which the line passes the planet's centre. [m]
-    sight, entry : array
+    observer, entry : array
         Distances along the line, from its lowest point, of the observer, and of the point where it
         enters the air. [m]
     solid : array
@@ -66,7 +66,7 @@ class _Legs(NamedTuple):
     """
 
     impact: FloatArray
-    sight: FloatArray
+    observer: FloatArray
     entry: FloatArray
     solid: FloatArray
     low: FloatArray
@@ -116,7 +116,7 @@ def _even_air(medium: Medium) -> tuple[FloatArray, FloatArray]:
     return even, even + medium.absorption[:, 0]
 
 
-def _through(medium: Medium, r: ArrayLike, mu: ArrayLike, length: ArrayLike) -> FloatArray:
+def _transmittance(medium: Medium, r: ArrayLike, mu: ArrayLike, length: ArrayLike) -> FloatArray:
     """Transmittance of stretches of rays. [1]"""
     _, extinction = _even_air(medium)
     column = columns(r, mu, length, medium.bottom_radius, medium.density, nodes=_NODES, panels=2)
@@ -142,11 +142,13 @@ def _lit_air(medium: Medium, altitude: float) -> tuple[FloatArray, FloatArray, F
     step = 2.0 * radius / root * (last - first) * rule.weights
     along = legs.side * y * root
     start = np.hypot(legs.impact, legs.entry)
-    through = _through(medium, start, legs.entry / start, np.maximum(along - legs.entry, 0.0))
+    transmittance = _transmittance(
+        medium, start, legs.entry / start, np.maximum(along - legs.entry, 0.0)
+    )
     scattering, _ = _even_air(medium)
     density = (scattering @ medium.density.at((radius - bottom).ravel())).reshape(radius.shape)
-    angle = np.arctan2(along, legs.impact) - np.arctan2(legs.sight, legs.impact)
-    weight = legs.solid * step * through * density
+    angle = np.arctan2(along, legs.impact) - np.arctan2(legs.observer, legs.impact)
+    weight = legs.solid * step * transmittance * density
     return angle.ravel(), radius.ravel(), weight.ravel()
 
 
@@ -164,12 +166,12 @@ def _legs(r: float, bottom: float, top: float, lines: int) -> _Legs:
     for first, last in ranges:
         nodes, solid = first + (last - first) * rule.nodes, (last - first) * rule.weights
         if r > top:
-            impact, sight = np.sqrt(nodes), -np.sqrt(r * r - nodes)
-            solid, entry = 0.5 * solid / (-sight * r), -np.sqrt(top * top - nodes)
+            impact, observer = np.sqrt(nodes), -np.sqrt(r * r - nodes)
+            solid, entry = 0.5 * solid / (-observer * r), -np.sqrt(top * top - nodes)
         else:
-            impact, sight = r * np.sqrt((1.0 - nodes) * (1.0 + nodes)), r * nodes
-            entry = sight
-        line = impact, sight, entry, solid
+            impact, observer = r * np.sqrt((1.0 - nodes) * (1.0 + nodes)), r * nodes
+            entry = observer
+        line = impact, observer, entry, solid
         if first >= 0.0 and r <= top:
             rows.append((*line, start, top, 1.0))
         elif np.all(impact < bottom):
@@ -205,4 +207,4 @@ def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, Float
     leaving = np.sqrt(np.maximum(1.0 - (r / bottom * sine) ** 2, 0.0))
     length = np.maximum(r * down - bottom * leaving, 0.0)
     angle = np.arctan2(length * sine, r - length * down)
-    return angle, solid * _through(medium, r, -down, length)
+    return angle, solid * _transmittance(medium, r, -down, length)

@@ -208,7 +208,7 @@ class Scene:
         sun = LightPosition(zenith=self.sun_zenith)
         return (sun, *(one.beside(sun) for one in self.others))
 
-    def lit_by(self, light: LightPosition) -> Scene:
+    def with_light(self, light: LightPosition) -> Scene:
         """Scene with one light, at the sun's place: turned so that the light is at azimuth 0.
 
         Parameters
@@ -218,7 +218,7 @@ class Scene:
 
         Examples
         --------
-        >>> turned = Scene().lit_by(LightPosition(zenith=30.0, azimuth=90.0))
+        >>> turned = Scene().with_light(LightPosition(zenith=30.0, azimuth=90.0))
         >>> turned.sun_zenith, turned.camera.look_azimuth, turned.sun_azimuth
         (30.0, -90.0, -90.0)
         """

@@ -1,4 +1,4 @@
-"""Solvers: three methods behind one interface, from a medium to its light."""
+"""Solvers of radiative transfer: three methods with one interface."""
 
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.solve import solve

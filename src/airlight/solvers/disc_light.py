@@ -1,4 +1,4 @@
-"""Light of a planet's whole disc: what it gives to a distant place, as a moon shines."""
+"""Disc-integrated reflectance of a planet: its phase curve, for planetshine."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.solvers.sight import enter_shell
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.solution import Solution
 
 FloatArray = NDArray[np.float64]
 
-#: Points of the impact parameter over the ground's disc and over the air beside it; of half a turn.
+#: Points in impact parameter over the ground's disc and over the atmospheric limb; of half a turn.
 _DISC: Final = 40
 _RIM: Final = 16
 _TURN: Final = 24
-#: Distance from which the disc is seen, over the planet's radius: far, so that lines are parallel.
+#: Distance of the observer over the planet's radius: far, so that lines of sight are parallel.
 _AWAY: Final = 1e5
 
 
 def disc_light(solution: Solution, phase: float) -> FloatArray:
-    r"""Geometric albedo times phase function of a planet, with its air.
+    r"""Geometric albedo times phase function of a planet with its atmosphere.
 
-    The irradiance at a distance d by a planet of radius R (of its ground) under the irradiance E is
-    E times this times (R/d)²:
+    A planet of ground radius R under the irradiance E gives at the distance d the irradiance
+    E p Φ (R/d)²:
 
     .. math:: p \, \Phi(\alpha) = \frac{1}{R^2} \iint \frac{L}{E} \, b \, db \, d\varphi
 
@@ -40,7 +40,7 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
     Returns
     -------
     array, shape (nl,)
-        Light. [1]
+        p Φ. [1]
 
     Raises
     ------
@@ -66,7 +66,7 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
     angle = np.radians(phase)
     mu_s = np.full(sine.size, np.cos(angle))
     nu = mu * mu_s + sine * np.sin(angle) * np.cos(azimuth)
-    sight = enter_shell(np.full(sine.size, far), mu, sine, mu_s, nu, bottom, top)
-    radiance = solution.relative_radiance(sight)
+    lines = enter_shell(np.full(sine.size, far), mu, sine, mu_s, nu, bottom, top)
+    radiance = solution.relative_radiance(lines)
     share = np.repeat(weight, _TURN) * np.tile(2.0 * np.pi * turn.weights, impact.size)
     return np.asarray(share @ radiance) / bottom**2

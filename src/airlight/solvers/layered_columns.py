@@ -1,4 +1,4 @@
-"""Ends of a medium's thin layers, and radii of a table of columns that follow them."""
+"""Boundaries of thin layers, and radii of a column table that resolve them."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from airlight.tables.columns import density_table, even_radii
 
 FloatArray = NDArray[np.float64]
 
-#: Largest optical depth between rows of the table of columns in layers aloft, largest change of a
-#: profile between them over its maximum, and largest number of rows over that of clear air.
+#: Largest optical depth between rows of the column table in layers aloft, largest change of a
+#: profile between rows over its maximum, and largest number of rows over that of clear air.
 _ROW_DEPTH: Final = 0.15
 _ROW_CHANGE: Final = 0.15
-#: Largest change from row to row of the logarithm of the column above within a thin layer, down to
-#: a small part of the layer's column, and of that of the distance to the top below it.
+#: Largest change between rows of the logarithm of the column above within a thin layer, down to a
+#: small fraction of the layer's column, and of the logarithm of the distance to the top below it.
 _ROW_FALL: Final = 0.15
 _LEAST_ABOVE: Final = 0.01
 _MOST_ROWS: Final = 8
-#: Smallest scattering optical depth of a wide layer aloft that counts: a fainter one changes skies
-#: by less than 0.4 % there, and ends of panels would cost 10 % of a solve.
+#: Smallest scattering optical depth of a wide layer aloft that is resolved: a fainter one changes
+#: sky radiance by less than 0.4 %, and panel ends would cost 10 % of a solve.
 FAINT_AND_WIDE: Final = 0.01
 
 
@@ -36,16 +36,16 @@ def layer_ends(medium: Medium) -> FloatArray:
 
 
 def column_radii(medium: Medium, rows: int) -> FloatArray:
-    """Radii of the table of columns towards the star: closer where a layer is thin or deep. [m]
+    """Radii of the table of columns to the star, denser in thin and in optically thick layers. [m]
 
-    Between rows the table is exact for air that thins exponentially. For a cloud with an upper end
-    it errs by the square of the optical depth from row to row: 5 % of a cloud's light for 1.
+    Interpolation between rows is exact for an exponential profile. For a cloud with a sharp top the
+    error is quadratic in the optical depth between rows: 5 % of the cloud's radiance for 1.
 
     Parameters
     ----------
     medium : Medium
     rows : int
-        Number of rows of clear air.
+        Number of rows for clear air.
     """
     bottom = medium.bottom_radius
     density, altitude = density_table(medium.density), medium.density.node_altitudes
@@ -61,7 +61,7 @@ def column_radii(medium: Medium, rows: int) -> FloatArray:
         above = np.log(above + _LEAST_ABOVE * above[0] + 1e-300)
         fall = np.abs(np.diff(above, axis=0, append=above[-1:])).max(axis=1)
         needed = np.maximum(needed, fall / _ROW_FALL)
-        # Below a layer its column is the same, and the distance to the top is not.
+        # Below a layer its column is constant, but the distance to the top is not.
         farther = np.log(medium.thickness - np.minimum(altitude, layer.bottom))
         needed = np.maximum(needed, np.abs(np.diff(farther)) / _ROW_FALL)
     brightest = medium.scattering.max(axis=1)

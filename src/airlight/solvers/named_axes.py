@@ -1,7 +1,7 @@
-"""Arguments of a solution's questions: numbers, texts and quantities as arrays with named axes.
+"""Query arguments (numbers, text, quantities) as arrays with named axes.
 
-Arrays broadcast by the rules of NumPy, and each axis of the result is named for the argument that
-varies along it. Labelled arrays broadcast by the names of their dimensions.
+Arrays broadcast by the rules of NumPy, and each axis of the result has the name of the argument
+that varies along it. Labelled arrays broadcast by the names of their dimensions.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ FloatArray = NDArray[np.float64]
 
 #: Name of an axis along which several arguments vary together.
 TOGETHER: Final = "case"
-#: Last dimension of every result, which no argument has.
+#: Last dimension of every result; arguments do not have it.
 LAST: Final = "wavelength"
-#: Attributes of the wavelength; its standard name is that of the CF conventions.
+#: Attributes of the wavelength, with its CF standard name.
 WAVELENGTH: Final = {
     "units": "nm",
     "standard_name": "radiation_wavelength",
     "long_name": "wavelength in vacuum",
 }
-#: Attributes of arguments as coordinates beside their units, where the CF conventions name them.
+#: Attributes, other than units, of arguments as coordinates, by the CF conventions.
 COORDINATES: Final[dict[str, dict[str, str]]] = {
     "altitude": {"standard_name": "height", "long_name": "altitude above the ground"},
     "sun_zenith": {
@@ -46,7 +46,7 @@ COORDINATES: Final[dict[str, dict[str, str]]] = {
 
 @dataclass(frozen=True)
 class Argument:
-    """Argument of a question, with its range.
+    """Argument of a query, with its range.
 
     Attributes
     ----------
@@ -81,12 +81,12 @@ class Argument:
 
     @property
     def long_unit(self) -> str:
-        """Unit as the attribute of a coordinate."""
+        """Unit in the spelling of coordinate attributes."""
         return "degree" if self.unit == "deg" else self.unit
 
 
 def is_labelled(value: object) -> bool:
-    """Whether a value is an xarray.DataArray, without importing xarray for others."""
+    """Whether a value is an xarray.DataArray; does not import xarray."""
     return hasattr(value, "dims") and hasattr(value, "coords")
 
 
@@ -173,7 +173,7 @@ class NamedAxes:
             elif numbers[name].ndim > 1:
                 raise ParameterError(
                     name, f"an array of {numbers[name].ndim} dimensions without names",
-                    "a labelled array, beside labelled arrays",
+                    "a labelled array, like the others",
                 )  # fmt: skip
             else:
                 dims = (name,) * numbers[name].ndim
@@ -195,7 +195,7 @@ class NamedAxes:
         return arrays, cls(dims, whole[0].shape, coordinates)
 
     def beside(self, name: str, labels: Sequence[str]) -> Self:
-        """Axes with one more before the wavelength, with a label for each of its elements."""
+        """Axes with a labelled axis inserted before the wavelength."""
         return replace(
             self,
             dims=(*self.dims, name),
@@ -206,7 +206,7 @@ class NamedAxes:
     def labelled(
         self, values: NDArray[Any], wavelengths: FloatArray, name: str, unit: str, **attributes: str
     ) -> Any:
-        """Values of shape (..., wavelength) as an xarray.DataArray, shape (..., wavelength)."""
+        """Values as an xarray.DataArray, shape (..., wavelength)."""
         import xarray
 
         return xarray.DataArray(
@@ -235,7 +235,7 @@ def _no_shape(shapes: Mapping[str, tuple[int, ...]]) -> ParameterError:
 
 
 def _axis_names(numbers: Mapping[str, FloatArray], count: int) -> list[str]:
-    """Names of the axes: that of the one argument that varies along it and along no other."""
+    """Names of the axes: each that of the argument that varies along this axis alone."""
     names: list[str] = []
     for back in range(count, 0, -1):
         has = [name for name, array in numbers.items() if array.ndim >= back]

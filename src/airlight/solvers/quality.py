@@ -1,4 +1,4 @@
-"""Quality levels by name, for every solver's settings."""
+"""Named quality levels of the solvers' settings."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ S = TypeVar("S")
 
 
 def settings_by_name(quality: str | S, known: Mapping[str, S]) -> S:
-    """Settings as given, or those of a named quality level.
+    """Settings of a named quality level; settings are returned as they are.
 
     Parameters
     ----------

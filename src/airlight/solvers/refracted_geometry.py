@@ -11,22 +11,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.geometry.bending import apparent_sun
 from airlight.geometry.cubic_curves import cubic_curve, monotone_slopes
 from airlight.geometry.path import ray_length
+from airlight.geometry.refraction import apparent_sun
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, vectorized
-from airlight.optics.bent_density import RefractingShell
+from airlight.optics.refracting_shell import RefractingShell
 from airlight.planets.medium import Medium
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.tables.columns import columns
-from airlight.tables.refraction_table import NONE, bending, refraction_table
+from airlight.tables.refraction_table import NONE, refraction_angles, refraction_table
 
 FloatArray = NDArray[np.float64]
 
-#: Number of tables of the apparent star that are kept.
+#: Number of refraction tables in the cache.
 _CACHE_SIZE: Final = 4
-_lifts: OrderedDict[tuple[Any, ...], FloatArray] = OrderedDict()
+_refraction_tables: OrderedDict[tuple[Any, ...], FloatArray] = OrderedDict()
 _lock = threading.Lock()
 #: Newton steps from a true length to a length by optical radius; each squares the error.
 _STEPS: Final = 6
@@ -40,17 +40,17 @@ class RefractedGeometry:
     Attributes
     ----------
     medium : Medium
-        Medium by optical radius, with "bending" as its last constituent; the planet's own where
-        light goes straight.
+        Medium in the optical radius, whose last constituent is the refraction column; the planet's
+        own without refraction.
     shell : RefractingShell or None
-        Shell by optical radius, or None where light goes straight.
-    lift : array, shape (rows, columns, 2)
-        Table from ``refraction_table``; without rows where light goes straight. [1]
+        Refracting shell, or None without refraction.
+    refraction_table : array, shape (rows, columns, 2)
+        Table from ``refraction_table``; empty without refraction. [1]
     """
 
     medium: Medium
     shell: RefractingShell | None
-    lift: FloatArray
+    refraction_table: FloatArray
 
     @classmethod
     def of(cls, medium: Medium) -> RefractedGeometry:
@@ -61,12 +61,12 @@ class RefractedGeometry:
         return cls(drawn, shell, _refraction_table_of(shell))
 
     @property
-    def bend(self) -> float:
-        """Bending over impact parameter and column of the last constituent. [m⁻²]"""
-        return 0.0 if self.shell is None else self.shell.bend
+    def refraction_strength(self) -> float:
+        """Refraction angle over impact parameter and refraction column; 0 without. [m⁻²]"""
+        return 0.0 if self.shell is None else self.shell.refraction_strength
 
     def optical_radius(self, r: FloatArray) -> FloatArray:
-        """Optical radius at true radii, which may lie outside the shell. [m]"""
+        """Optical radius x = n r of true radii, which may lie outside the shell. [m]"""
         if self.shell is None:
             return np.asarray(r, float)
         shell = self.shell
@@ -76,40 +76,42 @@ class RefractedGeometry:
         excess = cubic_curve(shell.altitude, shell.optical, slopes, inside)
         return np.asarray(np.where(altitude > inside, r, excess))
 
-    def sight(self, sight: Sight) -> Sight:
-        """Lines of sight as straight lines, each to the ground or to the top of the shell."""
+    def optical_lines(self, lines: LinesOfSight) -> LinesOfSight:
+        """Lines of sight in the optical radius, in which they are straight."""
         if self.shell is None:
-            return sight
-        x = self.optical_radius(sight.r)
-        missed = (sight.length <= 0.0) & ~sight.to_ground
+            return lines
+        x = self.optical_radius(lines.r)
+        missed = (lines.length <= 0.0) & ~lines.to_ground
         bottom, top = self.shell.bottom, self.shell.top
-        to_ground = vectorized(meets_ground)(x, sight.mu, bottom) & ~missed
-        length = np.where(missed, 0.0, vectorized(ray_length)(x, sight.mu, bottom, top))
-        return replace(sight, r=x, length=length, to_ground=to_ground)
+        to_ground = vectorized(meets_ground)(x, lines.mu, bottom) & ~missed
+        length = np.where(missed, 0.0, vectorized(ray_length)(x, lines.mu, bottom, top))
+        return replace(lines, r=x, length=length, to_ground=to_ground)
 
-    def apparent_nu(self, sight: Sight) -> FloatArray:
+    def apparent_nu(self, lines: LinesOfSight) -> FloatArray:
         """Cosines between lines of sight and the apparent star, shape (n,). [1]"""
         if self.shell is None:
-            return sight.nu
-        out = np.empty(sight.nu.size)
-        arrays = (sight.r, sight.mu, sight.mu_s, sight.nu)
-        _apparent_nu(*arrays, self.shell.bottom, self.shell.top, self.lift, out)
+            return lines.nu
+        out = np.empty(lines.nu.size)
+        arrays = (lines.r, lines.mu, lines.mu_s, lines.nu)
+        _apparent_nu(*arrays, self.shell.bottom, self.shell.top, self.refraction_table, out)
         return out
 
     @property
-    def largest_bend(self) -> float:
-        """Angle by which a ray from space that grazes the ground is bent. [rad]"""
+    def max_refraction(self) -> float:
+        """Refraction angle of a ray from space that grazes the ground. [rad]"""
         if self.shell is None:
             return 0.0
         x, mu = np.array([self.shell.bottom]), np.zeros(1)
-        return 2.0 * float(self.bent(x, mu)[0])
+        return 2.0 * float(self.refraction_angle(x, mu)[0])
 
-    def bent(self, x: FloatArray, mu: FloatArray) -> FloatArray:
-        """Angle by which rays that miss the ground are bent from points to space, (n,). [rad]"""
+    def refraction_angle(self, x: FloatArray, mu: FloatArray) -> FloatArray:
+        """Refraction angle of rays from points to space that miss the ground, (n,). [rad]"""
         if self.shell is None:
             return np.zeros(np.shape(x))
         shell = self.shell
-        return bending(x, mu, shell.bottom, shell.top, shell.density, shell.bend)
+        return refraction_angles(
+            x, mu, shell.bottom, shell.top, shell.density, shell.refraction_strength
+        )
 
     def optical_length(
         self,
@@ -127,9 +129,9 @@ class RefractedGeometry:
         x, mu : array, shape (n,)
             Optical radius of the start [m] and zenith cosine there [1].
         true_length, longest : array, shape (n,)
-            Length along the ray, and the upper limit of the result where it leads farther. [m]
+            Length along the ray, and upper limit of the result. [m]
         quick : bool
-            Whether fewer points and steps suffice: relative error up to 1e-4, for pixels.
+            Fewer points and steps: relative error up to 1e-4, for pixels.
         """
         if self.shell is None:
             return true_length
@@ -148,27 +150,27 @@ class RefractedGeometry:
 
 
 def _refraction_table_of(shell: RefractingShell) -> FloatArray:
-    """Table of the apparent star, from the last few that were made; haze does not change it."""
-    bending_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
-    key = (shell.bottom, shell.top, shell.bend, *bending_row)
+    """Refraction table of a shell, from a cache: edits of haze do not change it."""
+    refraction_row = (shell.density.edges[-1].tobytes(), shell.density.coefficients[-1].tobytes())
+    key = (shell.bottom, shell.top, shell.refraction_strength, *refraction_row)
     with _lock:
-        if key in _lifts:
-            _lifts.move_to_end(key)
-            return _lifts[key]
-    made = refraction_table(shell.bottom, shell.top, shell.density, shell.bend)
+        if key in _refraction_tables:
+            _refraction_tables.move_to_end(key)
+            return _refraction_tables[key]
+    made = refraction_table(shell.bottom, shell.top, shell.density, shell.refraction_strength)
     with _lock:
-        _lifts[key] = made
-        while len(_lifts) > _CACHE_SIZE:
-            _lifts.popitem(last=False)
+        _refraction_tables[key] = made
+        while len(_refraction_tables) > _CACHE_SIZE:
+            _refraction_tables.popitem(last=False)
     return made
 
 
 @compiled_loop
-def _apparent_nu(x, mu, mu_s, nu, bottom, top, lift, out):
+def _apparent_nu(x, mu, mu_s, nu, bottom, top, refraction_table, out):
     for k in range(x.size):
         sine = max((1.0 - mu[k]) * (1.0 + mu[k]), 0.0) ** 0.5
         sine_s = max((1.0 - mu_s[k]) * (1.0 + mu_s[k]), 0.0) ** 0.5
-        seen, _, _ = apparent_sun(x[k], mu_s[k], bottom, top, lift)
+        seen, _, _ = apparent_sun(x[k], mu_s[k], bottom, top, refraction_table)
         across = sine * sine_s
         azimuth = (nu[k] - mu[k] * mu_s[k]) / across if across > 1e-12 else 1.0
         sine_seen = max((1.0 - seen) * (1.0 + seen), 0.0) ** 0.5
@@ -177,24 +179,24 @@ def _apparent_nu(x, mu, mu_s, nu, bottom, top, lift, out):
 
 
 def without_refraction(medium: Medium) -> tuple[Medium, str]:
-    """Medium in which light goes straight, and a line that says so; itself and "" if it does.
+    """Medium without refraction and a note for the report, or the medium itself and "".
 
-    The true direction of the star is kept: the sun sets half a degree earlier on Earth, and the
+    Stars then stand in their true direction: on Earth the sun sets half a degree earlier, and the
     zenith in twilight is up to 10 % darker.
     """
     if not medium.refractivity.any():
         return medium, ""
     straight = replace(medium, refractivity=np.zeros_like(medium.refractivity))
-    return straight, "light that this planet bends is drawn straight"
+    return straight, "refraction is ignored"
 
 
 def require_no_refraction(medium: Medium, what: str) -> None:
-    """Refuse a medium that bends light, for methods whose rays are straight.
+    """Raise an error for a refracting medium, in methods without refraction.
 
     Raises
     ------
     ParameterError
-        If it bends light; the error contains ``what``.
+        If the medium refracts; the message names the method ``what``.
     """
     if medium.refractivity.any():
         raise ParameterError("refraction", "bouguer", f"'none' for {what}")

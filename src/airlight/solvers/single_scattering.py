@@ -1,13 +1,13 @@
-r"""Light scattered once, and sunlight reflected once by the ground, by quadrature alone.
+r"""Single scattering, and direct light reflected by the ground, by adaptive quadrature.
 
 For a constituent i with relative density ρ_i
 
 .. math:: S_i = \int_0^L \beta_i \rho_i(s)\, T(s)\, \langle T_\odot V_\odot \rangle(s)\, ds
 
-and the radiance is Σ_i p_i(ν) S_i (Chandrasekhar 1960, Radiative Transfer, §7). The star's light in
-the brackets is the mean over its disc, see ``star_light``. Panels are bisected until each agrees
-with its halves to 1e-6 of the total; the remaining error is below 1e-5, and below 1e-4 where the
-star's light grazes the ground.
+and the radiance is Σ_i p_i(ν) S_i (Chandrasekhar 1960, Radiative Transfer, §7). Brackets are means
+over the star's disc, see ``star_light``. Panels are bisected until each agrees with its halves to
+1e-6 of the total; the remaining error is below 1e-5, and below 1e-4 where the direct beam grazes
+the ground.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ from airlight.geometry.sun_disc import star_elevation
 from airlight.kernel import compiled_loop, vectorized
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import relative_density
-from airlight.optics.reflection import leaving_cosine, star_factors
+from airlight.optics.reflection import cos_reflected, direct_reflectances
 from airlight.planets.medium import Medium
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import require_no_refraction
-from airlight.solvers.sight import Sight
 from airlight.solvers.star_light import (
     PANELS,
     direct_irradiance,
@@ -63,7 +63,7 @@ def _panel(
     start, end, before, ray, star_radius, shell, density, extinction, rules, workspace, scratch,
     column, out,
 ):  # fmt: skip
-    """Part of one panel in ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, shape (nc,)."""
+    """Contribution of a panel to ∫ ρ_i T <T V> ds, shape (nc, nl), and its columns, (nc,)."""
     r, mu, mu_s, nu = ray
     points, along, light = scratch
     nodes, weights, running = rules[2]
@@ -82,9 +82,9 @@ def _panel(
     for k in range(n):
         s = start + width * nodes[k]
         q = radius_along(r, mu, s)
-        here = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
+        mu_s_point = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
         if not star_light(
-            q, here, star_radius, False, shell, density, extinction, (rules[0], rules[1]),
+            q, mu_s_point, star_radius, False, shell, density, extinction, (rules[0], rules[1]),
             workspace, light,
         ):  # fmt: skip
             continue
@@ -122,15 +122,15 @@ def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
                 if not 0.0 < s < length:
                     continue
             q = radius_along(r, mu, s)
-            here = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
-            value = star_elevation(q, here, bottom) - level
+            mu_s_point = min(max((r * mu_s + s * nu) / q, -1.0), 1.0)
+            value = star_elevation(q, mu_s_point, bottom) - level
             if 0 < k <= samples and (value > 0.0) != (before > 0.0):
                 low, high = length * (k - 1) / samples, s
                 for _ in range(40):
                     middle = 0.5 * (low + high)
                     q = radius_along(r, mu, middle)
-                    here = min(max((r * mu_s + middle * nu) / q, -1.0), 1.0)
-                    if (star_elevation(q, here, bottom) - level > 0.0) == (before > 0.0):
+                    mu_s_point = min(max((r * mu_s + middle * nu) / q, -1.0), 1.0)
+                    if (star_elevation(q, mu_s_point, bottom) - level > 0.0) == (before > 0.0):
                         low = middle
                     else:
                         high = middle
@@ -140,8 +140,8 @@ def _cut_at_shadow(r, mu, mu_s, nu, bottom, star_radius, edges, count):
 
 
 @compiled_loop
-def _scattered(sight, star_radius, shell, density, extinction, rules, workspace, out):
-    all_r, all_mu, all_mu_s, all_nu, lengths = sight
+def _scattered(lines, star_radius, shell, density, extinction, rules, workspace, out):
+    all_r, all_mu, all_mu_s, all_nu, lengths = lines
     constituents, wavelengths = extinction.shape
     n = rules[2][0].size
     scratch = (np.empty((constituents, n)), np.empty(constituents), np.empty(wavelengths))
@@ -214,18 +214,18 @@ def _scattered(sight, star_radius, shell, density, extinction, rules, workspace,
 
 def single_scattering(
     medium: Medium,
-    sight: Sight,
+    lines: LinesOfSight,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> FloatArray:
-    """Light scattered once by each constituent, without its phase function.
+    """Single scattering by each constituent, without its phase function.
 
     Parameters
     ----------
     medium : Medium
         Medium of the planet.
-    sight : Sight
+    lines : LinesOfSight
         Lines of sight.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
@@ -233,8 +233,8 @@ def single_scattering(
     Returns
     -------
     array, shape (n, nc, nl)
-        ∫ scattering_i ρ_i T <T_sun V_sun> ds per irradiance of the star; times the phase function
-        p_i(ν) it is the radiance. [1]
+        ∫ scattering_i ρ_i T <T_sun V_sun> ds per irradiance of the star: factor of the phase
+        function p_i(ν) in the radiance. [1]
 
     Raises
     ------
@@ -243,8 +243,8 @@ def single_scattering(
     """
     require_no_refraction(medium, "single scattering by quadrature")
     constituents, wavelengths = medium.scattering.shape
-    out = np.zeros((sight.r.size, constituents, wavelengths))
-    arrays = (sight.r, sight.mu, sight.mu_s, sight.nu, sight.length)
+    out = np.zeros((lines.r.size, constituents, wavelengths))
+    arrays = (lines.r, lines.mu, lines.mu_s, lines.nu, lines.length)
     rules = (*star_rules(), gauss_legendre(_NODES).as_tuple())
 
     def run(index: int) -> None:
@@ -261,7 +261,7 @@ def single_scattering(
         )
 
     run_blocks(
-        run, -(-sight.r.size // _BLOCK), cancel=cancel, progress=progress,
+        run, -(-lines.r.size // _BLOCK), cancel=cancel, progress=progress,
         message="single scattering",
     )  # fmt: skip
     return np.asarray(out * medium.scattering)
@@ -269,13 +269,13 @@ def single_scattering(
 
 @compiled_loop
 def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
-    """Columns along lines of sight that end on the ground, integrated upwards from there."""
+    """Columns along lines of sight to the ground, integrated upwards."""
     edges, distance, radius, weight = workspace
     bottom, top = shell
     for k in range(all_r.size):
         r, mu = all_r[k], all_mu[k]
         length = ray_length(r, mu, bottom, top)
-        # From the ground upwards the points are dense where the air is.
+        # Upwards, points are dense where the atmosphere is.
         up = -(length + r * mu) / bottom
         count = place_edges(bottom, up, length, PANELS, 0.0, 0.0, edges)
         count = split_at_profile_edges(bottom, up, bottom, density[2], edges, count)
@@ -289,14 +289,14 @@ def _ground_columns(all_r, all_mu, shell, density, rule, workspace, out):
             out[k, i] = total
 
 
-def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
-    """Light of the star reflected once by the ground and transmitted to the observer.
+def reflected_once(medium: Medium, lines: LinesOfSight) -> FloatArray:
+    """Direct light reflected by the ground and transmitted to the observer.
 
     Parameters
     ----------
     medium : Medium
-        Medium with the planet's ground; its mean albedo is used, not a map.
-    sight : Sight
+        Medium with the planet's ground, of its mean albedo.
+    lines : LinesOfSight
         Lines of sight.
 
     Returns
@@ -305,12 +305,12 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
         Radiance per irradiance of the star: albedo/π T E_direct; 0 where the line does not end
         on the ground. [sr⁻¹]
     """
-    out = np.zeros((sight.r.size, medium.wavelengths.size))
-    hits = np.flatnonzero(sight.to_ground)
+    out = np.zeros((lines.r.size, medium.wavelengths.size))
+    hits = np.flatnonzero(lines.to_ground)
     if hits.size == 0:
         return out
     bottom = medium.bottom_radius
-    r, mu, length = sight.r[hits], sight.mu[hits], sight.length[hits]
+    r, mu, length = lines.r[hits], lines.mu[hits], lines.length[hits]
     column = np.empty((hits.size, medium.extinction.shape[0]))
     _ground_columns(
         r,
@@ -321,10 +321,10 @@ def reflected_once(medium: Medium, sight: Sight) -> FloatArray:
         new_workspace(),
         column,
     )
-    mu_s = np.clip((r * sight.mu_s[hits] + length * sight.nu[hits]) / bottom, -1.0, 1.0)
+    mu_s = np.clip((r * lines.mu_s[hits] + length * lines.nu[hits]) / bottom, -1.0, 1.0)
     direct = direct_irradiance(medium, np.full(hits.size, bottom), mu_s)
     factor = np.empty_like(direct)
-    leaving = vectorized(leaving_cosine)(r, mu, bottom)
-    star_factors(medium.ground, mu_s, leaving, sight.nu[hits], factor)
+    mu_r = vectorized(cos_reflected)(r, mu, bottom)
+    direct_reflectances(medium.ground, mu_s, mu_r, lines.nu[hits], factor)
     out[hits] = factor / np.pi * np.exp(-(column @ medium.extinction)) * direct
     return out

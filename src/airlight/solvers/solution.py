@@ -21,10 +21,10 @@ from airlight.optics.air_mass import air_mass_pickering2002
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solvers.named_axes import Argument, NamedAxes
 from airlight.solvers.provenance import provenance
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.solvers.sight import Sight, enter_shell
 from airlight.solvers.stokes_frame import STOKES, to_meridian
 from airlight.tables.columns import columns
 
@@ -47,18 +47,18 @@ class Report:
     settings : str
         Settings on one line.
     sweeps : int
-        Number of orders of scattering computed one by one.
+        Number of sweeps, or of successive orders of scattering.
     residual : tuple of float
         Largest relative change of the mean radiance by the last sweep, per wavelength. [1]
     seconds : float
         Wall time; 0 if the solution was read from the cache. [s]
     energy : tuple of float
-        Light that the solution makes (or, negative, loses) over the light incident, per
-        wavelength; empty where the solver does not know. [1]
+        Energy balance error, over the incident energy, per wavelength: positive if energy is
+        created; empty if the solver does not compute it. [1]
     note : str
-        What the solver leaves out of this planet, on one line; empty if nothing.
+        Neglected properties of the planet, on one line; empty if none.
     ground : str
-        Region whose ground stands for the planet's, on one line; empty if it is the whole planet.
+        Region that supplies the mean ground, on one line; empty for the whole planet.
     """
 
     solver: str
@@ -75,7 +75,7 @@ class Report:
 
     @property
     def provenance(self) -> str:
-        """The same line without wall time or cache: equal for equal computations."""
+        """Report without wall time or cache: equal for equal computations."""
         return self._described("")
 
     def _described(self, took: str) -> str:
@@ -87,12 +87,12 @@ class Report:
 
 #: Largest altitude of an observer. [m]
 HIGHEST = 1e15
-#: Wavelength next to which a report gives albedos. [nm]
+#: Wavelength for which reports state albedos. [nm]
 GREEN = 550.0
 
 
 class Solution(ABC):
-    """Light of a planet's air at some wavelengths.
+    """Radiance field of a planetary atmosphere at some wavelengths.
 
     Attributes
     ----------
@@ -108,8 +108,8 @@ class Solution(ABC):
     report: Report
     planet: Planet | None = None
     _source: LightSource | None = None
-    #: Whether this is the light of a source beside the first one of a picture, without its lamps.
-    beside: bool = False
+    #: Whether the source is a secondary light of a scene; city lights belong to the first.
+    secondary: bool = False
 
     def __repr__(self) -> str:
         name = "a medium" if self.planet is None else self.planet.name
@@ -122,7 +122,7 @@ class Solution(ABC):
         )
 
     def of(self, planet: Planet) -> Self:
-        """Keep the planet with its solution, and say in the report which ground it has."""
+        """Attach the planet, and note its ground in the report."""
         nm = self.wavelengths
         line = planet.ground.local_line(float(nm[np.argmin(np.abs(nm - GREEN))]))
         self.planet, self.report = planet, replace(self.report, ground=line)
@@ -134,13 +134,13 @@ class Solution(ABC):
         return provenance(self.planet, self.report.provenance, self.report.settings)
 
     @cached_property
-    def paths(self) -> RefractedGeometry:
-        """Paths of light in the medium."""
+    def geometry(self) -> RefractedGeometry:
+        """Refracted geometry of the medium."""
         return RefractedGeometry.of(self.medium)
 
     @property
     def lights(self) -> tuple[LightSource, ...]:
-        """Light sources that shine on the planet; the first is the one that was solved for."""
+        """Light sources of the planet; the first is that of the solution."""
         if self._source is not None:
             return (self._source,)
         if self.planet is None:
@@ -152,40 +152,40 @@ class Solution(ABC):
             )
         )
 
-    def lit_by(self, source: LightSource, *, beside: bool = False) -> Self:
+    def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
         """Solution under another light source.
 
-        Light scattered once and the ground's direct light have the source's own disc. Light that
-        was scattered before keeps the disc of the solve, which matters only while a disc sets.
+        Single scattering and direct irradiance of the ground use the source's own disc. Multiple
+        scattering keeps the disc of the solve, which matters only while a disc sets.
 
         Parameters
         ----------
         source : LightSource
             Source, sampled at the solution's wavelengths.
-        beside : bool
-            Whether it shines beside another one, whose picture has the lamps of towns.
+        secondary : bool
+            Whether it is a secondary light of a scene, without city lights.
         """
         other = copy.copy(self)
-        other.medium, other._source = self.medium.lit_by(source), source
-        other.beside = beside
+        other.medium, other._source = self.medium.with_light(source), source
+        other.secondary = secondary
         return other
 
     #: Largest order that can be requested separately.
     highest_order: int = 1
 
     @abstractmethod
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """Radiance per irradiance of the star along lines of sight, shape (n, nl). [sr⁻¹]
 
-        ``order`` selects the light scattered or reflected exactly that many times.
+        ``order`` selects a single order of scattering and reflection.
         """
 
     @property
     def polarised(self) -> bool:
-        """Whether the light is polarised; else transfer is scalar."""
+        """Whether transfer is polarised (I, Q, U) rather than scalar."""
         return False
 
-    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """I, Q and U per irradiance of the star, shape (n, 3, nl), where ``polarised``. [sr⁻¹]
 
         Azimuths count as 0 to 180, see ``stokes_frame``.
@@ -199,11 +199,11 @@ class Solution(ABC):
 
     @abstractmethod
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Diffuse irradiance of a level surface from above, relative to the star's, (n, nl). [1]"""
+        """Diffuse horizontal irradiance, downward, per irradiance of the star, (n, nl). [1]"""
 
     @abstractmethod
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Irradiance of a level surface by the star itself, same unit and shape. [1]"""
+        """Direct horizontal irradiance per irradiance of the star, (n, nl). [1]"""
 
     @property
     def wavelengths(self) -> FloatArray:
@@ -220,7 +220,7 @@ class Solution(ABC):
         order: int | None = None,
         stokes: bool = False,
     ) -> xarray.DataArray:
-        """Radiance of air and ground for an observer, without the star's own disc.
+        """Radiance of atmosphere and ground for an observer, without the star's disc.
 
         Each argument is a number, text with a unit such as ``"400 km"`` or ``"0:80:10 deg"``, a
         quantity of pint, astropy or unyt, or an array of these. Arrays broadcast by the rules of
@@ -232,17 +232,15 @@ class Solution(ABC):
         altitude : array
             Altitude of the observer above the ground, also outside the shell. [m]
         sun_zenith, view_zenith : array
-            Zenith angles of star and view at the observer, 0 to 180. Where light is bent: true
-            angle of the star, apparent angle of the view. [deg]
+            Zenith angles of star and view at the observer, 0 to 180; with refraction, the true
+            angle of the star and the apparent angle of the view. [deg]
         azimuth : array
-            Azimuth between the horizontal projections of view and star; 0 looks to the star's side.
-            [deg]
+            Azimuth of the view relative to the star; 0 towards the star's side. [deg]
         order : int, optional
-            Number of scatterings or reflections of the light to return, 1 to ``highest_order``; all
-            light if left out.
+            Order of scattering, 1 to ``highest_order``; default: all orders.
         stokes : bool
-            Whether to return Q and U beside the radiance I, in the frame of ``stokes_frame``: Q > 0
-            swings in the plane of line and zenith.
+            Whether to return the Stokes parameters I, Q and U, in the frame of ``stokes_frame``:
+            Q > 0 is polarised parallel to the meridian plane.
 
         Returns
         -------
@@ -252,28 +250,28 @@ class Solution(ABC):
         Raises
         ------
         ParameterError
-            If a value is out of its range, the shapes do not broadcast, or polarised light is
-            requested of scalar transfer.
+            If a value is out of its range, the shapes do not broadcast, or Stokes parameters are
+            requested of a scalar solution.
         """
-        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
+        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
         self.check_order(order)
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         if not stokes:
-            values = self.relative_radiance(sight, order=order) * sun
+            values = self.relative_radiance(lines, order=order) * sun
             return self._labelled(values, axes, "radiance", unit)
         self.check_polarised()
-        found = to_meridian(self.relative_stokes(sight, order=order), *arrays[2:]) * sun
+        found = to_meridian(self.relative_stokes(lines, order=order), *arrays[2:]) * sun
         return self._labelled(found, axes.beside("stokes", STOKES), "radiance", unit)
 
     def check_polarised(self) -> None:
-        """Refuse polarised light of scalar transfer."""
+        """Raise an error if Stokes parameters are requested of a scalar solution."""
         if not self.polarised:
             raise ParameterError(
                 "stokes", True, "a solver of polarised light, with polarisation left on"
             )
 
     def check_order(self, order: int | None) -> None:
-        """Refuse an order that the solver has not kept apart."""
+        """Raise an error for an order that is not available separately."""
         if order is not None and not (isinstance(order, int) and 1 <= order <= self.highest_order):
             allowed = f"1 to {self.highest_order}" if self.highest_order > 1 else "1"
             raise ParameterError("order", order, f"{allowed}, or nothing for all orders")
@@ -285,7 +283,7 @@ class Solution(ABC):
         sun_zenith: Measures,
         view_zenith: Measures,
         azimuth: Measures = 0.0,
-    ) -> tuple[Sight, NamedAxes]:
+    ) -> tuple[LinesOfSight, NamedAxes]:
         """Lines of sight inside the shell as flat arrays, and the axes of the inputs.
 
         Parameters
@@ -298,15 +296,15 @@ class Solution(ABC):
         ParameterError
             If a value is out of its range, or the shapes do not broadcast.
         """
-        return self._questions(altitude, sun_zenith, view_zenith, azimuth)[1:]
+        return self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)[1:]
 
-    def _questions(
+    def _rays_from_arguments(
         self,
         altitude: Measures,
         sun_zenith: Measures,
         view_zenith: Measures,
         azimuth: Measures,
-    ) -> tuple[list[FloatArray], Sight, NamedAxes]:
+    ) -> tuple[list[FloatArray], LinesOfSight, NamedAxes]:
         """Arguments of ``radiance`` as flat arrays, and results of ``lines_of_sight``."""
         arrays, axes = NamedAxes.of(
             altitude=Argument(altitude, 0.0, HIGHEST, "m"),
@@ -318,8 +316,8 @@ class Solution(ABC):
         mu, mu_s = np.cos(view), np.cos(sun)
         nu = np.clip(mu * mu_s + np.sin(view) * np.sin(sun) * np.cos(around), -1.0, 1.0)
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
-        sight = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
-        return arrays, sight, axes
+        lines = enter_shell(bottom + arrays[0], mu, np.sin(view), mu_s, nu, bottom, top)
+        return arrays, lines, axes
 
     def transmittance(
         self,
@@ -329,7 +327,7 @@ class Solution(ABC):
         distance: Measures | None = None,
         air_mass: str | None = None,
     ) -> xarray.DataArray:
-        """Transmittance of the air from an observer along lines of sight, bent if refraction is on.
+        """Transmittance along lines of sight from an observer, refracted if refraction is on.
 
         Arguments broadcast as those of ``radiance``.
 
@@ -340,12 +338,11 @@ class Solution(ABC):
         view_zenith : array
             Zenith angle of the view. [deg]
         distance : array, optional
-            Length of the stretch; if left out it goes to space, and the result is 0 where the
-            ground blocks it. [m]
+            Length of the path; default: to space, with the result 0 where the ground blocks it.
+            [m]
         air_mass : str, optional
-            ``"pickering"`` uses Pickering's formula for the columns of the gases, as OpenSpace
-            does, for an observer on the ground who looks above the horizon to space; other
-            constituents keep their columns.
+            ``"pickering"``: columns of the gases by Pickering's air-mass formula, as in OpenSpace,
+            for lines of sight from the ground to space; other constituents keep their columns.
 
         Returns
         -------
@@ -362,19 +359,19 @@ class Solution(ABC):
         bottom, top = self.medium.bottom_radius, self.medium.top_radius
         r, view = bottom + arrays[0], np.radians(arrays[1])
         mu, sine, zero = np.cos(view), np.sin(view), np.zeros_like(view)
-        sight = self.paths.sight(enter_shell(r, mu, sine, zero, zero, bottom, top))
-        length = sight.length
-        blocked = sight.to_ground
+        lines = self.geometry.optical_lines(enter_shell(r, mu, sine, zero, zero, bottom, top))
+        length = lines.length
+        blocked = lines.to_ground
         if distance is not None:
             half_chord = np.sqrt(np.maximum(top**2 - (r * sine) ** 2, 0.0))
             way = np.where(r > top, -r * mu - half_chord, 0.0)
-            asked = self.paths.optical_length(
-                sight.r, sight.mu, np.maximum(arrays[2] - way, 0.0), length
+            asked = self.geometry.optical_length(
+                lines.r, lines.mu, np.maximum(arrays[2] - way, 0.0), length
             )
             blocked = blocked & (asked > length * (1.0 + 1e-12))
             length = np.minimum(length, asked)
-        drawn = self.paths.medium
-        depth = columns(sight.r, sight.mu, length, drawn.bottom_radius, drawn.density)
+        drawn = self.geometry.medium
+        depth = columns(lines.r, lines.mu, length, drawn.bottom_radius, drawn.density)
         if air_mass is not None:
             self._replace_air_mass(depth, air_mass, arrays[0], arrays[1], distance)
         values = np.exp(-(depth @ drawn.extinction))
@@ -389,17 +386,17 @@ class Solution(ABC):
         view_zenith: FloatArray,
         distance: Measures | None,
     ) -> None:
-        """Replace columns of the gases by a formula for the whole path through the Earth's air."""
+        """Replace columns of the gases by Pickering's air mass times the vertical column."""
         if air_mass != "pickering":
             raise ParameterError("air_mass", air_mass, "'pickering', or none for true columns")
         for name, value, allowed in (
-            ("altitude", float(altitude.max()), "0 m beside an air mass"),
-            ("view_zenith", float(view_zenith.max()), "0 to 90 deg beside an air mass"),
+            ("altitude", float(altitude.max()), "0 m with an air mass"),
+            ("view_zenith", float(view_zenith.max()), "0 to 90 deg with an air mass"),
         ):
             if value > (90.0 if name == "view_zenith" else 0.0):
                 raise ParameterError(name, value, allowed)
         if distance is not None:
-            raise ParameterError("distance", distance, "none beside an air mass")
+            raise ParameterError("distance", distance, "none with an air mass")
         medium = self.medium
         nm = medium.wavelengths[:1]
         formula = air_mass_pickering2002(90.0 - view_zenith)
@@ -408,7 +405,7 @@ class Solution(ABC):
                 depth[:, i] = formula * medium.columns[i]
 
     def irradiance(self, *, altitude: Measures, sun_zenith: Measures) -> xarray.Dataset:
-        """Downward irradiance of a level surface by the star and by the sky.
+        """Downward horizontal irradiance, direct and diffuse.
 
         Arguments broadcast as those of ``radiance``.
 
@@ -422,8 +419,8 @@ class Solution(ABC):
         Returns
         -------
         xarray.Dataset
-            ``direct`` and ``diffuse``, each of shape (..., wavelength); light in the removed part
-            of forward peaks counts as direct. [W m⁻² nm⁻¹]
+            ``direct`` and ``diffuse``, each of shape (..., wavelength); light scattered into the
+            delta-M fraction of forward peaks counts as direct. [W m⁻² nm⁻¹]
         """
         thickness = self.medium.thickness
         arrays, axes = NamedAxes.of(
@@ -447,7 +444,7 @@ class Solution(ABC):
         )
 
     def _diffuse(self, r: FloatArray, mu_s: FloatArray) -> dict[str, tuple[str, FloatArray]]:
-        """Diffuse irradiance relative to the star's, with its words, and its error if known. [1]"""
+        """Diffuse irradiance per irradiance of the star, its label, and its error if known. [1]"""
         return {"diffuse": ("diffuse irradiance", self.relative_sky_irradiance(r, mu_s))}
 
     def _labelled(

@@ -1,4 +1,4 @@
-"""``solve``: the light of a planet by any of the solvers."""
+"""``solve``: radiative transfer of a planet by any of the solvers."""
 
 from __future__ import annotations
 
@@ -105,30 +105,29 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Solution:
-    """Solve for the light of a planet's air.
+    """Solve the radiative transfer of a planet's atmosphere.
 
     Parameters
     ----------
     planet : Planet, str, Path or Solution
-        Planet from ``load_planet``, or made in Python; or what ``load_planet`` takes, the name of a
-        preset or the path of a planet file; a solution stands for its planet.
+        Planet, name of a preset, or path of a planet file; a solution stands for its planet.
     wavelengths : array, shape (nl,), optional
-        Wavelengths, any number; the planet's own if left out. Text (``"0.4:0.7:0.1 um"``) and
-        quantities of another length are converted. [nm]
+        Wavelengths, any number; default: the planet's. Text (``"0.4:0.7:0.1 um"``) and quantities
+        of another length are converted. [nm]
     quality : str or Settings
         Name ``"preview"``, ``"default"`` or ``"fine"``, or the solver's own settings.
     solver : str
-        ``"moments"``, for all uses; ``"direct"``, the notes' equations order by order, slow;
-        ``"montecarlo"``, the referee, which traces each result and estimates its standard error.
+        ``"moments"``, for all uses; ``"direct"``, successive orders by the equations of the
+        Atmosphere Plus notes, slow; ``"montecarlo"``, the reference, with standard errors.
     polarisation : bool
-        Whether light is polarised, which changes its radiance by some percent; without, transfer is
-        scalar, as that of ``"direct"`` always is.
+        Whether transfer is polarised, which changes radiance by some percent; ``"direct"`` is
+        always scalar.
     cache : bool
-        Whether to read the solution from disk, and to keep it there.
+        Whether to read the solution from the cache on disk, and to write it there.
     progress : callable, optional
         Called as ``progress(done, total, message)``.
     cancel : callable, optional
-        Called often; True stops with ``Cancelled``.
+        Polled frequently; True stops with ``Cancelled``.
 
     Returns
     -------
@@ -146,9 +145,9 @@ def solve(
     Warns
     -----
     AirlightWarning
-        If the planet leaves out absorption bands of its gases at these wavelengths, with gas,
-        wavelength and size; not at the wavelengths of pictures. If the solution makes or loses
-        more light than its quality allows (1 %; ``"preview"``: 3 %), with the size.
+        If absorption bands of the planet's gases are omitted at these wavelengths, except those of
+        pictures. If the solution violates energy conservation by more than its quality allows
+        (1 %; ``"preview"``: 3 %).
 
     Examples
     --------
@@ -188,14 +187,14 @@ def solution_of(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Solution:
-    """Solution as it is, or that of a planet at the quality ``default``.
+    """Solution of a planet at quality ``default``; a solution is returned as it is.
 
     Parameters
     ----------
     given : Solution, Planet, str or Path
         Solution, or what ``solve`` takes for a planet.
     wavelengths : callable, optional
-        Function that gives the wavelengths of a planet; by default its own. [nm]
+        Function from a planet to its wavelengths; default: the planet's. [nm]
     progress, cancel : callable, optional
         See ``solve``.
 
@@ -212,12 +211,12 @@ def solution_of(
 
 
 def _check_memory(settings: MomentsSettings, wavelengths: int) -> None:
-    """Refuse wavelengths whose light does not fit into the memory that is free.
+    """Raise an error for wavelengths whose solution does not fit into free memory.
 
-    The estimate is twice the moments in float64: measured, 1.7 times at ``preview`` and once at
+    Estimate: twice the size of the moments in float64; measured: 1.7 times at ``preview``, once at
     ``default``.
     """
     from airlight.solvers.moments.harmonics import moment_count
 
-    fields = settings.radii * settings.suns * moment_count(settings.degree)
+    fields = settings.radii * settings.sun_angles * moment_count(settings.degree)
     check_memory(16.0 * fields * wavelengths, f"the light of {wavelengths} wavelengths")

@@ -1,11 +1,8 @@
-r"""Star light at a point in the air, by quadrature alone.
+r"""Direct irradiance at a point of the atmosphere, by quadrature without tables.
 
-No tables are used: densities come from the profiles themselves, and the column from the point to
-space is integrated each time.
-
-The star's disc is uniform. Its transmitted light is averaged over strips of equal elevation, so
-that a disc cut by the horizon, or redder on one side, is treated correctly; the strips are assumed
-straight, an error of less than 1e-5 for the sun.
+The star's disc is uniform. Transmittance is averaged over strips of equal elevation, so that a
+setting disc with its vertical gradient is treated correctly; strips are assumed straight, an error
+below 1e-5 for the sun.
 """
 
 from __future__ import annotations
@@ -33,8 +30,8 @@ _NODES: Final = 20
 PANELS: Final = 3
 #: Number of strips of the star's disc.
 _STRIPS: Final = 7
-#: Elevation above the horizon from which a star is treated as a point: its strips differ by less
-#: than 1e-5 in the light transmitted through clear air. [rad]
+#: Elevation above the horizon from which a star is treated as a point: in clear air the mean over
+#: strips differs by less than 1e-5. [rad]
 _HIGH: Final = 0.7
 
 
@@ -59,10 +56,10 @@ def columns_to_space(r, mu, shell, density, rule, workspace, out):
     """
     edges, distance, radius, weight = workspace
     bottom, top = shell
-    density_edges, coefficients, corners = density
+    density_edges, coefficients, breakpoints = density
     length = max(-r * mu + chord(r, mu, top), 0.0)
     count = place_edges(r, mu, length, PANELS, 0.0, 0.0, edges)
-    count = split_at_profile_edges(r, mu, bottom, corners, edges, count)
+    count = split_at_profile_edges(r, mu, bottom, breakpoints, edges, count)
     points = place_nodes(r, mu, edges, count, rule[0], rule[1], distance, radius, weight)
     for i in range(out.size):
         total = 0.0
@@ -81,7 +78,7 @@ def new_workspace() -> tuple[FloatArray, ...]:
 
 @compiled_loop
 def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, workspace, light):
-    """Star light at a point, averaged over its disc, per irradiance at the top.
+    """Direct irradiance at a point, averaged over the star's disc, per irradiance at the top.
 
     Parameters
     ----------
@@ -90,7 +87,7 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, w
     star_radius : float
         Angular radius of the star; 0 for a point. [rad]
     level : bool
-        Whether the surface is level, with the cosine, rather than facing the star.
+        Whether the irradiance is horizontal rather than normal to the beam.
     shell, density, workspace :
         Arguments of ``columns_to_space``.
     extinction : array, shape (nc, nl)
@@ -142,7 +139,7 @@ def star_rules() -> tuple[Rule, Rule]:
 
 
 def direct_irradiance(medium: Medium, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-    """Irradiance of a level surface by the star itself, per irradiance of the star.
+    """Direct horizontal irradiance, per irradiance of the star.
 
     Parameters
     ----------

@@ -1,11 +1,10 @@
 """Frame of Stokes parameters: the meridian plane of a line of sight.
 
-Q > 0 is light that swings in the plane of line and zenith, along e_θ, away from the zenith; U > 0
-light that swings half-way between e_θ and e_φ, towards larger azimuths. To an observer under the
-sky larger azimuths are on the right, so that the angle of polarisation, atan2(U, Q)/2, is counted
-from the vertical, counterclockwise. In a spherical shell the frame is the same along a whole line.
-Within the solvers azimuths are 0 to 180 degrees; on the other side of the star U has the other
-sign.
+Q > 0 is polarised along e_θ, in the meridian plane (of line of sight and zenith), away from the
+zenith; U > 0 half-way between e_θ and e_φ, towards larger azimuths. To an observer under the sky
+larger azimuths are on the right, so that the angle of polarisation, atan2(U, Q)/2, is counted from
+the vertical, counterclockwise. In a spherical shell the frame is constant along a line of sight.
+Within the solvers azimuths are 0 to 180 degrees; on the other side of the star U changes sign.
 """
 
 from __future__ import annotations
@@ -25,16 +24,16 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Names of the Stokes parameters of a line of sight; V is left out.
+#: Names of the Stokes parameters; V is neglected.
 STOKES: Final = ("I", "Q", "U")
-#: Square of the sine of the zenith angle below which a line counts as vertical: its azimuth is 0,
-#: which rounding would lose. [1]
+#: Square of the sine of the zenith angle below which a line counts as vertical, with azimuth 0,
+#: since rounding would lose it. [1]
 VERTICAL: Final = 1e-9
 
 
 @kernel
 def star_plane(mu, mu_s, nu):
-    """Turn from the meridian plane of a line of sight to the plane of line and star.
+    """Rotation from the meridian plane of a line of sight to the scattering plane of the star.
 
     Parameters
     ----------
@@ -69,14 +68,14 @@ def star_plane(mu, mu_s, nu):
 
 
 def star_planes(mu: FloatArray, mu_s: FloatArray, nu: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Results of ``star_plane`` for many lines of sight, each shape (n,)."""
+    """``star_plane`` for n lines of sight, each result of shape (n,)."""
     turns = np.array([star_plane(*line) for line in zip(mu, mu_s, nu, strict=True)])
     cosine, sine = turns.reshape(-1, 2).T
     return cosine, sine
 
 
 def to_meridian(stokes: FloatArray, view_zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
-    """Turn a solver's I, Q and U to the frame of the observer's own azimuths.
+    """I, Q and U of a solver for the observer's azimuths, of either sign.
 
     Parameters
     ----------
@@ -106,7 +105,7 @@ def degree_of_polarisation(stokes: ArrayLike) -> FloatArray: ...
 
 
 def degree_of_polarisation(stokes: Any) -> Any:
-    """Degree of linear polarisation, √(Q² + U²)/I, and 0 where there is no light.
+    """Degree of linear polarisation, √(Q² + U²)/I; 0 where I is 0.
 
     Parameters
     ----------
@@ -141,7 +140,7 @@ def angle_of_polarisation(stokes: ArrayLike) -> FloatArray: ...
 
 
 def angle_of_polarisation(stokes: Any) -> Any:
-    """Angle of linear polarisation, atan2(U, Q)/2, and 0 where light is unpolarised.
+    """Angle of linear polarisation, atan2(U, Q)/2; 0 where light is unpolarised.
 
     Parameters
     ----------
@@ -151,8 +150,8 @@ def angle_of_polarisation(stokes: Any) -> Any:
     Returns
     -------
     xarray.DataArray or array
-        Angle from the plane of line and zenith, counterclockwise to the observer, above -90 to 90,
-        without the axis of the Stokes parameters. [deg]
+        Angle from the meridian plane, counterclockwise to the observer, above -90 to 90, without
+        the axis of the Stokes parameters. [deg]
 
     Raises
     ------
@@ -174,7 +173,7 @@ def _degree(i: FloatArray, q: FloatArray, u: FloatArray) -> FloatArray:
 
 def _angle(i: FloatArray, q: FloatArray, u: FloatArray) -> FloatArray:
     there = (i > 0.0) & ((q != 0.0) | (u != 0.0))
-    # + 0.0 takes the sign off a zero: -90° and 90° are one angle, and the latter is named
+    # + 0.0 removes the sign of a zero: -90° and 90° are one angle, returned as 90°
     angle = 0.5 * np.degrees(np.arctan2(u + 0.0, q + 0.0))
     return np.asarray(np.where(there, angle, 0.0))
 

@@ -1,1 +1,1 @@
-"""Spectra: the sun and other stars, the eye's colour-matching functions, absorption by ozone."""
+"""Spectra: sun and stars, colour-matching functions, ozone absorption."""

@@ -65,7 +65,7 @@ def planck_radiance(wavelengths: Measures, temperature: Measure) -> NDArray[np.f
 def star_irradiance(
     wavelengths: Measures, temperature: Measure, radius: Measure, distance: Measure
 ) -> NDArray[np.float64]:
-    r"""Spectral irradiance by a black-body star of a plane that faces it.
+    r"""Normal spectral irradiance by a black-body star.
 
     .. math:: E_\lambda = \pi B_\lambda (R/d)^2
 

@@ -1,7 +1,7 @@
-r"""Darkening of a star's disc towards its rim, at each wavelength.
+r"""Spectral limb darkening of stars.
 
 Radiance is a polynomial in the cosine μ of the angle of emergence, normalised to mean 1 over the
-disc, so that the irradiance of the star stays its own:
+disc, so that the irradiance is unchanged:
 
 .. math:: \frac{L(\mu)}{\bar L} = \sum_{k=0}^{5} a_k \mu^k, \qquad
           \int_0^1 2\mu \sum_k a_k \mu^k \, d\mu = \sum_k \frac{2 a_k}{k + 2} = 1
@@ -38,7 +38,7 @@ _NECKEL: Final = (
         (0.75267, -0.265577, 0.0), (0.93874, 0.265577, -0.004095), (-1.89287, 0.0, 0.012582),
         (2.42234, 0.0, -0.017117), (-1.71150, 0.0, 0.011977), (0.49062, 0.0, -0.003347))),
 )  # fmt: skip
-#: Temperature below which a star is darkened as at it: a polynomial follows no steeper law. [K]
+#: Smallest temperature of the law: a polynomial does not fit the steeper ones below. [K]
 _COOLEST: Final = 2000.0
 #: Points of the integrals over depth and over emergence.
 _DEPTHS: Final = 40
@@ -46,12 +46,12 @@ _COSINES: Final = 24
 
 
 def solar_darkening(wavelengths: ArrayLike) -> FloatArray:
-    """Darkening of the sun's disc.
+    """Limb darkening of the sun.
 
     Parameters
     ----------
     wavelengths : array, shape (nl,)
-        Wavelengths; beyond 300 to 1100 nm the law of the nearer end is used. [nm]
+        Wavelengths; outside 300 to 1100 nm clamped to that range. [nm]
 
     Returns
     -------
@@ -91,7 +91,7 @@ def solar_darkening(wavelengths: ArrayLike) -> FloatArray:
 
 
 def black_body_darkening(wavelengths: ArrayLike, temperature: float) -> FloatArray:
-    r"""Darkening of a star of known effective temperature, as a grey atmosphere has it.
+    r"""Limb darkening of a grey atmosphere, by effective temperature.
 
     The source function is that of a black body at Eddington's temperature,
 
@@ -103,7 +103,7 @@ def black_body_darkening(wavelengths: ArrayLike, temperature: float) -> FloatArr
     wavelengths : array, shape (nl,)
         Wavelengths. [nm]
     temperature : float
-        Effective temperature; stars below 2000 K are darkened as at 2000 K. [K]
+        Effective temperature, clamped to at least 2000. [K]
 
     Returns
     -------

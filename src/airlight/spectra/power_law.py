@@ -9,7 +9,7 @@ FloatArray = npt.NDArray[np.float64]
 
 
 def power_law(at: npt.ArrayLike, wavelengths: npt.ArrayLike, values: npt.ArrayLike) -> FloatArray:
-    r"""Spectrum between its rows: a power law, or a straight line next to a value of 0 or less.
+    r"""Power-law interpolation of a spectrum; linear next to values of 0 or less.
 
     .. math:: f(\lambda) = f_1 (\lambda/\lambda_1)^{-\alpha}, \quad
               \alpha = -\frac{\ln(f_2/f_1)}{\ln(\lambda_2/\lambda_1)}

@@ -1,4 +1,4 @@
-"""Spectrum of the sun outside the air."""
+"""Extraterrestrial solar spectrum."""
 
 from __future__ import annotations
 

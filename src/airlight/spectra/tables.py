@@ -41,8 +41,7 @@ class Spectrum:
     licence : str
         Terms of the source.
     distance : str
-        Distance from the star at which an irradiance is given, with its unit; empty if there is no
-        such line.
+        Distance from the star to which an irradiance refers, with its unit; empty if not stated.
     """
 
     name: str
@@ -109,7 +108,7 @@ def spectrum_names() -> tuple[str, ...]:
 
 @cache
 def read_spectrum(name: str) -> Spectrum:
-    """Read one of the package's tables.
+    """Spectral table of the package.
 
     Parameters
     ----------
@@ -139,7 +138,7 @@ def read_spectrum(name: str) -> Spectrum:
 
 
 def read_spectrum_file(path: Path) -> Spectrum:
-    """Read a table from a file in the form of the package's.
+    """Spectral table from a file in the format of the package's.
 
     Lines ``# unit: …`` and ``# source: …`` first, for a star also ``# distance: …``, then the names
     of the columns, then rows of a wavelength in nm and its values, ascending.
@@ -157,7 +156,7 @@ def read_spectrum_file(path: Path) -> Spectrum:
     Raises
     ------
     FileError
-        If there is no such file, or it is not such a table.
+        If the file does not exist or has another format.
     """
     try:
         if not path.is_file():

@@ -1,4 +1,4 @@
-"""Column table interpolated as ratios: fast columns to the top, accurate to 1e-3."""
+"""Column table with rational interpolation: columns to the top, accurate to 1e-3."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from airlight.tables.columns import ColumnTable, table_rays
 
 FloatArray = NDArray[np.float64]
 
-#: Mean relative density below which a constituent has none: 1/sqrt of it is a number in single
-#: precision too. [1]
+#: Mean relative density that is treated as 0, so that 1/sqrt of it is finite in single precision.
+#: [1]
 _LEAST: Final = 1e-30
 
 
-def mean_density_ratios(table: ColumnTable) -> FloatArray:
-    """Convert a column table for interpolation as ratios: (s, m·s), m the mean density on the ray.
+def rational_mean_density(table: ColumnTable) -> FloatArray:
+    """Column table for rational interpolation: (s, m·s), m the mean density on the ray.
 
-    With m = column/distance and s = 1/sqrt(m), the ratio of the two interpolated numbers is exact
-    at the nodes, halfway between them where m falls exponentially (with altitude, or away from the
-    horizon), and everywhere in flat air, where m does not depend on direction. The column is the
-    ratio times the distance to the top. Below 1e-6 of its largest value m is interpolated linearly.
+    With m = column/distance and s = 1/sqrt(m), lerp(m·s)/lerp(s) is exact at the nodes, half-way
+    between them for exponential m (in altitude, or away from the horizon), and everywhere in
+    plane-parallel geometry, where m does not depend on direction. The column is this ratio times
+    the distance to the top. Below 1e-6 of its largest value m is interpolated linearly.
 
     Parameters
     ----------
     table : ColumnTable
-        The columns.
+        Columns.
 
     Returns
     -------
@@ -62,7 +62,7 @@ def column_rows(table: ColumnTable, density: DensitySegments) -> FloatArray:
 
 
 @inlined
-def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, here):
+def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, out):
     """Columns from a point to the top of the shell, for a ray that misses the ground.
 
     Parameters
@@ -74,8 +74,8 @@ def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, here):
     first_nodes, rows : array
         First altitude node of each cell, and rows from ``column_rows``. [1]
     ratios : array, shape (radii, directions, nc, 2)
-        Table from ``mean_density_ratios``. [1]
-    here : array, shape (nc,)
+        Table from ``rational_mean_density``. [1]
+    out : array, shape (nc,)
         Receives the columns. [m]
     """
     x = node_value(r, bottom, top, first_nodes, rows)
@@ -100,4 +100,4 @@ def columns_to_top(r, mu, bottom, top, first_nodes, rows, ratios, here):
             + w10 * ratios[row + 1, cell_index, c, 1]
             + w11 * ratios[row + 1, cell_index + 1, c, 1]
         )
-        here[c] = distance * scaled / scale
+        out[c] = distance * scaled / scale

@@ -1,10 +1,10 @@
 """Columns: the integral of each constituent's relative density along a ray. [m]
 
 An optical depth is a sum of columns times extinction coefficients, so columns serve every
-wavelength. ``columns`` integrates the profiles themselves; ``trace`` reads densities from a table
-over the altitude nodes and gives marches their points, densities and columns up to each point
-(relative error below 1e-4). ``ColumnTable`` holds the columns to the top of the shell, its
-directions on Bruneton's 2017 mapping, for look-ups accurate to 1e-3.
+wavelength. ``columns`` integrates the profiles themselves; ``trace_ray`` reads densities tabulated
+at the altitude nodes and yields the points, densities and running columns of a ray march
+(relative error below 1e-4). ``ColumnTable`` holds columns to the top of the shell, its directions
+by Bruneton's 2017 mapping, accurate to 1e-3.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ FloatArray = NDArray[np.float64]
 
 #: Shape of the table for look-ups: radii, directions.
 TABLE_SHAPE = (160, 288)
-#: A ray with a larger optical depth gets more panels at its start. [1]
+#: Optical depth of a ray above which more panels are placed at its start. [1]
 THICK = 15.0
 #: Rays in one block of work.
 _BLOCK = 1024
@@ -40,17 +40,17 @@ def density_table(density: DensitySegments) -> FloatArray:
 
 
 @compiled_loop
-def accumulate(count, rule, bottom_radius, thickness, nodes, path):
-    """Densities at the points of a ray, and the columns up to each.
+def accumulate_columns(count, rule, bottom_radius, thickness, nodes, path):
+    """Densities at the points of a ray, and columns up to each.
 
     Parameters
     ----------
     count : int
-        Number of points, those of one rule for each panel.
+        Number of points, of all panels.
     rule, bottom_radius, thickness, nodes :
-        Arguments of ``trace``.
+        Arguments of ``trace_ray``.
     path : tuple of arrays
-        Arrays of ``trace``, in which distance, radius and weight are already filled.
+        Arrays of ``trace_ray``, in which distance, radius and weight are already filled.
     """
     _, weights, running = rule
     first_nodes, table = nodes
@@ -74,7 +74,7 @@ def accumulate(count, rule, bottom_radius, thickness, nodes, path):
                 running_column = 0.0
                 for j in range(n):
                     running_column += running[k, j] * column[i, first + j]
-                # A running integral of a steep profile may dip below its start by rounding.
+                # The running integral of a steep profile may be negative by rounding.
                 scratch[k] = so_far + max(running_column, 0.0)
             for k in range(n):
                 column[i, first + k] = scratch[k]
@@ -83,8 +83,8 @@ def accumulate(count, rule, bottom_radius, thickness, nodes, path):
 
 
 @compiled_loop
-def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path):
-    """Find points along a ray, with the air's densities there and the columns up to them.
+def trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path):
+    """Points along a ray, with densities and columns up to them.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     """
     points, weights, _ = rule
     count = place_nodes(r, mu, edges, edge_count, points, weights, path[0], path[1], path[2])
-    accumulate(count, rule, bottom_radius, thickness, nodes, path)
+    accumulate_columns(count, rule, bottom_radius, thickness, nodes, path)
     return count
 
 
@@ -117,25 +117,25 @@ def trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
 def trace_resolved(
     r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, strongest, path
 ):
-    """As ``trace``, with more panels where the start of a thick ray would fall between points.
+    """``trace_ray`` with more panels at the start of an optically thick ray.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
-    whole ray is thicker, panels end at optical depths 0.5, 3 and 12, found from a first trace and
-    once more from the better one.
+    whole ray is thicker, panels end at optical depths 0.5, 3 and 12, from a first trace and again
+    from the refined one.
 
     Parameters
     ----------
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
     r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path :
-        Arguments of ``trace``; six more edges and panels must fit.
+        Arguments of ``trace_ray``; six more edges and panels must fit.
 
     Returns
     -------
     int
         Number of points.
     """
-    count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
+    count = trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     for _ in range(2):
         tau = 0.0
         for i in range(strongest.size):
@@ -149,7 +149,7 @@ def trace_resolved(
         )
         for cut in cuts:
             edge_count = insert_edge(edges, edge_count, cut)
-        count = trace(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
+        count = trace_ray(r, mu, edges, edge_count, rule, bottom_radius, thickness, nodes, path)
     return count
 
 
@@ -168,7 +168,7 @@ def _distance_at_depth(depth, count, strongest, path):
 
 
 def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
-    """Workspace of ``trace`` for one ray of at most ``points`` points."""
+    """Workspace of ``trace_ray`` for one ray of at most ``points`` points."""
     return (
         np.empty(points),
         np.empty(points),
@@ -181,15 +181,15 @@ def new_path(points: int, constituents: int) -> tuple[FloatArray, ...]:
 
 
 @compiled_loop
-def split_at_profile_edges(r, mu, bottom_radius, corners, edges, count):
-    """Add panel edges where a ray crosses the altitudes at which a profile has a corner.
+def split_at_profile_edges(r, mu, bottom_radius, breakpoints, edges, count):
+    """Add panel edges where a ray crosses breakpoints of the profiles.
 
     Parameters
     ----------
     r, mu, bottom_radius : float
         Start of the ray and radius of the ground. [m], [1], [m]
-    corners : array, shape (n,)
-        Altitudes of the corners, from ``DensitySegments``. [m]
+    breakpoints : array, shape (n,)
+        Altitudes of the breakpoints, from ``DensitySegments``. [m]
     edges, count : array, int
         Edges from ``place_edges`` and their number; edges are added in place. [m]
 
@@ -199,8 +199,8 @@ def split_at_profile_edges(r, mu, bottom_radius, corners, edges, count):
         Number of edges after the additions.
     """
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-    for k in range(corners.size):
-        radius = bottom_radius + corners[k]
+    for k in range(breakpoints.size):
+        radius = bottom_radius + breakpoints[k]
         if tangent < radius:
             beside = chord(r, mu, radius)
             count = insert_edge(edges, count, -r * mu - beside)
@@ -211,14 +211,14 @@ def split_at_profile_edges(r, mu, bottom_radius, corners, edges, count):
 @compiled_loop
 def _columns(radii, cosines, lengths, panels, rule, bottom_radius, density, out):
     nodes, weights, _ = rule
-    density_edges, coefficients, corners = density
+    density_edges, coefficients, breakpoints = density
     edges = np.empty(MAX_EDGES)
     points = nodes.size * MAX_EDGES
     distance, radius, weight = np.empty(points), np.empty(points), np.empty(points)
     for k in range(radii.size):
         r, mu = radii[k], cosines[k]
         edge_count = place_edges(r, mu, lengths[k], panels, 0.0, 0.0, edges)
-        edge_count = split_at_profile_edges(r, mu, bottom_radius, corners, edges, edge_count)
+        edge_count = split_at_profile_edges(r, mu, bottom_radius, breakpoints, edges, edge_count)
         count = place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weight)
         for i in range(out.shape[1]):
             total = 0.0
@@ -239,12 +239,12 @@ def columns(
     nodes: int = 24,
     panels: int = 6,
 ) -> FloatArray:
-    """Columns along stretches of rays, by quadrature.
+    """Columns along segments of rays, by quadrature.
 
     Parameters
     ----------
     r, mu, length : array, shapes that broadcast to (...)
-        Start radius [m], cosine of the view zenith angle [1] and length [m] of each stretch,
+        Start radius [m], cosine of the view zenith angle [1] and length [m] of each segment,
         which must lie inside the shell.
     bottom_radius : float
         Radius of the ground. [m]
@@ -256,7 +256,7 @@ def columns(
     Returns
     -------
     array, shape (..., constituents)
-        [m]
+        Columns. [m]
     """
     r, mu, length = np.broadcast_arrays(*(np.asarray(x, float) for x in (r, mu, length)))
     constituents = density.edges.shape[0]
@@ -302,7 +302,7 @@ class ColumnTable:
         shape: tuple[int, int] = TABLE_SHAPE,
         radii: FloatArray | None = None,
     ) -> ColumnTable:
-        """Integrate every entry of the table (relative error below 1e-5).
+        """Table by quadrature of every entry (relative error below 1e-5).
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Apparent direction of a star through air that bends its light: table for ``geometry.bending``."""
+"""Refraction table: apparent zenith cosine of a star, for ``geometry.refraction``."""
 
 from __future__ import annotations
 
@@ -17,18 +17,23 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Rows in radius, and columns in true elevation above the horizon's true position.
+#: Rows in radius, and columns in true elevation above the horizon's true direction.
 SHAPE: Final = (97, 129)
-#: Directions at which the bending is integrated, for each radius.
+#: Directions at which the refraction angle is integrated, for each radius.
 _DIRECTIONS: Final = 257
-#: Table for air that does not bend light: empty.
+#: Empty table, without refraction.
 NONE: Final[FloatArray] = np.zeros((0, 0, 2))
 
 
-def bending(
-    x: FloatArray, mu: FloatArray, bottom: float, top: float, density: DensitySegments, bend: float
+def refraction_angles(
+    x: FloatArray,
+    mu: FloatArray,
+    bottom: float,
+    top: float,
+    density: DensitySegments,
+    refraction_strength: float,
 ) -> FloatArray:
-    """Angle by which a ray is bent from a point to space.
+    """Refraction angle of rays from a point to space.
 
     Parameters
     ----------
@@ -38,8 +43,8 @@ def bending(
     bottom, top : float
         Optical radii of the ground and of the top. [m]
     density : DensitySegments
-        Profiles over optical altitude, "bending" last.
-    bend : float
+        Profiles over optical altitude, that of the refraction column last.
+    refraction_strength : float
         See ``RefractingShell``. [m⁻²]
 
     Returns
@@ -51,37 +56,39 @@ def bending(
     length = vectorized(distance_to_top)(x, mu, top)
     last = DensitySegments(density.edges[-1:], density.coefficients[-1:])
     column = columns(x, mu, length, bottom, last)[..., 0]
-    return np.asarray(bend * x * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)) * column)
+    return np.asarray(
+        refraction_strength * x * np.sqrt(np.maximum((1.0 - mu) * (1.0 + mu), 0.0)) * column
+    )
 
 
 def refraction_table(
-    bottom: float, top: float, density: DensitySegments, bend: float
+    bottom: float, top: float, density: DensitySegments, refraction_strength: float
 ) -> FloatArray:
-    """Raise of the cosine of a star's zenith angle, and flattening of the star.
+    """Table of a star's apparent less true zenith cosine, and of its disc's flattening.
 
     Parameters
     ----------
-    bottom, top, density, bend :
-        Arguments of ``bending``.
+    bottom, top, density, refraction_strength :
+        Arguments of ``refraction_angles``.
 
     Returns
     -------
     array, shape (rows, columns, 2)
         Apparent less true cosine, and d apparent/d true. Rows are even in the distance to the
-        horizon, from the ground to the top; columns are even in the square root of the cosine above
-        that of the horizon's true position, from there to the zenith. [1]
+        horizon, from the ground to the top; columns are even in the square root of the true cosine
+        less that of the horizon's true direction, up to the zenith. [1]
 
     Raises
     ------
     ParameterError
-        If a star would be seen at several elevations at once, as in a mirage.
+        If a star would have several apparent elevations, as in a mirage.
     """
     x = vectorized(radius_from_coordinate)(np.linspace(0.0, 1.0, SHAPE[0]), bottom, top)
     # Slightly above the horizon, so that rounding does not send the ray into the ground.
     steps = np.maximum(np.linspace(0.0, 1.0, _DIRECTIONS) ** 2, 1e-12)
     lowest = vectorized(horizon_cosine)(x, bottom)[:, None]
     seen = lowest + (1.0 - lowest) * steps
-    angle = bending(x[:, None], seen, bottom, top, density, bend)
+    angle = refraction_angles(x[:, None], seen, bottom, top, density, refraction_strength)
     true = np.cos(np.arccos(seen) + angle)
     sunken = np.diff(true, axis=1).min(axis=1) <= 0.0
     if sunken.any():

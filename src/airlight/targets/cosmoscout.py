@@ -199,34 +199,38 @@ def _write_paths(solution: Solution, weights: FloatArray, folder: Path) -> None:
     The transmittance of a channel is the mean over wavelengths by their share in the star's colour,
     those that the channel counts as negative left out: between 0 and 1, as ratios need it.
     """
-    medium, paths = solution.medium, solution.paths
+    medium, geometry = solution.medium, solution.geometry
     layout = TransmittanceLayout(bottom_radius=medium.bottom_radius, top_radius=medium.top_radius)
     at = layout.positions()
-    sight = lines_of_sight(at, medium)
-    x, mu, length = at.r, at.mu, sight.length
-    drawn = paths.medium
-    if paths.shell is not None:
+    lines = lines_of_sight(at, medium)
+    x, mu, length = at.r, at.mu, lines.length
+    drawn = geometry.medium
+    if geometry.shell is not None:
         # A ray that would meet the ground is taken as the one that grazes it: CosmoScout cuts it
         # off by its lowest point.
-        x = paths.optical_radius(at.r)
+        x = geometry.optical_radius(at.r)
         sine = x * np.sqrt((1.0 - mu) * (1.0 + mu))
-        hits = (mu < 0.0) & (sine < paths.shell.bottom)
-        grazing = -np.sqrt(np.maximum(1.0 - (paths.shell.bottom * (1.0 + 1e-9) / x) ** 2, 0.0))
+        hits = (mu < 0.0) & (sine < geometry.shell.bottom)
+        grazing = -np.sqrt(np.maximum(1.0 - (geometry.shell.bottom * (1.0 + 1e-9) / x) ** 2, 0.0))
         seen = np.where(hits, np.maximum(mu, grazing), mu)
         length = lines_of_sight(
             changed(at, r=x, mu=seen, to_ground=np.zeros_like(hits)), drawn
         ).length
-        angle = paths.bent(x, seen)
+        angle = geometry.refraction_angle(x, seen)
         optical = np.where(mu < 0.0, sine, x)
-        altitude = np.interp(optical, paths.shell.optical, paths.shell.altitude)
-        altitude = np.where(optical < paths.shell.bottom, optical - paths.shell.bottom, altitude)
+        altitude = np.interp(optical, geometry.shell.optical, geometry.shell.altitude)
+        altitude = np.where(
+            optical < geometry.shell.bottom, optical - geometry.shell.bottom, altitude
+        )
         mu = seen
         texels = np.stack([angle, altitude, np.zeros_like(angle)], axis=-1)
         write_texture(folder / DEVIATION, texels.reshape(*layout.shape, 3))
     depth = columns(x, mu, length, drawn.bottom_radius, drawn.density)
     share = np.maximum(weights, 0.0)
-    through = np.exp(-(depth @ drawn.extinction)) @ (share / share.sum(axis=0))
-    write_texture(folder / TRANSMITTANCE, np.maximum(through, _LEAST).reshape(*layout.shape, 3))
+    transmittance = np.exp(-(depth @ drawn.extinction)) @ (share / share.sum(axis=0))
+    write_texture(
+        folder / TRANSMITTANCE, np.maximum(transmittance, _LEAST).reshape(*layout.shape, 3)
+    )
 
 
 def _scene(planet: Planet) -> dict[str, Any]:

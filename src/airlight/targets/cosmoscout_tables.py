@@ -193,7 +193,7 @@ class CosmoScoutTables:
         u, v = self._transmittance_coordinates(r, mu)
         return _sampled(self.transmittance[None], u, v, np.full_like(u, 0.5))
 
-    def bent(self, r: FloatArray, mu: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def refraction_angle(self, r: FloatArray, mu: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Bending of rays to space [rad], and altitude of their lowest point [m], each (n,)."""
         if self.deviation is None:
             return np.zeros(r.shape), np.zeros(r.shape)

@@ -83,8 +83,8 @@ def sky_errors(
     air = AirLight(solution)
     positions = sky_positions(medium, count)
     irradiance = medium.lights[0].irradiance
-    sight = lines_of_sight(positions, medium)
-    own, whole = air.before_the_ground(sight)
+    lines = lines_of_sight(positions, medium)
+    own, whole = air.path_and_total_radiance(lines)
     error = (radiance(positions) / irradiance - own) / np.maximum(whole, 1e-300)
     bright = (whole > DARK).all(axis=-1)
     day = positions.mu_s > DAY

@@ -141,12 +141,12 @@ def results(
             planet, wavelengths, quality, solver=name, polarisation=False, cache=False,
             progress=tell, cancel=cancel,
         )  # fmt: skip
-        sight, _ = solution.lines_of_sight(**geometry(planet, cases))
+        lines, _ = solution.lines_of_sight(**geometry(planet, cases))
         if isinstance(solution, MonteCarloSolution):
-            traced = solution.trace(sight)
+            traced = solution.trace(lines)
             radiance, noise = traced.total, traced.total_error
         else:
-            radiance = solution.relative_radiance(sight)
+            radiance = solution.relative_radiance(lines)
             noise = np.zeros_like(radiance)
         words = quality if isinstance(quality, str) else quality.as_text()
         out.append(Result(name, words, radiance, noise, perf_counter() - started))

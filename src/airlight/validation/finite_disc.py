@@ -54,8 +54,8 @@ def finite_disc(
     for planet in (with_point_star(disc), disc):
         judge = solve(planet, WAVELENGTHS, solver="montecarlo", cancel=cancel)
         assert isinstance(judge, MonteCarloSolution)
-        sight, _ = judge.lines_of_sight(**geometry(planet, cases))
-        by_star.append(judge.first_order(sight)[:, 0])
+        lines, _ = judge.lines_of_sight(**geometry(planet, cases))
+        by_star.append(judge.first_order(lines)[:, 0])
     once, known = by_star
     bright = known > LEAST_RADIANCE
     off = np.where(bright, relative_errors(once, known), 0.0)

@@ -297,9 +297,9 @@ def _scattered_once(rows: Sequence[GoldenRow], constituent: int) -> list[FloatAr
     from airlight.solvers.single_scattering import single_scattering
 
     solution = _printed_solution()
-    sight, _ = solution.lines_of_sight(**_geometry(rows))
-    without_phase = single_scattering(solution.medium, sight)[:, constituent]
-    phase = solution.medium.phase_function(sight.nu)[:, constituent]
+    lines, _ = solution.lines_of_sight(**_geometry(rows))
+    without_phase = single_scattering(solution.medium, lines)[:, constituent]
+    phase = solution.medium.phase_function(lines.nu)[:, constituent]
     return list(without_phase * phase)
 
 

@@ -166,10 +166,10 @@ def test_flux_in_equals_flux_out() -> None:
     angle = (np.arange(400) + 0.5) / 400.0
     impact = solution.medium.bottom_radius + angle * 60e3
     dip = np.degrees(np.arcsin(impact / top))
-    through = solution.transmittance(altitude=60e3, view_zenith=180.0 - dip).values[:, 0]
+    transmittance = solution.transmittance(altitude=60e3, view_zenith=180.0 - dip).values[:, 0]
     taken = (
         np.pi * (solution.medium.bottom_radius / top) ** 2
-        + (2.0 * np.pi * impact / top**2 * (1.0 - through) * 60e3 / 400.0).sum()
+        + (2.0 * np.pi * impact / top**2 * (1.0 - transmittance) * 60e3 / 400.0).sum()
     )
     assert_allclose(leaving, taken, rtol=5e-3)
 

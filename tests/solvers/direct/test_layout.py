@@ -27,7 +27,7 @@ from airlight.solvers.direct.settings import MAPPINGS, Settings
 def axes(request):
     mapping, planet = request.param
     flat = mapping not in ("angle", "bruneton")
-    settings = Settings(mapping=mapping, views=16, suns=20, scatter_angles=1 if flat else 9)
+    settings = Settings(mapping=mapping, views=16, sun_angles=20, scatter_angles=1 if flat else 9)
     return layout_for(Medium.from_planet(load_planet(planet), [550.0]), settings)
 
 
@@ -39,8 +39,8 @@ def test_every_node_falls_on_itself(axes) -> None:
     # A mapping and its inverse; both ends of both halves included.
     radii = [place(radius_cell(radius_of(i, axes), axes)) for i in range(axes.radii)]
     assert_allclose(radii, np.arange(axes.radii), atol=1e-6)
-    suns = [place(sun_cell(sun_of(k, axes), axes)) for k in range(axes.suns)]
-    assert_allclose(suns, np.arange(axes.suns), atol=1e-6)
+    suns = [place(sun_cell(sun_of(k, axes), axes)) for k in range(axes.sun_angles)]
+    assert_allclose(suns, np.arange(axes.sun_angles), atol=1e-6)
     angles = [place(angle_cell(angle_of(m, axes), axes)) for m in range(axes.angles)]
     assert_allclose(angles, np.arange(axes.angles), atol=1e-6)
     for i in range(1, axes.radii):  # on the ground itself all views downwards are one

@@ -21,7 +21,7 @@ def test_few_points_in_dim_panels_change_no_ray_by_a_thousandth() -> None:
     # Second method: all points. The source rises towards the top of the air and turns with the
     # star's place on the way, as the light of a low sun does.
     medium = Medium.from_planet(load_planet("titan"), [680.0, 550.0, 440.0])
-    setup = Setup(paths=RefractedGeometry.of(medium), settings=settings_for("preview"))
+    setup = Setup(geometry=RefractedGeometry.of(medium), settings=settings_for("preview"))
     air = setup.optics.air(slice(0, 3))
     extinction = air.extinction.astype(float).reshape(-1, LANES)
     count = extinction.shape[0]

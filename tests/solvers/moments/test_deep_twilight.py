@@ -77,7 +77,7 @@ def test_twilight_fades_smoothly_to_110_degrees(
             )
             .values[..., 0]
         )
-        for one in (settings, replace(settings, suns=3 * settings.suns))
+        for one in (settings, replace(settings, sun_angles=3 * settings.sun_angles))
     )
     assert_allclose(got, truth, rtol=0.0, atol=np.log10(1.0 + error))
     assert_allclose(np.diff(got, axis=0), np.diff(truth, axis=0), rtol=bend)

@@ -39,11 +39,11 @@ def test_more_points_on_a_line_lose_no_light(
     # line leaves out must not grow with the number of its points. 0.1 % is a third of the 0.3 %
     # that light from space may err.
     solution = solved(load_planet(name), NM, "preview")
-    sight, _ = solution.lines_of_sight(**lines_from_space(np.array([0.0, 40.0, 65.0])))
-    few = solution.light._replace(rules=quadratures((20,) * 3), panels=2)
+    lines, _ = solution.lines_of_sight(**lines_from_space(np.array([0.0, 40.0, 65.0])))
+    few = solution.tables._replace(rules=quadratures((20,) * 3), panels=2)
     many = few._replace(rules=quadratures((28,) * 3), panels=8)
     of_few, of_many = (
-        solution.radiance_per_irradiance(sight, 0, light=light) for light in (few, many)
+        solution.radiance_per_irradiance(lines, 0, tables=light) for light in (few, many)
     )
     loss = 100.0 * (of_many / of_few - 1.0)
     tell(f"{name}: by six times the points {loss.mean():+.3f} %, at most {np.abs(loss).max():.3f}")
@@ -54,14 +54,14 @@ def test_suns_by_day_are_as_good_as_three_times_as_many(tell: Callable[[str], No
     # Second method: a grid of suns whose interpolation errs by a ninth of that. Both grids share
     # radii, directions and degree, so nothing else differs; the observers look at suns between
     # their nodes. With 10° from node to node near the zenith it was 0.23 %.
-    coarse = replace(QUALITIES["preview"], suns=56, march_panels=2)
+    coarse = replace(QUALITIES["preview"], sun_angles=56, march_panels=2)
     solutions = [
         solve(load_planet("mars-standard"), NM, settings, cache=False)
-        for settings in (coarse, replace(coarse, suns=166))
+        for settings in (coarse, replace(coarse, sun_angles=166))
     ]
-    sight, _ = solutions[0].lines_of_sight(**lines_from_space(np.linspace(0.5, 60.0, 40)))
-    high = np.degrees(np.arcsin((sight.r * sight.mu_s + sight.length * sight.nu) / 3389.5e3)) > 30.0
-    got, truth = (one.radiance_per_irradiance(sight, 0)[high] for one in solutions)
+    lines, _ = solutions[0].lines_of_sight(**lines_from_space(np.linspace(0.5, 60.0, 40)))
+    high = np.degrees(np.arcsin((lines.r * lines.mu_s + lines.length * lines.nu) / 3389.5e3)) > 30.0
+    got, truth = (one.radiance_per_irradiance(lines, 0)[high] for one in solutions)
     error = 100.0 * (got / truth - 1.0)
     tell(f"suns of Mars: mean {error.mean():+.3f} %, at most {np.abs(error).max():.3f} %")
     assert_allclose(error.mean(), 0.0, atol=0.03)

@@ -42,7 +42,7 @@ def haze(asymmetry: float, depth: float, *, kept: float = 1.0, thickness: float 
 
 def setup_of(planet: Planet, quality: str = "preview") -> Setup:
     medium = Medium.from_planet(planet, planet.default_wavelengths)
-    return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
+    return Setup(geometry=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
 def medium_of(planet: Planet) -> tuple[Medium, np.ndarray]:

@@ -60,10 +60,10 @@ def test_points_of_lines_of_sight_are_enough(
         view_zenith=rng.uniform(0, 180, n),
         azimuth=rng.uniform(0.0, 180.0, n),
     )
-    many = solution.light._replace(rules=quadratures((28,) * 3), panels=6)
+    many = solution.tables._replace(rules=quadratures((28,) * 3), panels=6)
     got, truth = (
         solution.radiance_per_irradiance(lines, 2),
-        solution.radiance_per_irradiance(lines, 2, light=many),
+        solution.radiance_per_irradiance(lines, 2, tables=many),
     )
     lit = truth > 1e-6 * truth.max(axis=0)
     error = np.abs(got[lit] / truth[lit] - 1.0)

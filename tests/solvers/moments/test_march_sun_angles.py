@@ -14,16 +14,16 @@ from airlight.kernel import vectorized
 from airlight.planets import load_planet
 from airlight.planets import replace as changed
 from airlight.solvers import solve
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.march_sun_angles import scattering_by_constituent
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight
 
 #: Elevations of the stars [deg], and their azimuths from the lines. [deg]
 _ELEVATIONS = (80.0, 30.0, 5.0, 0.1, -1.0, -4.0, -9.0)
 _AZIMUTHS = (0.0, 20.0, 100.0, 180.0)
 
 
-def _sight(solution: MomentsSolution) -> Sight:
+def _lines(solution: MomentsSolution) -> LinesOfSight:
     """Up, level, over the limb and down, from four heights, each under all stars."""
     medium = solution.medium
     bottom, top = medium.bottom_radius, medium.top_radius
@@ -39,7 +39,7 @@ def _sight(solution: MomentsSolution) -> Sight:
     r, mu, mu_s, nu = np.array(rows).T
     to_ground = vectorized(meets_ground)(r, mu, bottom)
     length = vectorized(ray_length)(r, mu, bottom, top)
-    return Sight(r, mu, mu_s, np.clip(nu, -1.0, 1.0), length, to_ground)
+    return LinesOfSight(r, mu, mu_s, np.clip(nu, -1.0, 1.0), length, to_ground)
 
 
 @pytest.mark.parametrize(
@@ -50,19 +50,21 @@ def test_many_stars_have_the_light_of_each(planet: str, refraction: str) -> None
     world = changed(load_planet(planet), refraction=refraction)
     solution = solve(world, wavelengths=(680.0, 550.0, 440.0), quality="preview")
     assert isinstance(solution, MomentsSolution)
-    sight = _sight(solution)
-    own = solution.medium.phase_function(solution.paths.apparent_nu(solution.paths.sight(sight)))
-    air = solution.light._replace(widened=False, scaled_extinction=solution.light.extinction)
+    lines = _lines(solution)
+    own = solution.medium.phase_function(
+        solution.geometry.apparent_nu(solution.geometry.optical_lines(lines))
+    )
+    air = solution.tables._replace(broadened=False, scaled_extinction=solution.tables.extinction)
     for orders, delta_scaled, light in ((2, False, air), (0, True, None), (2, True, None)):
-        found, once = scattering_by_constituent(solution, sight, orders, delta_scaled=delta_scaled)
+        found, once = scattering_by_constituent(solution, lines, orders, delta_scaled=delta_scaled)
         # Columns up to a panel come from whole panels or from those that a shadow cuts in two.
         near = {"rtol": 2e-3, "atol": 1e-7}
         assert_allclose(
-            found, solution.radiance_per_irradiance(sight, orders, ground=False), **near
+            found, solution.radiance_per_irradiance(lines, orders, ground=False), **near
         )
         for c in range(own.shape[1]):
             alone = solution.radiance_per_irradiance(
-                sight, 1, light=light, scatterers=[c], ground=False
+                lines, 1, tables=light, scatterers=[c], ground=False
             )
             assert_allclose(once[:, c] * own[:, c], alone, **near)
 
@@ -72,19 +74,19 @@ def test_the_result_does_not_depend_on_company() -> None:
     world = changed(load_planet("earth"), refraction="none")
     solution = solve(world, wavelengths=(680.0, 550.0, 440.0), quality="preview")
     assert isinstance(solution, MomentsSolution)
-    sight = _sight(solution)
-    mixed = np.random.default_rng(5).permutation(sight.r.size)
-    together, _ = scattering_by_constituent(solution, sight, 2, delta_scaled=False)
+    lines = _lines(solution)
+    mixed = np.random.default_rng(5).permutation(lines.r.size)
+    together, _ = scattering_by_constituent(solution, lines, 2, delta_scaled=False)
     apart, _ = scattering_by_constituent(
         solution,
         replace(
-            sight,
-            r=sight.r[mixed],
-            mu=sight.mu[mixed],
-            mu_s=sight.mu_s[mixed],
-            nu=sight.nu[mixed],
-            length=sight.length[mixed],
-            to_ground=sight.to_ground[mixed],
+            lines,
+            r=lines.r[mixed],
+            mu=lines.mu[mixed],
+            mu_s=lines.mu_s[mixed],
+            nu=lines.nu[mixed],
+            length=lines.length[mixed],
+            to_ground=lines.to_ground[mixed],
         ),
         2,
         delta_scaled=False,

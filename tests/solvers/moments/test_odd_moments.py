@@ -50,7 +50,7 @@ def test_a_harmonic_of_degree_two_is_scattered_into_itself(
             product[[0, 1, 2], [0, 1, 2]] = 1.0
             cosine, sine, *normal = plane_turn(*out, *arriving, *start_axis(*out))
             f11 = float(law.values(nu, [550.0])[0])
-            f12 = float(law.polarising(nu, [550.0])[0]) / f11
+            f12 = float(law.phase_f12(nu, [550.0])[0]) / f11
             f33 = ratio(law, nu)
             scatter(product, cosine, sine, f12, 1.0, f33, 0.0, f33)
             # The scattering plane's axis of the light that arrives: its normal × the direction.

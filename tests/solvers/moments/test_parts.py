@@ -19,10 +19,10 @@ def solved(overrides: dict[str, object]) -> MomentsSolution:
 
 
 def taken_apart(solution: MomentsSolution, altitude: float, sun: float) -> tuple[Parts, np.ndarray]:
-    sight, _ = solution.lines_of_sight(
+    lines, _ = solution.lines_of_sight(
         altitude=altitude, sun_zenith=sun, view_zenith=LOOKS, azimuth=30.0
     )
-    return radiance_parts(solution, sight), solution.relative_radiance(sight)
+    return radiance_parts(solution, lines), solution.relative_radiance(lines)
 
 
 @pytest.mark.parametrize(("altitude", "sun"), [(0.0, 60.0), (35e3, 89.0), (400e3, 95.0)])

@@ -17,15 +17,15 @@ NM = [450.0, 530.0, 600.0, 680.0]
 def setup_of(name: str, quality: str = "preview", **changes: float) -> Setup:
     changed = {path.replace("__", "."): value for path, value in changes.items()}
     medium = Medium.from_planet(load_planet(name, changed), NM)
-    return Setup(paths=RefractedGeometry.of(medium), settings=settings_for(quality))
+    return Setup(geometry=RefractedGeometry.of(medium), settings=settings_for(quality))
 
 
 def test_lanes_without_a_wavelength_repeat_others():
     # A register has eight lanes; lanes without a wavelength must compute nothing exceptional, and
     # either half has all of few wavelengths.
-    block = setup_of("earth").block(slice(1, 3))
-    assert block.used == 2
-    for values in (block.level.T, block.thick, block.lateral_threshold, block.air.ground.albedo):
+    batch = setup_of("earth").batch(slice(1, 3))
+    assert batch.used == 2
+    for values in (batch.level.T, batch.thick, batch.lateral_threshold, batch.air.ground.albedo):
         assert values.shape[0] == 8
         assert_array_equal(values, values[[0, 1, 1, 1] * 2])
 
@@ -33,7 +33,7 @@ def test_lanes_without_a_wavelength_repeat_others():
 def test_blocks_together_say_what_one_block_says():
     # Wavelengths are independent, except for the culling of rays and the numerical diffusion.
     setup = setup_of("mars-standard")
-    whole, parts = setup.block(slice(None)), [setup.block(slice(0, 2)), setup.block(slice(2, 4))]
+    whole, parts = setup.batch(slice(None)), [setup.batch(slice(0, 2)), setup.batch(slice(2, 4))]
     assert_array_equal(np.concatenate([one.thick[:2] for one in parts]), whole.thick[:4])
     assert_array_equal(np.concatenate([one.level[:, :2] for one in parts], 1), whole.level[:, :4])
     assert max(one.grid_diffusion for one in parts) == whole.grid_diffusion
@@ -59,8 +59,8 @@ def test_an_edit_of_coefficients_keeps_the_table_of_columns():
 def test_light_is_gathered_at_the_ground_and_at_the_top():
     # Thick air has more levels than radii that gather light; both have the same ends.
     setup = setup_of("early-earth")
-    assert setup.parts > 1
-    assert setup.gathering.radii.size == (setup.grid.radii.size - 1) // setup.parts + 1
+    assert setup.refinement > 1
+    assert setup.gathering.radii.size == (setup.grid.radii.size - 1) // setup.refinement + 1
     assert_array_equal(setup.gathering.radii[[0, -1]], setup.grid.radii[[0, -1]])
 
 

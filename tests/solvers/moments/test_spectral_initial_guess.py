@@ -19,10 +19,10 @@ from airlight.solvers.moments.spectral_initial_guess import SpectralGuess, wavel
 @pytest.mark.parametrize("step", [1.0, -1.0, 40.0])
 def test_each_wavelength_is_solved_once_and_eight_at_a_time(count, step):
     wavelengths = 900.0 + step * np.arange(count)
-    blocks = [which for batch in wavelength_batches(wavelengths) for which in batch]
-    indices = [range(count)[which] for which in blocks]
-    assert sorted(i for block in indices for i in block) == list(range(count))
-    assert all(1 <= len(block) <= 8 for block in indices)
+    batches = [which for batch in wavelength_batches(wavelengths) for which in batch]
+    indices = [range(count)[which] for which in batches]
+    assert sorted(i for batch in indices for i in batch) == list(range(count))
+    assert all(1 <= len(batch) <= 8 for batch in indices)
 
 
 def test_the_ends_of_a_batch_come_first():
@@ -80,7 +80,7 @@ def test_what_sweeps_would_change_follows_from_what_one_changed():
 
 @pytest.fixture
 def sweeps(monkeypatch):
-    """Numbers of sweeps of the blocks that are solved, as they come."""
+    """Numbers of sweeps of the batches that are solved, as they come."""
     found = []
     inner = iterate._iterate
 
@@ -116,7 +116,7 @@ def test_wavelengths_in_between_need_fewer_sweeps_for_the_same_light(planet, swe
 
 
 def test_wavelengths_close_to_others_need_no_sweep(sweeps):
-    # The second path: each eight wavelengths alone, which are blocks without help.
+    # The second path: each eight wavelengths alone, which are batches without help.
     nm = np.linspace(540.0, 571.0, 64)
     earth = load_planet("earth")
     clear = solve(earth, nm, "preview", cache=False)

@@ -50,11 +50,11 @@ def test_it_goes_on_until_the_tolerance_is_met():
     assert iteration.unfinished()
     follow(iteration, 0.5, 6)
     assert iteration.unfinished()
-    assert 0.0 < iteration.share < 1.0
+    assert 0.0 < iteration.progress < 1.0
     iteration = Iteration(SWEEPS, THIN, 2)
     follow(iteration, 0.5, 8)
     assert not iteration.unfinished()
-    assert iteration.share == 1.0
+    assert iteration.progress == 1.0
 
 
 def test_one_order_never_suffices():

@@ -59,7 +59,7 @@ def test_clear_air_keeps_the_radii_it_had() -> None:
     for depth in (1e-12, 1e-30):  # so little that no part of the levels follows it
         assert_allclose(radial_grid(even, exponential_air(depth), 24).row, 23.0 * even)
     levels = radial_grid(even, exponential_air(0.01), 24)
-    assert levels.parts == 1
+    assert levels.refinement == 1
     assert levels.altitudes.size == 24
     assert_allclose(levels.row, 23.0 * even, atol=2e-3)
 
@@ -85,7 +85,7 @@ def test_thick_air_has_radii_close_to_its_ends_and_not_too_far_inside() -> None:
     even = np.linspace(0.0, 1.0, 4097)
     depths = exponential_air(40.0)
     levels = radial_grid(even, depths, 24)
-    gathering = levels.altitudes[:: levels.parts]
+    gathering = levels.altitudes[:: levels.refinement]
     steps = np.diff(np.interp(gathering, depths.altitude, depths.scattering))
     assert steps[0] < 0.2
     assert_array_less(steps, 2.0 + 1e-6)
@@ -172,16 +172,16 @@ def test_a_source_that_is_the_same_everywhere_is_kept_by_every_ray() -> None:
     grid, _ = make_grid(6360e3, 6420e3, 12, 8, Depths(altitude, np.zeros(4097)), np.arange(4097.0))
     rays = trace_rays(grid, medium.density, medium.extinction.max(axis=1), (6,), 14)
     air = Optics(medium, 8).air(slice(0, 1))
-    near, share = cull_opaque(rays, air)
+    near, norm = cull_opaque(rays, air)
     assert near.radius.size < rays.radius.size
     extinction = float(air.extinction[0])
     for i in (0, 5, 11):
         for a in range(12):
             here = slice(near.start[i, a], near.start[i, a + 1])
-            through = np.exp(-extinction * near.column[here, 0])
-            total = (through * near.amount[here, 0]).sum() * extinction
+            transmittance = np.exp(-extinction * near.column[here, 0])
+            total = (transmittance * near.amount[here, 0]).sum() * extinction
             whole = -np.expm1(-extinction * rays.total[i, a, 0])
-            assert_allclose(share.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
+            assert_allclose(norm.reshape(12, 12, LANES)[i, a, 0] * total, whole, rtol=1e-6)
 
 
 def test_lateral_diffusion_conserves_light() -> None:
@@ -241,9 +241,9 @@ def test_a_cloud_with_edges_lets_through_what_doubling_says() -> None:
     light = solve(planet, [680.0], cache=False).irradiance(altitude=0.0, sun_zenith=[30.0, 75.0])
     cosines = np.cos(np.radians([30.0, 75.0]))
     found = (light["direct"] + light["diffuse"]).values[:, 0] / cosines
-    mu, through = doubled(depth, asymmetry, albedo)
-    assert_allclose(found, np.interp(cosines, mu, through), rtol=0.015)
-    assert_allclose(found[0], np.interp(cosines[0], mu, through), rtol=0.005)
+    mu, transmittance = doubled(depth, asymmetry, albedo)
+    assert_allclose(found, np.interp(cosines, mu, transmittance), rtol=0.015)
+    assert_allclose(found[0], np.interp(cosines[0], mu, transmittance), rtol=0.005)
 
 
 def test_the_dusk_of_deep_air_does_not_take_the_light_of_the_day() -> None:

@@ -39,7 +39,7 @@ def test_one_thread_and_two_give_the_same_bits(
 
 
 def test_the_same_question_has_the_same_answer_in_any_company(earth: Planet) -> None:
-    # Streams belong to the question: alone, or in a list and beside another wavelength.
+    # Streams belong to the query: alone, or in a list and beside another wavelength.
     many = solve(earth, [680.0, 440.0], QUICK, solver="montecarlo").estimate(**WHERE)
     alone = solve(earth, [440.0], QUICK, solver="montecarlo").estimate(
         altitude=0.0, sun_zenith=92.0, view_zenith=75.0, azimuth=60.0
@@ -87,7 +87,7 @@ def test_what_is_not_reached_is_said(earth: Planet) -> None:
     data = solution.estimate(**WHERE)
     assert data["histories"].values.max() <= 20_000
     assert not data["reached"].values.any()
-    assert "3 of 3 lines of sight NOT within the error asked" in str(solution.report)
+    assert "3 of 3 lines of sight NOT within the requested error" in str(solution.report)
     assert data.attrs["solver"] == solution.report.provenance
 
 

@@ -37,11 +37,11 @@ def test_sampled_first_order_is_the_exact_one(
     altitude = np.array([0.0, 0.0, 0.0, 0.0, 500e3, 20e3, 0.0])
     sun = np.array([30.0, 70.0, 90.1, 93.0, 95.0, 60.0, 88.0])
     view = np.array([20.0, 85.0, 60.0, 80.0, 110.5, 130.0, 5.0])
-    sight, _ = solution.lines_of_sight(
+    lines, _ = solution.lines_of_sight(
         altitude=altitude, sun_zenith=sun, view_zenith=view, azimuth=40.0
     )
-    got = solution.trace(sight, order=1)
-    exact = solution.first_order(sight)[:, 0, 0]
+    got = solution.trace(lines, order=1)
+    exact = solution.first_order(lines)[:, 0, 0]
     value, error = got.parts[:, 0, 0], got.part_errors[:, 0, 0]
     for k in range(sun.size):
         tell(

@@ -116,7 +116,7 @@ def test_scalar_transfer_has_no_stokes_parameters() -> None:
         with pytest.raises(ParameterError, match=r"stokes is True; allowed: .* polarisation left"):
             ask(altitude=0.0, sun_zenith=60.0, view_zenith=0.0, stokes=True)
     vector = solve(earth, [550.0], "preview", solver="montecarlo")
-    sight, _ = vector.lines_of_sight(altitude=0.0, sun_zenith=60.0, view_zenith=30.0)
-    assert_allclose(vector.relative_stokes(sight, order=1), vector.first_order(sight), rtol=1e-12)
+    lines, _ = vector.lines_of_sight(altitude=0.0, sun_zenith=60.0, view_zenith=30.0)
+    assert_allclose(vector.relative_stokes(lines, order=1), vector.first_order(lines), rtol=1e-12)
     with pytest.raises(ParameterError, match="order is 2; allowed: 1, or all orders together"):
-        vector.relative_stokes(sight, order=2)
+        vector.relative_stokes(lines, order=2)

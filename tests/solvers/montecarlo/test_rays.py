@@ -22,7 +22,12 @@ from airlight.solvers.montecarlo.lit_air import (
     place_in_light,
     sun_sampling_integral,
 )
-from airlight.solvers.montecarlo.rays import new_trace, place_at_depth, point_at, trace
+from airlight.solvers.montecarlo.rays import (
+    new_trace,
+    place_at_depth,
+    point_at,
+    trace_optical_depth,
+)
 from airlight.solvers.montecarlo.streams import stream, uniform
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
@@ -73,7 +78,7 @@ def traced(medium: Medium, air: HistoryOptics, altitude: float, angle: float) ->
     ground = bool(meets_ground(r, mu, medium.bottom_radius))
     length = ray_length(r, mu, medium.bottom_radius, medium.top_radius)
     path = new_trace(air.extinction)
-    count, depth = trace(r, mu, ground, air.extinction, path)
+    count, depth = trace_optical_depth(r, mu, ground, air.extinction, path)
     return r, mu, length, path, count, depth
 
 
@@ -119,12 +124,12 @@ def test_optical_depths_meet_the_quadrature_of_the_profiles(
     # A second method, good to 1e-6; the bound is three times what the choice of the rule promises
     # for its own rays, since these are others; on average the error must vanish to 1e-4.
     planet = load_planet(name)
-    paths = RefractedGeometry.of(Medium.from_planet(planet, [680.0, 440.0]))
-    medium = paths.medium  # over optical radius, where light is bent
+    geometry = RefractedGeometry.of(Medium.from_planet(planet, [680.0, 440.0]))
+    medium = geometry.medium  # over optical radius, where light is bent
     generator = np.random.default_rng(4)
     errors = []
     for wavelength in range(2):
-        air = history_optics(paths, wavelength, polarised=False)
+        air = history_optics(geometry, wavelength, polarised=False)
         for _ in range(150):
             altitude = medium.thickness * 0.9 * generator.random() ** 3
             angle = np.degrees(np.arccos(generator.uniform(-0.3, 1.0)))

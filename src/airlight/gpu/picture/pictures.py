@@ -176,7 +176,7 @@ class Pictures:
             self._read(len(self._skies) - 1, None)
         sky, law = self._skies[number], None
         if lit is not self._solution:
-            law = as_texels(lit.light.darkening, lit.wavelengths.size)
+            law = as_texels(lit.tables.darkening, lit.wavelengths.size)
         same = law is sky.law or (
             law is not None and sky.law is not None and np.array_equal(law, sky.law)
         )
@@ -455,7 +455,7 @@ class Pictures:
         assert self._textures is not None
         numbers = scene_numbers(light.scene, solution) | self._textures.numbers
         if solution is not self._solution:
-            numbers |= lamp_numbers(solution) | {"star_radius": solution.light.star_radius}
+            numbers |= lamp_numbers(solution) | {"star_radius": solution.tables.star_radius}
         peaks = 0.0 if exact else float(numbers["separated_1"] >= 0)
         numbers |= {
             "width": size[0],
@@ -490,7 +490,7 @@ class Pictures:
             return [Band(0, height, True, True, True)]
         star = (numbers["seen_x"], 0.0, numbers["seen_z"])
         reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
-        return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
+        return bands(scene, numbers["horizon_mu"], star, reach + solution.geometry.max_refraction)
 
     def _fill_sky(
         self, number: int, light: LitScene, numbers: Mapping[str, float], exact: bool

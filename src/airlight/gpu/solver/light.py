@@ -12,11 +12,11 @@ from airlight.gpu.solver.ray_sums import fill_phase_f12, fill_phases, gathered, 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import star_factor
+from airlight.optics.reflection import direct_reflectance
 from airlight.pixels.shown import MOST_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
-from airlight.solvers.moments.ray_optics import leaving_at_end, sky_at, star_at_end, star_from_ray
+from airlight.solvers.moments.ray_optics import mu_r_at_end, sky_at, star_at_end, star_from_ray
 from airlight.solvers.moments.source_function import contracted, coupled_moments, odd_moment
 from airlight.solvers.stokes_frame import star_plane
 
@@ -40,8 +40,8 @@ def ray_and_star(index, sizes, tables):
         Cosine of the star's zenith angle at the start of the ray, and between star and ray. [1]
     """
     b = index % sizes.turns
-    j = index // sizes.turns % sizes.suns
-    ray = index // (sizes.turns * sizes.suns)
+    j = index // sizes.turns % sizes.sun_angles
+    ray = index // (sizes.turns * sizes.sun_angles)
     i, a = ray // sizes.angles, ray % sizes.angles
     mu_s = tables.sun_cosines[j]
     return ray, i, a, mu_s, star_from_ray(tables.mu[i, a], mu_s, tables.cosines[b])
@@ -60,7 +60,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     phases = lane_array(MOST_CONSTITUENTS)
     phase_f12 = lane_array(MOST_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
-    fill_phase_f12(tables.polarised_phase, nu, sizes.constituents, phase_f12)
+    fill_phase_f12(tables.polarised_moments, nu, sizes.constituents, phase_f12)
     radiance, scattering_q = scattered_once(
         tables.turn,
         tables.radius,
@@ -79,14 +79,14 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
         sizes.bottom,
         sizes.top,
         sizes.star_radius,
-        tables.lift,
+        tables.refraction_table,
     )
     share = load(shares, LANES * ray)
     radiance = share * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
-        factor = star_factor(
-            tables.ground, 0, at_ground, leaving_at_end(tables.end, i, a, tables.mu[i, a]), nu
+        factor = direct_reflectance(
+            tables.ground, 0, at_ground, mu_r_at_end(tables.end, i, a, tables.mu[i, a]), nu
         )
         radiance = radiance + factor * INVERSE_PI * load(throughs, LANES * ray) * direct_light(
             at_ground,
@@ -96,7 +96,7 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
             depths,
             0,
             sizes.directions,
-            tables.lift,
+            tables.refraction_table,
         )
     return radiance, share * scattering_q
 
@@ -109,13 +109,13 @@ def row(index, sizes, tables, first_point, factors, packed):
     """
     block = sizes.degree + 2 + POLARISED
     part = index % block
-    j = index // block % sizes.suns
-    point = first_point + index // (block * sizes.suns)
+    j = index // block % sizes.sun_angles
+    point = first_point + index // (block * sizes.sun_angles)
     x = node_value(tables.radius[point], sizes.bottom, sizes.top, tables.first_nodes, tables.row)
     level = min(int(x), sizes.levels - 2)
     f = np.float32(x - level)
-    low = (level * sizes.suns + j) * (1 + sizes.terms) * LANES
-    high = low + sizes.suns * (1 + sizes.terms) * LANES
+    low = (level * sizes.sun_angles + j) * (1 + sizes.terms) * LANES
+    high = low + sizes.sun_angles * (1 + sizes.terms) * LANES
     if part == 0:
         return (np.float32(1.0) - f) * load(packed, low) + f * load(packed, high)
     start = LANES * point * (sizes.terms + 1)
@@ -125,21 +125,21 @@ def row(index, sizes, tables, first_point, factors, packed):
         slanting = m >= EVEN
         if slanting:
             m = m - EVEN + 1
-        moment, here = coupled_moments(packed, low, high, f, m, sizes.degree, False)
+        moment, coupled = coupled_moments(packed, low, high, f, m, sizes.degree, False)
         even, odd = polarised_function(tables.mu_along[point], m)
         if slanting:
             even, odd = odd, even
-        sent = load(factors, last) * moment + load(factors, last + LANES) * here
+        sent = load(factors, last) * moment + load(factors, last + LANES) * coupled
         sent = np.float32(even) * sent
         if m > 0:
-            here = odd_moment(packed, low, high, f, m, sizes.degree, False)
-            sent = sent + np.float32(odd) * load(factors, last + 2 * LANES) * here
+            coupled = odd_moment(packed, low, high, f, m, sizes.degree, False)
+            sent = sent + np.float32(odd) * load(factors, last + 2 * LANES) * coupled
         return sent
     m = part - 1
     total = contracted(factors, start, packed, low, high, f, m, sizes.degree, False)
     if m < EVEN:
-        _, here = coupled_moments(packed, low, high, f, m, sizes.degree, False)
-        total = total + load(factors, last + LANES * (m - EVEN)) * here
+        _, coupled = coupled_moments(packed, low, high, f, m, sizes.degree, False)
+        total = total + load(factors, last + LANES * (m - EVEN)) * coupled
     return total
 
 
@@ -162,7 +162,7 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, bounces, irr
         mu_s,
         nu,
         tables.place,
-        sizes.suns,
+        sizes.sun_angles,
         sizes.degree,
         True,
         False,
@@ -170,7 +170,7 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, bounces, irr
     radiance = load(shares, LANES * ray) * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
-        sky = sky_at(irradiances, at_ground, tables.place, sizes.suns)
+        sky = sky_at(irradiances, at_ground, tables.place, sizes.sun_angles)
         radiance = radiance + load(bounces, LANES * ray) * sky
     return radiance
 
@@ -194,7 +194,7 @@ def polarised_again(index, sizes, tables, first_point, shares, rows):
         mu_s,
         nu,
         tables.place,
-        sizes.suns,
+        sizes.sun_angles,
         sizes.degree,
         False,
         True,
@@ -261,19 +261,19 @@ def gathered_moment(index, sizes, projections, azimuthals):
 
     Texels (radius, sun, moment), and after them (radius, sun).
     """
-    nodes = sizes.radii * sizes.suns
+    nodes = sizes.radii * sizes.sun_angles
     width, weights = sizes.degree + 1 + POLARISED, sizes.terms
     total = splat(0.0)
     if index >= nodes * sizes.terms:
         node = index - nodes * sizes.terms
-        i, j = node // sizes.suns, node % sizes.suns
+        i, j = node // sizes.sun_angles, node % sizes.sun_angles
         start = sizes.radii * sizes.angles * weights + i * sizes.angles
         for a in range(sizes.angles):
-            at = ((i * sizes.angles + a) * sizes.suns + j) * width
+            at = ((i * sizes.angles + a) * sizes.sun_angles + j) * width
             total = total + np.float32(projections[start + a]) * load(azimuthals, LANES * at)
         return total
     node, term = index // sizes.terms, index % sizes.terms
-    i, j = node // sizes.suns, node % sizes.suns
+    i, j = node // sizes.sun_angles, node % sizes.sun_angles
     harmonics = sizes.terms - POLARISED
     m = sizes.degree + 1 + term - harmonics
     first, second = term, term + EVEN - 1  # weights of Q, and of U of m = 1 and 2
@@ -285,7 +285,7 @@ def gathered_moment(index, sizes, projections, azimuthals):
         first, second = term, term - EVEN + 1
     for a in range(sizes.angles):
         ray = i * sizes.angles + a
-        at = (ray * sizes.suns + j) * width + m
+        at = (ray * sizes.sun_angles + j) * width + m
         start = ray * weights
         total = total + np.float32(projections[start + first]) * load(azimuthals, LANES * at)
         if term > harmonics:

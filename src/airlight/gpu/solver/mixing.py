@@ -18,7 +18,7 @@ def mean(index, sizes, iterate, guess):
 
     Texels (iterate or guess, mean radiance or irradiance, radius, sun).
     """
-    nodes = sizes.radii * sizes.suns
+    nodes = sizes.radii * sizes.sun_angles
     node = index % nodes
     at = node * sizes.terms
     if index // nodes % 2 == 1:
@@ -50,7 +50,7 @@ def sound(index, sizes, weights, iterates):
 
     Numbers (mean radiance or irradiance, radius, sun, lane); ``iterate_0`` is the latest.
     """
-    numbers = sizes.radii * sizes.suns * WAVELENGTHS
+    numbers = sizes.radii * sizes.sun_angles * WAVELENGTHS
     lane = index % WAVELENGTHS
     brightest = weights[WAVELENGTHS * PASS_ITERATES + lane]
     at = index // WAVELENGTHS * sizes.terms * WAVELENGTHS + lane
@@ -67,7 +67,7 @@ def next_guess(index, sizes, weights, iterates, sounds):
 
     Texels as in ``gathered_moment``.
     """
-    nodes = sizes.radii * sizes.suns
+    nodes = sizes.radii * sizes.sun_angles
     node = index // sizes.terms
     if index >= nodes * sizes.terms:
         node = nodes + index - nodes * sizes.terms

@@ -1,4 +1,4 @@
-"""Texels of the solver's passes that pack a light field: at all levels, and as ratios.
+"""Texels of passes that pack the field: at all levels, for rational interpolation.
 
 See ``rays`` for how a texel is related to its index.
 """
@@ -11,7 +11,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.moments.levels import between_levels, cubic_bend, smoothness
-from airlight.solvers.moments.packing import floor_below, ratio_scale
+from airlight.solvers.moments.packing import floor_below, rational_scale
 
 
 @inlined
@@ -30,15 +30,15 @@ def largest_of(index, sizes, count, values):
         Moments (radius, sun, moment, lane), and after them irradiances. [1]
     """
     lane = index % WAVELENGTHS
-    j = index // WAVELENGTHS % sizes.suns
+    j = index // WAVELENGTHS % sizes.sun_angles
     step = sizes.terms * WAVELENGTHS
     start = 0
-    if index >= sizes.suns * WAVELENGTHS:
-        start = count * sizes.suns * step
+    if index >= sizes.sun_angles * WAVELENGTHS:
+        start = count * sizes.sun_angles * step
         step = WAVELENGTHS
     largest = 0.0
     for i in range(count):
-        largest = max(largest, values[start + (i * sizes.suns + j) * step + lane])
+        largest = max(largest, values[start + (i * sizes.sun_angles + j) * step + lane])
     return largest
 
 
@@ -64,9 +64,9 @@ def floor(index, sizes, heights):
     Numbers (mean radiance or irradiance, lane).
     """
     lane = index % WAVELENGTHS
-    first = index // WAVELENGTHS * sizes.suns
+    first = index // WAVELENGTHS * sizes.sun_angles
     brightest = 0.0
-    for j in range(sizes.suns):
+    for j in range(sizes.sun_angles):
         brightest = max(brightest, heights[(first + j) * WAVELENGTHS + lane])
     return floor_below(brightest)
 
@@ -134,27 +134,27 @@ def refined(index, sizes, tables, light, floors):
     lane = index % WAVELENGTHS
     number = index // WAVELENGTHS
     width, start, dark = sizes.terms, 0, floors[lane]
-    if number >= sizes.levels * sizes.suns * sizes.terms:
-        number = number - sizes.levels * sizes.suns * sizes.terms
+    if number >= sizes.levels * sizes.sun_angles * sizes.terms:
+        number = number - sizes.levels * sizes.sun_angles * sizes.terms
         width = 1
-        start = sizes.radii * sizes.suns * sizes.terms * WAVELENGTHS
+        start = sizes.radii * sizes.sun_angles * sizes.terms * WAVELENGTHS
         dark = floors[WAVELENGTHS + lane]
     part = number % width
-    j = number // width % sizes.suns
-    level = number // (width * sizes.suns)
-    i = level // sizes.parts
-    step = sizes.suns * width * WAVELENGTHS
+    j = number // width % sizes.sun_angles
+    level = number // (width * sizes.sun_angles)
+    i = level // sizes.refinement
+    step = sizes.sun_angles * width * WAVELENGTHS
     mean_at = start + j * width * WAVELENGTHS + lane
-    here = mean_at + part * WAVELENGTHS
-    if level % sizes.parts == 0:
-        return light_number(light, here, step, i, part, dark)
-    x = float(level % sizes.parts) / float(sizes.parts)
+    first_of_moment = mean_at + part * WAVELENGTHS
+    if level % sizes.refinement == 0:
+        return light_number(light, first_of_moment, step, i, part, dark)
+    x = float(level % sizes.refinement) / float(sizes.refinement)
     below, near, far, above = four_levels(light, mean_at, step, i, 0, dark, sizes.radii)
     near_scale, far_scale = 1.0 / sqrt(near), 1.0 / sqrt(far)
-    parts = float(sizes.parts)
-    share = smoothness(x, near, far, cubic_bend(x, below, near, far, above, parts))
-    below, near, far, above = four_levels(light, here, step, i, part, dark, sizes.radii)
-    bend = share * cubic_bend(x, below, near, far, above, parts)
+    refinement = float(sizes.refinement)
+    share = smoothness(x, near, far, cubic_bend(x, below, near, far, above, refinement))
+    below, near, far, above = four_levels(light, first_of_moment, step, i, part, dark, sizes.radii)
+    bend = share * cubic_bend(x, below, near, far, above, refinement)
     weight = tables.level[j * WAVELENGTHS + lane]
     return between_levels(x, near, far, bend, near_scale, far_scale, weight)
 
@@ -167,24 +167,24 @@ def node_scale(index, sizes, tables, fine, heights):
     """
     lane = index % WAVELENGTHS
     node = index // WAVELENGTHS
-    nodes = sizes.levels * sizes.suns
+    nodes = sizes.levels * sizes.sun_angles
     if node >= nodes:
         received = fine[(nodes * sizes.terms + node - nodes) * WAVELENGTHS + lane]
-        return ratio_scale(received, received, 0.0)
-    j = node % sizes.suns
+        return rational_scale(received, received, 0.0)
+    j = node % sizes.sun_angles
     value = fine[node * sizes.terms * WAVELENGTHS + lane]
     above = max(heights[j * WAVELENGTHS + lane], value)
-    return ratio_scale(value, above, tables.level[j * WAVELENGTHS + lane])
+    return rational_scale(value, above, tables.level[j * WAVELENGTHS + lane])
 
 
 @inlined
 def packed(index, sizes, fine, scales):
-    """Moments and irradiances as ratios, for a march and the next sweep.
+    """Moments and irradiances in the form of rational interpolation, for march and next sweep.
 
     Texels (level, sun, 1 + moments): s, then the moments times s; after them (level, sun, 2):
     s, then the irradiance times s.
     """
-    nodes = sizes.levels * sizes.suns
+    nodes = sizes.levels * sizes.sun_angles
     moments = nodes * (1 + sizes.terms)
     if index >= moments:
         node = (index - moments) // 2

@@ -23,7 +23,7 @@ from airlight.gpu.solver.passes import (
 from airlight.gpu.solver.tables import SOLVE
 from airlight.pixels.shown import WAVELENGTHS
 from airlight.solvers.moments.harmonics import POLARISED
-from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.moments.setup import Setup, WavelengthBatch
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -58,8 +58,8 @@ class SolverPlan:
 
     Attributes
     ----------
-    block : Block
-        Set-up of its wavelengths: paths, degree, grid, rays, tables.
+    batch : WavelengthBatch
+        Set-up of its wavelengths: geometry, degree, grid, rays, tables.
     sizes : dict
         Values of ``Sizes``, and of the law of reflection, by name.
     places : dict
@@ -72,7 +72,7 @@ class SolverPlan:
         Groups of radii.
     """
 
-    block: Block
+    batch: WavelengthBatch
     sizes: dict[str, Any]
     places: dict[str, Place]
     solve: Float32Array
@@ -82,17 +82,17 @@ class SolverPlan:
     @property
     def setup(self) -> Setup:
         """Set-up shared by all wavelengths."""
-        return self.block.setup
+        return self.batch.setup
 
     @property
     def thick(self) -> FloatArray:
-        """Thickness by which changes at night count less, shape (4,); see ``Block``. [1]"""
-        return self.block.thick[:WAVELENGTHS]
+        """Weight of optically thick air, shape (4,); see ``WavelengthBatch``. [1]"""
+        return self.batch.thick[:WAVELENGTHS]
 
     @property
     def nodes(self) -> int:
-        """Number of nodes: radii times suns."""
-        return int(self.sizes["radii"] * self.sizes["suns"])
+        """Number of nodes: radii times sun angles."""
+        return int(self.sizes["radii"] * self.sizes["sun_angles"])
 
     @property
     def textures(self) -> dict[str, int]:
@@ -102,7 +102,7 @@ class SolverPlan:
         points = self.spans[-1].first_point + self.spans[-1].points
         most = max(span.points for span in self.spans)
         field = self.nodes * (n["terms"] + 1)
-        levels = n["levels"] * n["suns"]
+        levels = n["levels"] * n["sun_angles"]
         return {
             "strengths": points * (n["constituents"] + 1),
             "factors": points * (n["terms"] + 1),
@@ -111,15 +111,17 @@ class SolverPlan:
             "bounces": rays,
             "projections": -(-rays * (n["terms"] + 1) // WAVELENGTHS),
             "depths": (1 + most) * n["directions"],
-            "rows": most * n["suns"] * row_block(n),
-            **dict.fromkeys(("radiances", "stokes_qs", "stokes_us"), rays * n["suns"] * n["turns"]),
-            "azimuthals": rays * n["suns"] * (n["degree"] + 6),
+            "rows": most * n["sun_angles"] * row_block(n),
+            **dict.fromkeys(
+                ("radiances", "stokes_qs", "stokes_us"), rays * n["sun_angles"] * n["turns"]
+            ),
+            "azimuthals": rays * n["sun_angles"] * (n["degree"] + 6),
             "first": field,
             "light": field,
-            "heights": 2 * n["suns"],
+            "heights": 2 * n["sun_angles"],
             "floors": 2,
             "fine": levels * (n["terms"] + 1),
-            "level_heights": 2 * n["suns"],
+            "level_heights": 2 * n["sun_angles"],
             "scales": 2 * levels,
             "packed": levels * (n["terms"] + 3),
             "means": 4 * self.nodes,
@@ -142,12 +144,12 @@ class SolverPlan:
             return 0, self.textures[target], 0
         n = self.sizes
         if one.targets[-1] in ("radiances", "stokes_qs", "stokes_us"):
-            each = n["suns"] * n["turns"]
+            each = n["sun_angles"] * n["turns"]
             begin = span.first_ray * each
             return begin, begin + span.rays * each, span.first_point
         if one.targets == ("depths",):
             return 0, (1 + span.points) * n["directions"], span.first_point
-        return 0, span.points * n["suns"] * row_block(n), span.first_point
+        return 0, span.points * n["sun_angles"] * row_block(n), span.first_point
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
         """Passes in running order, spanned ones span by span, with their texels.
@@ -196,7 +198,7 @@ class SolverPlan:
         3. runs ``pack`` at the end: ``packed`` is the input of a march.
 
         A change of coefficients alone changes only ``extinction``, ``moments``,
-        ``polarised_phase``, ``albedo`` and ``level`` in their textures, at the positions in
+        ``polarised_moments``, ``albedo`` and ``level`` in their textures, at the positions in
         ``tables``.
         """
 

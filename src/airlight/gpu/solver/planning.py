@@ -28,13 +28,13 @@ _SPAN: Final = 4 << 20
 
 
 def plan_for(
-    paths: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
+    geometry: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
 ) -> SolverPlan:
     """Make the plan of a medium's solve.
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
         Paths in a medium of at most four wavelengths.
     settings : Settings
         Grid sizes.
@@ -46,12 +46,12 @@ def plan_for(
     ParameterError
         If the wavelengths or constituents exceed the capacity of the shaders.
     """
-    medium = paths.medium
+    medium = geometry.medium
     constituents = len(medium.names)
     check_capacity(medium.wavelengths.size, constituents)
-    setup = Setup(paths=paths, settings=settings, extinction_headroom=extinction_headroom)
-    block = setup.block(slice(None))
-    grid, rays, air = setup.grid, block.rays, block.air
+    setup = Setup(geometry=geometry, settings=settings, extinction_headroom=extinction_headroom)
+    batch = setup.batch(slice(None))
+    grid, rays, air = setup.grid, batch.rays, batch.air
     azimuths, expansion, table = setup.azimuths, setup.expansion, setup.table
     arrays: dict[str, NDArray[Any]] = {
         "mu": rays.mu, "weight": rays.weight, "flux": rays.flux, "start": rays.start,
@@ -64,23 +64,24 @@ def plan_for(
         "cosines": azimuths.cosines, "multiples": azimuths.multiples,
         "sines": azimuths.sines,
         "harmonic": expansion.start, "ahead": expansion.ahead, "back": expansion.back,
-        "column_rows": setup.column_rows, "ratios": setup.ratios, "lift": paths.lift,
-        "level": block.level[:, :WAVELENGTHS].reshape(-1),
+        "column_rows": setup.column_rows, "ratios": setup.ratios,
+        "refraction_table": geometry.refraction_table,
+        "level": batch.level[:, :WAVELENGTHS].reshape(-1),
         "extinction": _lanes(air.extinction), "moments": _lanes(air.moments),
-        "polarised_phase": _lanes(air.polarised_phase),
+        "polarised_moments": _lanes(air.polarised_moments),
         "albedo": _lanes(air.ground.albedo),
     }  # fmt: skip
     sizes: dict[str, Any] = {
         "radii": setup.gathering.radii.size,
         "angles": rays.mu.shape[1],
-        "suns": grid.sun_cosines.size,
+        "sun_angles": grid.sun_cosines.size,
         "turns": azimuths.cosines.size,
         "degree": setup.degree,
         "terms": setup.terms,
         "constituents": constituents,
         "directions": table.values.shape[1],
         "levels": grid.radii.size,
-        "parts": setup.parts,
+        "refinement": setup.refinement,
         "received": grid.radii.size * grid.sun_cosines.size * (1 + setup.terms),
         "bottom": grid.bottom_radius,
         "top": grid.top_radius,
@@ -89,7 +90,7 @@ def plan_for(
     }
     textures, places = SOLVE.laid_out(arrays)
     return SolverPlan(
-        block=block,
+        batch=batch,
         sizes=sizes,
         places=places,
         solve=SOLVE.packed(sizes, places).reshape(-1, 4),
@@ -106,7 +107,7 @@ def _lanes(flat: Float32Array) -> Float32Array:
 def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
     """Group radii so that the textures of a group are not too large."""
     angles = sizes["angles"]
-    each = max(sizes["suns"] * row_block(sizes), sizes["directions"])
+    each = max(sizes["sun_angles"] * row_block(sizes), sizes["directions"])
     most = _SPAN // each - 1
     bounds = [0]
     for i in range(1, start.shape[0]):

@@ -10,7 +10,7 @@ from math import sqrt
 
 import numpy as np
 
-from airlight.geometry.bending import star_points
+from airlight.geometry.refraction import star_points
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load, splat, store
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
@@ -26,8 +26,8 @@ def star_from_point(turn, point, mu_s, nu):
 
     ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
     """
-    here = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
-    return here, turn[point, 2] * mu_s + turn[point, 3] * nu
+    mu_s_point = min(max(turn[point, 0] * mu_s + turn[point, 1] * nu, -1.0), 1.0)
+    return mu_s_point, turn[point, 2] * mu_s + turn[point, 3] * nu
 
 
 @inlined
@@ -44,7 +44,7 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
     Parameters
     ----------
     ratios : array, shape (radii, directions, nc, 2)
-        Ratios of a ``ColumnTable``, from ``mean_density_ratios``.
+        Ratios of a ``ColumnTable``, from ``rational_mean_density``.
     row, f : int, float
         Index of the radius below the point, and the point's fraction of the step above it.
     place : int
@@ -93,17 +93,17 @@ def fill_phases(moments, nu, degree, constituents, phases):
 
 
 @inlined
-def fill_phase_f12(polarised_phase, nu, constituents, phases):
+def fill_phase_f12(polarised_moments, nu, constituents, phases):
     """Compute F₁₂ of degree 2 times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
     part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
     for c in range(constituents):
-        store(phases, LANES * c, load(polarised_phase, LANES * ELEMENTS * c) * part)
+        store(phases, LANES * c, load(polarised_moments, LANES * ELEMENTS * c) * part)
 
 
 @inlined
 def scattered_once(
     turn, radii, first, points, strong, strengths, phases, phase_f12, constituents, deep, depths,
-    directions, mu_s, nu, bottom, top, star_radius, lift,
+    directions, mu_s, nu, bottom, top, star_radius, refraction_table,
 ):  # fmt: skip
     """Light sent along a ray by its points, from the star's own. [sr⁻¹]
 
@@ -128,14 +128,14 @@ def scattered_once(
     directions : int
     mu_s, nu : float
         Cosines of the star at the start of the ray. [1]
-    bottom, top, star_radius, lift :
+    bottom, top, star_radius, refraction_table :
         As in ``star_points``.
     """
     radiance, polarised = splat(0.0), splat(0.0)
     for k in range(points):
         q = radii[first + k]
         mu_sk, _ = star_from_point(turn, first + k, mu_s, nu)
-        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, lift)
+        seen, low, high = star_points(q, mu_sk, bottom, top, star_radius, refraction_table)
         if seen <= 0.0:
             continue
         x = direction_coordinate(q, low, bottom, top) * (directions - 1)
@@ -158,7 +158,19 @@ def scattered_once(
 
 @inlined
 def gathered(
-    turn, mu_along, first, points, local, rows, mu_s, nu, places, suns, degree, bright, polarised
+    turn,
+    mu_along,
+    first,
+    points,
+    local,
+    rows,
+    mu_s,
+    nu,
+    places,
+    sun_angles,
+    degree,
+    bright,
+    polarised,
 ):
     """I, Q and U sent along a ray by its points, from light scattered before. [1]
 
@@ -176,7 +188,7 @@ def gathered(
         Cosines of the star at the start of the ray. [1]
     places : array
         Lookup table ``Grid.place``.
-    suns, degree : int
+    sun_angles, degree : int
         Number of sun elevations, and highest degree.
     bright, polarised : bool
         Whether I, and whether Q and U are found; constants. The others are 0.
@@ -186,10 +198,10 @@ def gathered(
     for k in range(points):
         mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
         x = sun_index(mu_sk, places)
-        column = min(int(x), suns - 2)
+        column = min(int(x), sun_angles - 2)
         step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
         sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
-        low = ((local + k) * suns + column) * block
+        low = ((local + k) * sun_angles + column) * block
         light, point_q, point_u = source_at_point(
             rows, low, low + block, np.float32(x - column), step, sine, degree + 1, degree, bright,
             polarised, False,

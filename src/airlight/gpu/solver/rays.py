@@ -20,7 +20,7 @@ from airlight.gpu.solver.ray_sums import depth_in_row
 from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor
+from airlight.optics.reflection import diffuse_reflectance
 from airlight.solvers.moments.harmonics import (
     ELEMENTS,
     EVEN,
@@ -29,9 +29,9 @@ from airlight.solvers.moments.harmonics import (
     legendre_function,
     polarised_functions,
 )
-from airlight.solvers.moments.opaque_culling import ray_share
+from airlight.solvers.moments.opaque_culling import ray_norm
 from airlight.solvers.moments.ray_optics import (
-    leaving_at_end,
+    mu_r_at_end,
     optical_depth,
     polarised_transmittance_ratio,
     strength_of,
@@ -48,7 +48,7 @@ def strength(index, sizes, tables):
     point, c = index // (sizes.constituents + 1), index % (sizes.constituents + 1)
     if c == sizes.constituents:
         return polarised_transmittance_ratio(
-            tables.column, point * sizes.constituents, tables.polarised_phase, sizes.constituents
+            tables.column, point * sizes.constituents, tables.polarised_moments, sizes.constituents
         )
     depth = optical_depth(
         tables.column, point * sizes.constituents, tables.extinction, sizes.constituents
@@ -72,10 +72,10 @@ def factor(index, sizes, tables):
     transmittance = exponential(0.0 - depth)
     if part >= coupled:  # β₁, α₂ and α₃
         transmittance = transmittance * polarised_transmittance_ratio(
-            tables.column, point * sizes.constituents, tables.polarised_phase, sizes.constituents
+            tables.column, point * sizes.constituents, tables.polarised_moments, sizes.constituents
         )
         return transmittance * strength_of(
-            tables.polarised_phase, tables.amount, point, part - coupled, ELEMENTS - 1,
+            tables.polarised_moments, tables.amount, point, part - coupled, ELEMENTS - 1,
             sizes.constituents,
         )  # fmt: skip
     l, m = 2, part - harmonics
@@ -87,7 +87,7 @@ def factor(index, sizes, tables):
         )
     else:
         transmittance = transmittance * strength_of(
-            tables.polarised_phase, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
+            tables.polarised_moments, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
         )
     function = legendre_function(
         tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
@@ -106,7 +106,7 @@ def share(index, sizes, tables):
     total = optical_depth(
         tables.total, index * sizes.constituents, tables.extinction, sizes.constituents
     )
-    return ray_share(
+    return ray_norm(
         first,
         int(tables.start[i, a + 1]) - first,
         tables.column,
@@ -142,7 +142,7 @@ def bounce(index, sizes, tables, throughs):
     i, a = index // sizes.angles, index % sizes.angles
     if a >= sizes.angles // 2:
         return splat(0.0)
-    factor = sky_factor(tables.ground, 0, leaving_at_end(tables.end, i, a, tables.mu[i, a]))
+    factor = diffuse_reflectance(tables.ground, 0, mu_r_at_end(tables.end, i, a, tables.mu[i, a]))
     return factor * INVERSE_PI * load(throughs, LANES * index)
 
 

@@ -87,10 +87,10 @@ def solve_on(
         If ``cancel`` requested it.
     """
     started = perf_counter()
-    paths = RefractedGeometry.of(medium)
-    if Optics.chosen(paths.medium, settings).transport_depth.max() > THICKEST:
+    geometry = RefractedGeometry.of(medium)
+    if Optics.chosen(geometry.medium, settings).transport_depth.max() > THICKEST:
         raise ThickAir
-    plan = plan_for(paths, settings)
+    plan = plan_for(geometry, settings)
     count = medium.wavelengths.size
     with borrowed_sweeper(device) as sweeper:
         sweeper.load(plan)
@@ -100,7 +100,7 @@ def solve_on(
     moments = Moments(
         degree=plan.setup.degree,
         grid=plan.setup.grid,
-        parts=plan.setup.parts,
+        refinement=plan.setup.refinement,
         field=np.ascontiguousarray(field[..., :count]),
         sky=np.ascontiguousarray(sky[..., :count]),
         columns=plan.setup.table.values,
@@ -110,7 +110,7 @@ def solve_on(
     )
     if makes_light(moments.energy, settings.energy_tolerance):
         raise ThickAir("not resolved by the GPU's grid")
-    solution = MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
+    solution = MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
     _fields[solution] = device, fields
     return solution
 
@@ -152,7 +152,7 @@ def _iterate(
         if progress is not None:
             still = float(iteration.remaining_error.max())
             message = f"orders of scattering: remaining error {still:.1e}"
-            progress(round(100 * iteration.share), 100, message)
+            progress(round(100 * iteration.progress), 100, message)
     return iteration.sweeps, iteration.remaining_error
 
 

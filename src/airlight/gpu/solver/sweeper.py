@@ -210,7 +210,7 @@ class GpuSweeper:
         self.run((*PACK, *SWEEP))
         n = self.plan.sizes
         means = read_flat(self.device, self._textures["means"], 4 * self.plan.nodes)
-        means = means.reshape(4, n["radii"], n["suns"], WAVELENGTHS)
+        means = means.reshape(4, n["radii"], n["sun_angles"], WAVELENGTHS)
         return means[0], means[1], means[2]
 
     def combine(self, weights: Float32Array) -> None:
@@ -245,7 +245,7 @@ class GpuSweeper:
         n = self.plan.sizes
         moments = self.plan.nodes * n["terms"]
         flat = read_flat(self.device, self._textures["light"], moments + self.plan.nodes)
-        shape = (n["radii"], n["suns"])
+        shape = (n["radii"], n["sun_angles"])
         return (
             flat[:moments].reshape(*shape, n["terms"], WAVELENGTHS),
             flat[moments:].reshape(*shape, WAVELENGTHS),

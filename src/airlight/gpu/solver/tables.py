@@ -18,14 +18,14 @@ class Sizes(NamedTuple):
 
     Attributes
     ----------
-    radii, angles, suns, turns : int
+    radii, angles, sun_angles, turns : int
         Numbers of radii that gather light, of directions in zenith angle, of nodes in sun
         elevation, and of azimuths.
     degree, terms, constituents, directions : int
         Degree of the harmonics, and numbers of moments of a node, of constituents, and of
         directions in the table of columns.
-    levels, parts : int
-        Number of radii of the grid; light is gathered at every ``parts``-th of them.
+    levels, refinement : int
+        Number of radii of the grid; light is gathered at every ``refinement``-th of them.
     received : int
         First texel of the ground's irradiances in a packed field.
     bottom, top, star_radius : float
@@ -34,14 +34,14 @@ class Sizes(NamedTuple):
 
     radii: int
     angles: int
-    suns: int
+    sun_angles: int
     turns: int
     degree: int
     terms: int
     constituents: int
     directions: int
     levels: int
-    parts: int
+    refinement: int
     received: int
     bottom: float
     top: float
@@ -64,12 +64,12 @@ class Tables(NamedTuple):
     column_rows :
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``.
     ratios :
-        Table from ``mean_density_ratios``.
-    lift :
+        Table from ``rational_mean_density``.
+    refraction_table :
         Table from ``refraction_table``.
     level : array, shape (s·4,)
         Weights from ``level_weights``, of four wavelengths.
-    extinction, moments, polarised_phase :
+    extinction, moments, polarised_moments :
         Fields of ``ScaledOptics``; four wavelengths a texel.
     ground : Reflection
         Field of ``ScaledOptics``.
@@ -98,11 +98,11 @@ class Tables(NamedTuple):
     back: Annotated[Any, scalars()]
     column_rows: Annotated[Any, scalars()]
     ratios: Annotated[Any, scalars(4)]
-    lift: Annotated[Any, scalars(3)]
+    refraction_table: Annotated[Any, scalars(3)]
     level: Annotated[Any, scalars()]
     extinction: Annotated[Any, SPECTRA]
     moments: Annotated[Any, SPECTRA]
-    polarised_phase: Annotated[Any, SPECTRA]
+    polarised_moments: Annotated[Any, SPECTRA]
     ground: Reflection
 
 

@@ -1,1 +1,1 @@
-"""The notes' equations as printed: trapezoids, a gather over the sphere, order by order."""
+"""Direct solver: successive orders of scattering by the equations of the Atmosphere Plus notes."""

@@ -1,4 +1,4 @@
-"""The gather pass: light of one order from all directions, weighted by the phase functions."""
+"""Gather pass: radiance of one order integrated over the sphere with the phase functions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FloatArray = NDArray[np.float64]
 _PHASE_NODES = 4097
 #: Smallest argument of the logarithm. [1]
 _DARK = 1e-280
-#: Distance from the end of the possible range, in steps, below which a node gives no slope.
+#: Distance from the end of the possible range, in steps, below which a node is not used for slopes.
 _TOO_NEAR = 0.15
 #: Width of the possible range, in steps, below which it counts as one angle.
 _NARROW = 0.3
@@ -30,7 +30,7 @@ _CONTINUED = 2.0
 
 
 class Directions(NamedTuple):
-    """Directions from which light is gathered at each radius of the table.
+    """Quadrature of directions at each radius of the table.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Directions(NamedTuple):
     azimuth : array, shape (na,)
         Azimuths from the sun's side to the opposite side. [rad]
     weights : array, shape (radii, nz, na)
-        Solid angles, both mirrored directions together. [sr]
+        Solid angles, of both mirrored directions together. [sr]
     """
 
     zenith: FloatArray
@@ -48,7 +48,7 @@ class Directions(NamedTuple):
 
 
 def directions_for(axes: Layout, settings: Settings) -> Directions:
-    """Make the directions, split at the horizon of each radius if the rule is graded."""
+    """Directions, split at the horizon of each radius if the rule is graded."""
     rules = []
     for i in range(axes.radii):
         cuts: tuple[float, ...] = (0.0, np.pi)
@@ -66,13 +66,13 @@ def directions_for(axes: Layout, settings: Settings) -> Directions:
 def phase_nodes(
     medium: Medium, scatterers: NDArray[np.int64]
 ) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Phase functions on even steps of sin(θ/2), without repetitions.
+    """Phase functions on even steps of sin(θ/2), without duplicates.
 
     Parameters
     ----------
     medium : Medium
     scatterers : array, shape (ns,)
-        Indices of the constituents that scatter.
+        Indices of the scattering constituents.
 
     Returns
     -------
@@ -91,10 +91,10 @@ def phase_nodes(
 def gather(
     i, axes, directions, phase, which, incoming, cos_psi, sin_psi, normalise, logarithmic, out
 ):
-    """Gather the incoming light at one radius, for all suns and view directions.
+    """Gathered radiance at one radius, for all sun angles and view directions.
 
-    G(V) = ∫ p(V·ω) H(ω) dω for each constituent; each phase function is divided by its own sum
-    over the directions if ``normalise``.
+    G(V) = ∫ p(V·ω) H(ω) dω for each constituent; if ``normalise``, each phase function is divided
+    by its quadrature over the directions.
 
     Parameters
     ----------
@@ -104,13 +104,13 @@ def gather(
         Axes of the table, and directions of the gather.
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]
-    incoming : array, shape (suns, nl, nz, na)
-        Light of one order at this radius, per irradiance of the star. [sr⁻¹]
+    incoming : array, shape (sun_angles, nl, nz, na)
+        Radiance H of one order at this radius, per irradiance of the star. [sr⁻¹]
     cos_psi, sin_psi : float
         Cosine and sine of the azimuth of a table without angles. [1]
     normalise, logarithmic : bool
-    out : array, shape (views, suns, angles, ns·nl)
-        Receives the gathered light or its logarithm. [sr⁻¹]
+    out : array, shape (views, sun_angles, angles, ns·nl)
+        Receives G or its logarithm. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
     nz, na = zenith.size, azimuth.size
@@ -129,7 +129,7 @@ def gather(
     r = radius_of(i, axes)
     wavelengths = incoming.shape[1]
     last = phase.shape[1] - 1.0
-    for k in range(axes.suns):
+    for k in range(axes.sun_angles):
         light = incoming[k].reshape((wavelengths, count))
         mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
         sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
@@ -173,21 +173,21 @@ def gather(
 
 @compiled_loop
 def complete(r, axes, out):
-    """Continue the gathered light over angles that view and sun cannot have, at one radius.
+    """Extrapolation of gathered radiance to impossible angles between view and sun, at one radius.
 
-    Straight up or down, and with the sun overhead, only one angle is possible: there the shape is
-    that of the neighbouring view or sun.
+    Straight up or down, and with the sun overhead, only one angle is possible; the shape is then
+    that of the neighbouring view or sun angle.
 
     Parameters
     ----------
     r : float
         Radius. [m]
     axes : Layout
-    out : array, shape (views, suns, angles, channels)
+    out : array, shape (views, sun_angles, angles, channels)
         Logarithms, changed in place.
     """
-    narrow = np.zeros((axes.views, axes.suns))
-    for k in range(axes.suns):
+    narrow = np.zeros((axes.views, axes.sun_angles))
+    for k in range(axes.sun_angles):
         mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
         for j in range(axes.views):
             mu = view_of(j, r, axes)
@@ -198,14 +198,14 @@ def complete(r, axes, out):
                 continue_beyond(out[j, k], low, high)
             else:
                 narrow[j, k] = 0.5 * (low + high) + 1.0
-    last = axes.suns - 1
+    last = axes.sun_angles - 1
     for j in range(1, axes.views - 1):
         if narrow[j, 0] > 0.0:
             continue_alike(out[j, 0], narrow[j, 0] - 1.0, out[j, 1])
         if narrow[j, last] > 0.0:
             continue_alike(out[j, last], narrow[j, last] - 1.0, out[j, last - 1])
     last = axes.views - 1
-    for k in range(axes.suns):
+    for k in range(axes.sun_angles):
         if narrow[0, k] > 0.0:
             continue_alike(out[0, k], narrow[0, k] - 1.0, out[1, k])
         if narrow[last, k] > 0.0:
@@ -214,7 +214,7 @@ def complete(r, axes, out):
 
 @compiled_loop
 def continue_alike(values, index, neighbour):
-    """Give a row that is known at one index the shape of its neighbour.
+    """Extrapolation of a row known at one index, with the shape of its neighbour.
 
     Parameters
     ----------
@@ -236,10 +236,10 @@ def continue_alike(values, index, neighbour):
 
 @compiled_loop
 def continue_beyond(values, low, high):
-    """Continue a row of logarithms over angles that view and sun cannot have.
+    """Linear extrapolation of a row of logarithms to impossible angles.
 
-    Nodes outside hold the value at the end of the possible range. Interpolation up to that end
-    would be off by a part of a step; continued with the slope inside, it is exact there.
+    Nodes outside the possible range hold the value at its end. With the slope from inside,
+    interpolation up to that end is exact.
 
     Parameters
     ----------
@@ -283,5 +283,5 @@ def node_radii(axes: Layout) -> FloatArray:
 
 
 def node_suns(axes: Layout) -> FloatArray:
-    """Cosines of the sun's zenith angle at the table's nodes, shape (suns,). [1]"""
-    return np.array([sun_of(k, axes) for k in range(axes.suns)])
+    """Cosines of the sun's zenith angle at the table's nodes, shape (sun_angles,). [1]"""
+    return np.array([sun_of(k, axes) for k in range(axes.sun_angles)])

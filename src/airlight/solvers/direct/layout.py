@@ -1,4 +1,4 @@
-"""Table of gathered light: its axes, and the coordinates of a point on them."""
+"""Axes of the table of gathered radiance, and coordinates on them."""
 
 from __future__ import annotations
 
@@ -44,18 +44,18 @@ _surface_weight = weighted_power.surface_weight
 
 
 class Layout(NamedTuple):
-    """Axes of the table of gathered light.
+    """Axes of the table of gathered radiance.
 
     Attributes
     ----------
     kind : int
         Index of the mapping in ``MAPPINGS``.
-    radii, views, suns, angles : int
+    radii, views, sun_angles, angles : int
         Numbers of nodes; one angle for the 3-D mappings.
     power : float
         Exponent of the power mappings. [1]
     bottom, top : float
-        Radii of ground and top. [m]
+        Radii of the ground and of the top. [m]
     lowest : float
         Smallest cosine of the sun's zenith angle on the 4-D axes. [1]
     """
@@ -63,7 +63,7 @@ class Layout(NamedTuple):
     kind: int
     radii: int
     views: int
-    suns: int
+    sun_angles: int
     angles: int
     power: float
     bottom: float
@@ -72,13 +72,13 @@ class Layout(NamedTuple):
 
 
 def layout_for(medium: Medium, settings: Settings) -> Layout:
-    """Make the axes of the settings over a medium's shell."""
+    """Axes by the settings, for a medium's shell."""
     bottom, top = medium.bottom_radius, medium.top_radius
     return Layout(
         MAPPINGS.index(settings.mapping),
         settings.radii,
         settings.views,
-        settings.suns,
+        settings.sun_angles,
         settings.scatter_angles,
         settings.power,
         bottom,
@@ -89,7 +89,7 @@ def layout_for(medium: Medium, settings: Settings) -> Layout:
 
 @compiled_loop
 def radius_cell(r, axes):
-    """Neighbours of a radius among the nodes, and the share of the upper."""
+    """Nodes around a radius, and weight of the upper."""
     if axes.kind <= _BRUNETON:
         x = _horizon_radius(r, axes.bottom, axes.top)
     elif axes.kind == _LINEAR:
@@ -101,7 +101,7 @@ def radius_cell(r, axes):
 
 @compiled_loop
 def radius_of(i, axes):
-    """Radius of a node, the ends exact. [m]"""
+    """Radius of a node, exact at both ends. [m]"""
     if i == 0:
         return axes.bottom
     if i == axes.radii - 1:
@@ -122,7 +122,7 @@ def _weights(r, axes):
 
 @compiled_loop
 def view_cell(r, mu, axes):
-    """Neighbours of a view direction at a radius, and the share of the second."""
+    """Nodes around a view direction at a radius, and weight of the second."""
     n = axes.views
     if axes.kind <= _BRUNETON:
         to_ground = meets_ground(r, mu, axes.bottom)
@@ -174,20 +174,20 @@ def view_of(j, r, axes):
 
 @compiled_loop
 def sun_cell(mu_s, axes):
-    """Neighbours of a sun's zenith cosine, and the share of the second."""
+    """Nodes around a sun cosine, and weight of the second."""
     if axes.kind <= _BRUNETON:
         x = _sun(mu_s, axes.lowest, axes.bottom, axes.top)
     elif axes.kind == _LINEAR:
         x = 0.5 * (mu_s + 1.0)
     else:
         x = _power_cosine(mu_s, axes.power)
-    return cell(x * (axes.suns - 1.0), 0, axes.suns - 1)
+    return cell(x * (axes.sun_angles - 1.0), 0, axes.sun_angles - 1)
 
 
 @compiled_loop
 def sun_of(k, axes):
     """Cosine of the sun's zenith angle at a node. [1]"""
-    x = index_coordinate(k, axes.suns)
+    x = index_coordinate(k, axes.sun_angles)
     if axes.kind <= _BRUNETON:
         return _sun_back(x, axes.lowest, axes.bottom, axes.top)
     if axes.kind == _LINEAR:
@@ -206,7 +206,7 @@ def _angle_index(nu, kind, n):
 
 @compiled_loop
 def angle_cell(nu, axes):
-    """Neighbours of the cosine between view and sun, and the share of the second."""
+    """Nodes around the cosine between view and sun, and weight of the second."""
     return cell(_angle_index(nu, axes.kind, axes.angles), 0, axes.angles - 1)
 
 

@@ -1,4 +1,4 @@
-"""Line of sight: its points, and the light scattered or gathered there that reaches its start."""
+"""Ray march of the direct solver: single scattering and gathered radiance along a line of sight."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import graded, uniform
 from airlight.solvers.layered_columns import column_radii
-from airlight.tables.column_ratios import column_rows, columns_to_top, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, columns_to_top, rational_mean_density
 from airlight.tables.columns import (
     TABLE_SHAPE,
     ColumnTable,
-    accumulate,
+    accumulate_columns,
     density_table,
     new_path,
     split_at_profile_edges,
@@ -34,14 +34,14 @@ IntArray = NDArray[np.int64]
 
 
 class LineOptics(NamedTuple):
-    """Properties of a medium that lines need.
+    """Optical properties of a medium for ray marches.
 
     Attributes
     ----------
     bottom, top, star_radius : float
         Radii of ground and top [m], and angular radius of the star [rad].
     scattering : array, shape (ns, nl)
-        Coefficients of the constituents that scatter. [m⁻¹]
+        Coefficients of the scattering constituents. [m⁻¹]
     extinction : array, shape (nc, nl)
         Extinction coefficients. [m⁻¹]
     scatterers : array, shape (ns,)
@@ -50,19 +50,18 @@ class LineOptics(NamedTuple):
         Largest extinction at any wavelength. [m⁻¹]
     nodes : tuple of arrays
         First altitude node of each cell, and densities (n, nc) from ``density_table``. [1]
-    corners : array, shape (n,)
-        Altitudes at which a profile has a corner, ground and top included. [m]
+    breakpoints : array, shape (n,)
+        Altitudes of breakpoints of the profiles, ground and top included. [m]
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes. [1]
     ratios : array, shape (radii, directions, nc, 2)
-        Table from ``mean_density_ratios``: columns to the star for the orders that are gathered.
-        [1]
+        Table from ``rational_mean_density``: columns to the star for multiple scattering. [1]
     rule : tuple of arrays
         Nodes, weights and running integrals of the trapezoid.
     ground : Reflection
-        Reflection by the ground, at all wavelengths.
+        Reflectance of the ground, at all wavelengths.
     graded : bool
-        Whether the rule applies to each leg of a ray; otherwise to equal steps along all of it.
+        Whether the rule applies to each leg of a ray rather than to the whole ray.
     """
 
     bottom: float
@@ -73,7 +72,7 @@ class LineOptics(NamedTuple):
     scatterers: IntArray
     strongest: FloatArray
     nodes: tuple[FloatArray, FloatArray]
-    corners: FloatArray
+    breakpoints: FloatArray
     rows: FloatArray
     ratios: FloatArray
     rule: tuple[FloatArray, FloatArray, FloatArray]
@@ -82,7 +81,7 @@ class LineOptics(NamedTuple):
 
 
 def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
-    """Arrays of a medium for lines of ``steps`` steps."""
+    """Optical properties of a medium, for lines of ``steps`` steps."""
     scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
     radii = column_radii(medium, TABLE_SHAPE[0])
     shell = medium.bottom_radius, medium.top_radius
@@ -97,9 +96,9 @@ def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
         scatterers,
         medium.extinction.max(axis=1),
         (medium.density.first_nodes, density_table(medium.density)),
-        medium.density.corners,
+        medium.density.breakpoints,
         column_rows(table, medium.density),
-        mean_density_ratios(table),
+        rational_mean_density(table),
         rule.as_tuple(),
         medium.ground,
         settings.graded,
@@ -112,25 +111,25 @@ class Line(NamedTuple):
     Attributes
     ----------
     path : tuple of arrays
-        See ``airlight.tables.columns.trace``.
+        See ``airlight.tables.columns.trace_ray``.
     source : array, shape (p, ns·nl)
         Scattering coefficient times transmittance to the start times weight. [1]
-    through : array, shape (nl,)
+    transmittance : array, shape (nl,)
         Transmittance of the whole line. [1]
-    corners : array, shape (p, 4)
+    stencil : array, shape (p, 4)
         Neighbours of each point in radius and view, as rows of the table.
     shares : array, shape (p, 4)
-        Shares of these rows. [1]
+        Weights of these rows. [1]
     edges, columns : array
-        Workspace for ``follow``.
+        Workspace for ``trace_segment``.
     sun : tuple of arrays
         Workspace for a ray to the star, as ``path``.
     """
 
     path: tuple[FloatArray, ...]
     source: FloatArray
-    through: FloatArray
-    corners: IntArray
+    transmittance: FloatArray
+    stencil: IntArray
     shares: FloatArray
     edges: FloatArray
     columns: FloatArray
@@ -138,7 +137,7 @@ class Line(NamedTuple):
 
 
 def new_line(air: LineOptics) -> Line:
-    """Workspace of one line; each thread needs its own."""
+    """Workspace of one line, for one thread."""
     constituents, wavelengths = air.extinction.shape
     points = air.rule[0].size * (MAX_EDGES if air.graded else 1)
     return Line(
@@ -154,15 +153,15 @@ def new_line(air: LineOptics) -> Line:
 
 
 @compiled_loop
-def follow(r, mu, length, first_cut, second_cut, air, edges, path):
-    """Find points, densities and columns along a stretch of a ray.
+def trace_segment(r, mu, length, first_cut, second_cut, air, edges, path):
+    """Points, densities and columns along a segment of a ray.
 
     Parameters
     ----------
     r, mu, length : float
         Start radius, zenith cosine and length. [m], [1], [m]
     first_cut, second_cut : float
-        Distances at which the planet's shadow begins and ends; ignored by equal steps. [m]
+        Distances at which the planet's shadow begins and ends; ignored unless graded. [m]
     air, edges, path :
         See ``LineOptics`` and ``Line``.
 
@@ -174,7 +173,7 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
     thickness = air.top - air.bottom
     if air.graded:
         count = place_edges(r, mu, length, 1, first_cut, second_cut, edges)
-        count = split_at_profile_edges(r, mu, air.bottom, air.corners, edges, count)
+        count = split_at_profile_edges(r, mu, air.bottom, air.breakpoints, edges, count)
         return trace_resolved(
             r, mu, edges, count, air.rule, air.bottom, thickness, air.nodes, air.strongest, path
         )
@@ -183,23 +182,23 @@ def follow(r, mu, length, first_cut, second_cut, air, edges, path):
         path[0][k] = length * nodes[k]
         path[1][k] = radius_along(r, mu, path[0][k])
         path[2][k] = length * weights[k]
-    accumulate(nodes.size, air.rule, air.bottom, thickness, air.nodes, path)
+    accumulate_columns(nodes.size, air.rule, air.bottom, thickness, air.nodes, path)
     return nodes.size
 
 
 @compiled_loop
 def prepare(r, mu, length, first_cut, second_cut, air, line):
-    """Follow a line and find the weights of its points at its start; return their number."""
-    count = follow(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
+    """Prepare the points of a line and their weights at its start; returns their number."""
+    count = trace_segment(r, mu, length, first_cut, second_cut, air, line.edges, line.path)
     _, _, weight, density, column, total, _ = line.path
-    source, through = line.source, line.through
+    source, transmittance = line.source, line.transmittance
     scattering, extinction, scatterers = air.scattering, air.extinction, air.scatterers
     wavelengths = extinction.shape[1]
     for l in range(wavelengths):
         tau = 0.0
         for c in range(extinction.shape[0]):
             tau += extinction[c, l] * total[c]
-        through[l] = exp(-tau)
+        transmittance[l] = exp(-tau)
         for k in range(count):
             tau = 0.0
             for c in range(extinction.shape[0]):
@@ -214,16 +213,16 @@ def prepare(r, mu, length, first_cut, second_cut, air, line):
 
 @compiled_loop
 def place_rows(r, mu, count, axes, line):
-    """Find, for each point of a prepared line, the rows of the table around its radius and view."""
+    """Fill ``stencil`` and ``shares``: table rows around each point of a prepared line."""
     distance, radius = line.path[0], line.path[1]
     for k in range(count):
         q = min(max(radius[k], axes.bottom), axes.top)
         low, high, f = radius_cell(q, axes)
         first, second, e = view_cell(q, (r * mu + distance[k]) / q, axes)
-        line.corners[k, 0] = low * axes.views + first
-        line.corners[k, 1] = low * axes.views + second
-        line.corners[k, 2] = high * axes.views + first
-        line.corners[k, 3] = high * axes.views + second
+        line.stencil[k, 0] = low * axes.views + first
+        line.stencil[k, 1] = low * axes.views + second
+        line.stencil[k, 2] = high * axes.views + first
+        line.stencil[k, 3] = high * axes.views + second
         line.shares[k, 0] = (1.0 - f) * (1.0 - e)
         line.shares[k, 1] = (1.0 - f) * e
         line.shares[k, 2] = f * (1.0 - e)
@@ -232,7 +231,7 @@ def place_rows(r, mu, count, axes, line):
 
 @compiled_loop
 def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
-    """Add the gathered light that a prepared line scatters towards its start.
+    """Add multiple scattering along a prepared line, from the gathered radiance.
 
     Parameters
     ----------
@@ -242,8 +241,8 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
         Number of points of the line.
     axes : Layout
         Axes of the table.
-    table : array, shape (radii·views, suns, angles, ns·nl)
-        Gathered light, or its logarithm. [1]
+    table : array, shape (radii·views, sun_angles, angles, ns·nl)
+        Gathered radiance, or its logarithm. [sr⁻¹]
     logarithmic : bool
         Whether it is the logarithm.
     line : Line
@@ -252,7 +251,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
     distance, radius = line.path[0], line.path[1]
-    corners, shares, source = line.corners, line.shares, line.source
+    stencil, shares, source = line.stencil, line.shares, line.source
     wavelengths = out.size
     channels = table.shape[3]
     m0, m1, d = angle_cell(nu, axes)
@@ -265,7 +264,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
                 q = first + l
                 value = 0.0
                 for corner in range(4):
-                    row = corners[k, corner]
+                    row = stencil[k, corner]
                     value += shares[k, corner] * (
                         w00 * table[row, s0, m0, q]
                         + w01 * table[row, s0, m1, q]
@@ -279,7 +278,7 @@ def add_gathered(r, mu_s, nu, count, axes, table, logarithmic, line, out):
 
 @compiled_loop
 def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
-    """Add the light of the star that a prepared line scatters towards its start.
+    """Add single scattering along a prepared line.
 
     Parameters
     ----------
@@ -290,14 +289,14 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
     phase : array, shape (ns·nl,)
         Phase functions at nu. [sr⁻¹]
     nested : bool
-        Whether each column to the star is integrated by the rule; otherwise it is looked up.
+        Whether columns to the star are integrated by the rule rather than looked up.
     air, line :
         Medium, and line after ``prepare``.
     out : array, shape (nl,)
         Receives the light, per irradiance of the star. [sr⁻¹]
     """
     distance, radius = line.path[0], line.path[1]
-    source, here = line.source, line.columns
+    source, sun_columns = line.source, line.columns
     extinction = air.extinction
     wavelengths = out.size
     for k in range(count):
@@ -306,29 +305,29 @@ def add_once(r, mu_s, nu, count, phase, nested, air, line, out):
         seen = visible_fraction(sun_elevation(q, mu_sk, air.bottom), air.star_radius)
         if seen <= 0.0:
             continue
-        star_columns(q, mu_sk, nested, air, line.edges, line.sun, here)
+        star_columns(q, mu_sk, nested, air, line.edges, line.sun, sun_columns)
         for l in range(wavelengths):
             tau = 0.0
             for c in range(extinction.shape[0]):
-                tau += extinction[c, l] * here[c]
+                tau += extinction[c, l] * sun_columns[c]
             light = seen * exp(-tau)
             for at in range(l, phase.size, wavelengths):
                 out[l] += source[k, at] * phase[at] * light
 
 
 @compiled_loop
-def star_columns(r, mu_s, nested, air, edges, path, here):
+def star_columns(r, mu_s, nested, air, edges, path, out):
     """Columns from a point to the star, or past the horizon if that hides its centre. [m]"""
     mu = max(mu_s, horizon_cosine(r, air.bottom))
     if not nested:
-        columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, here)
+        columns_to_top(r, mu, air.bottom, air.top, air.nodes[0], air.rows, air.ratios, out)
         return
     length = -r * mu + ((air.top - r) * (air.top + r) + r * r * mu * mu) ** 0.5
-    follow(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)
-    for c in range(here.size):
-        here[c] = path[5][c]
+    trace_segment(r, mu, max(length, 0.0), 0.0, 0.0, air, edges, path)
+    for c in range(out.size):
+        out[c] = path[5][c]
 
 
 def axes_shape(axes: Layout, channels: int) -> tuple[int, int, int, int]:
-    """Shape of a table of gathered light."""
-    return axes.radii * axes.views, axes.suns, axes.angles, channels
+    """Shape of a table of gathered radiance."""
+    return axes.radii * axes.views, axes.sun_angles, axes.angles, channels

@@ -1,4 +1,4 @@
-"""Orders of scattering: the passes in turn, until an order adds almost nothing."""
+"""Successive orders of scattering by alternating passes, until convergence."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ from airlight.solvers.direct.settings import Settings
 
 FloatArray = NDArray[np.float64]
 
-#: Texels darker than this fraction of the brightest do not decide when to stop. [1]
+#: Texels below this fraction of the brightest are ignored by the stopping rule. [1]
 _FAINT = 1e-7
-#: Ratio of the last order to the previous one above which a geometric remainder is refused. [1]
+#: Largest ratio of the last two orders for which a geometric tail is accepted. [1]
 _TRUSTED_RATIO = 0.95
 #: Upper limit of that ratio in single texels. [1]
 _LARGEST_RATIO = 0.98
-#: Where no order is larger than this, the ratio is taken as 0. [1]
+#: Smallest order for which the ratio is evaluated; below, it is taken as 0. [1]
 _DARK = 1e-250
 
 
@@ -43,18 +43,18 @@ class Orders:
     ----------
     axes : Layout
         Axes of the tables.
-    total : array, shape (radii·views, suns, angles, ns·nl)
-        Gathered light of all orders together, or its logarithm, by the settings. [sr⁻¹]
-    ground : array, shape (suns, nl)
-        Irradiance of the ground by the sky, all orders together. [1]
+    total : array, shape (radii·views, sun_angles, angles, ns·nl)
+        Gathered radiance of all orders, or its logarithm, by the settings. [sr⁻¹]
+    ground : array, shape (sun_angles, nl)
+        Diffuse irradiance of the ground, of all orders. [1]
     each : list of array
-        G⁽¹⁾, G⁽²⁾ … as ``total``, if they are kept.
+        G⁽¹⁾, G⁽²⁾ … as ``total``, if requested by the settings.
     each_ground : list of array
-        Those whose reflections are A⁽²⁾, A⁽³⁾ …, as ``ground``.
+        Irradiances with the reflections A⁽²⁾, A⁽³⁾ …, as ``ground``.
     count : int
-        Number of orders of radiance: one more than were gathered.
+        Number of orders of radiance: one more than gathered orders.
     residual : array, shape (nl,)
-        Largest share of the last order in the sum, before the tail is added. [1]
+        Largest fraction of the last order in the sum, before the tail is added. [1]
     """
 
     axes: Layout
@@ -73,7 +73,7 @@ def solve_orders(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Orders:
-    """Compute the orders: scatter, light the ground, gather, repeat.
+    """Successive orders: radiance, irradiance of the ground, gather, repeated.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def solve_orders(
     Raises
     ------
     ConvergenceError
-        If a tail is asked for and the orders do not fall.
+        If a tail is requested and the orders do not decrease.
     """
     work = _Passes(medium, settings, progress, cancel)
     incoming = work.first()
@@ -104,7 +104,7 @@ def solve_orders(
             each.append(gathered)
         total = linear if total is None else total + linear
         count += 1
-        from_sky = work.from_sky  # A⁽ᵏ⁾, lit by the previous order
+        from_sky = work.from_sky  # A⁽ᵏ⁾, by irradiance of the previous order
         ground = ground + from_sky
         each_ground.append(from_sky)
         residual = _share(linear, total, medium.wavelengths.size)
@@ -150,13 +150,15 @@ class _Passes:
         self.directions: Directions = directions_for(self.axes, settings)
         self.phase, self.which = phase_nodes(medium, self.air.scatterers)
         self.progress, self.cancel = progress, cancel
-        suns = node_suns(self.axes)
-        line, lit = new_line(self.air), np.empty((suns.size, medium.wavelengths.size))
-        for k, mu_s in enumerate(suns):
+        sun_angles = node_suns(self.axes)
+        line, lit = new_line(self.air), np.empty((sun_angles.size, medium.wavelengths.size))
+        for k, mu_s in enumerate(sun_angles):
             direct_light(self.axes.bottom, mu_s, True, self.air, line, lit[k])
         self.lit_by_star = lit
         nz, na = self.directions.zenith.shape[1], self.directions.azimuth.size
-        self.incoming = np.empty((self.axes.radii, suns.size, medium.wavelengths.size, nz, na))
+        self.incoming = np.empty(
+            (self.axes.radii, sun_angles.size, medium.wavelengths.size, nz, na)
+        )
         self.from_sky = np.zeros_like(lit)
 
     def _all_radii(self, message: str, one: Callable[[int], None]) -> None:
@@ -169,7 +171,7 @@ class _Passes:
         )
 
     def _sky(self, air_light: FloatArray) -> None:
-        """Ambient pass: irradiance of the ground by light scattered by the air last."""
+        """Ambient pass: diffuse irradiance of the ground."""
         self.from_sky = sky_light(
             self.directions.zenith[0], self.directions.weights[0], air_light[0]
         )
@@ -223,7 +225,7 @@ class _Passes:
 
 
 def _share(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
-    """Largest share of a part in its sum, per wavelength, where it is not too dark. [1]"""
+    """Largest fraction of a part in its sum, per wavelength, in texels that are not dark. [1]"""
     part, total = part.reshape(-1, wavelengths), total.reshape(-1, wavelengths)
     bright = total > _FAINT * total.max(axis=0)
     share = np.divide(part, total, out=np.zeros_like(part), where=bright)
@@ -231,7 +233,7 @@ def _share(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
 
 
 def _rest(last: FloatArray, before: FloatArray) -> FloatArray:
-    """Remainder after the last order if every order is the same fraction of the one before."""
+    """Geometric tail after the last order."""
     ratio = np.divide(last, before, out=np.zeros_like(last), where=before > _DARK)
     ratio = np.minimum(ratio, _LARGEST_RATIO)
     return np.asarray(last * ratio / (1.0 - ratio))

@@ -1,4 +1,4 @@
-"""Passes over the table: light scattered once, light gathered before, light on the ground."""
+"""Passes of the direct solver: radiance of the first and of further orders, ground irradiance."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from airlight.geometry.path import ray_length, shadow_edges
 from airlight.geometry.shell import meets_ground
 from airlight.geometry.sun_disc import mean_cosine
 from airlight.kernel import compiled_loop, inlined
-from airlight.optics.reflection import leaving_cosine, sky_factor_at, star_factor_at
+from airlight.optics.reflection import cos_reflected, diffuse_reflectance_at, direct_reflectance_at
 from airlight.solvers.direct.layout import radius_of, sun_cell, sun_of
 from airlight.solvers.direct.line import (
     add_gathered,
@@ -29,7 +29,7 @@ _DARK = 1e-280
 
 @compiled_loop
 def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
-    """Light scattered or reflected once that arrives at one radius: S⁽¹⁾ + D·T.
+    """First-order radiance arriving at one radius: S⁽¹⁾ + D·T.
 
     Parameters
     ----------
@@ -39,19 +39,19 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
         See ``Layout``, ``Directions``, ``LineOptics`` and ``Line``.
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]
-    lit_ground : array, shape (suns, nl)
-        D, the radiance of the ground that the star lights. [sr⁻¹]
-    out : array, shape (suns, nl, nz, na)
-        Receives the light, per irradiance of the star. [sr⁻¹]
+    lit_ground : array, shape (sun_angles, nl)
+        D, the radiance of the ground by direct irradiance. [sr⁻¹]
+    out : array, shape (sun_angles, nl, nz, na)
+        Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
     last = phase.shape[1] - 1
-    here, light = np.empty(which.size), np.empty(out.shape[1])
+    phases, light = np.empty(which.size), np.empty(out.shape[1])
     for z in range(zenith.size):
         mu, sine = cos(zenith[z]), sin(zenith[z])
         length = ray_length(r, mu, axes.bottom, axes.top)
-        for k in range(axes.suns):
+        for k in range(axes.sun_angles):
             mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
             sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
             for a in range(azimuth.size):
@@ -62,16 +62,16 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
                     count = prepare(r, mu, length, dark, dawn, air, line)
                     x = sqrt(max(0.5 - 0.5 * nu, 0.0)) * last
                     node = min(int(x), last - 1)
-                    for q in range(here.size):
+                    for q in range(phases.size):
                         low, high = phase[which[q], node], phase[which[q], node + 1]
-                        here[q] = low + (x - node) * (high - low)
-                    add_once(r, mu_s, nu, count, here, False, air, line, light)
+                        phases[q] = low + (x - node) * (high - low)
+                    add_once(r, mu_s, nu, count, phases, False, air, line, light)
                 else:
-                    line.through[:] = 1.0
+                    line.transmittance[:] = 1.0
                 if meets_ground(r, mu, axes.bottom):
                     add_ground(
                         r, mu, mu_s, nu, length, axes, lit_ground, True, False, air.ground,
-                        line.through, light,
+                        line.transmittance, light,
                     )  # fmt: skip
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
@@ -79,22 +79,22 @@ def first_pass(i, axes, directions, phase, which, air, line, lit_ground, out):
 
 @compiled_loop
 def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by_star, out):
-    """Light of the next order that arrives at one radius: S⁽ᵏ⁾ + A⁽ᵏ⁾·T.
+    """Radiance of the next order arriving at one radius: S⁽ᵏ⁾ + A⁽ᵏ⁾·T.
 
     Parameters
     ----------
     i, axes, directions, air, line :
         Arguments of ``first_pass``.
-    table : array, shape (radii·views, suns, angles, ns·nl)
-        G⁽ᵏ⁻¹⁾, the gathered light, or its logarithm. [sr⁻¹]
+    table : array, shape (radii·views, sun_angles, angles, ns·nl)
+        Gathered radiance G⁽ᵏ⁻¹⁾, or its logarithm. [sr⁻¹]
     logarithmic : bool
         Whether it is the logarithm.
-    lit_ground : array, shape (suns, nl)
-        Irradiance of the ground by the sky, whose reflection is A⁽ᵏ⁾. [1]
+    lit_ground : array, shape (sun_angles, nl)
+        Diffuse irradiance of the ground, with the reflection A⁽ᵏ⁾. [1]
     by_star : bool
-        Whether the light comes from the star instead.
-    out : array, shape (suns, nl, nz, na)
-        Receives the light, per irradiance of the star. [sr⁻¹]
+        Whether it is direct irradiance instead.
+    out : array, shape (sun_angles, nl, nz, na)
+        Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
     zenith, azimuth = directions.zenith[i], directions.azimuth
     r = radius_of(i, axes)
@@ -103,12 +103,12 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
         mu, sine = cos(zenith[z]), sin(zenith[z])
         length = ray_length(r, mu, axes.bottom, axes.top)
         count = 0
-        line.through[:] = 1.0
+        line.transmittance[:] = 1.0
         if length > 0.0:
             count = prepare(r, mu, length, 0.0, 0.0, air, line)
             place_rows(r, mu, count, axes, line)
         to_ground = meets_ground(r, mu, axes.bottom)
-        for k in range(axes.suns):
+        for k in range(axes.sun_angles):
             mu_s = min(max(sun_of(k, axes), -1.0), 1.0)
             sun_sine = sqrt((1.0 - mu_s) * (1.0 + mu_s))
             for a in range(azimuth.size):
@@ -118,7 +118,7 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
                 if to_ground:
                     add_ground(
                         r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic,
-                        air.ground, line.through, light,
+                        air.ground, line.transmittance, light,
                     )  # fmt: skip
                 for l in range(light.size):
                     out[k, l, z, a] = light[l]
@@ -126,43 +126,43 @@ def next_pass(i, axes, directions, table, logarithmic, air, line, lit_ground, by
 
 @compiled_loop
 def add_ground(
-    r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, through, out
+    r, mu, mu_s, nu, length, axes, lit_ground, by_star, logarithmic, ground, transmittance, out
 ):  # fmt: skip
-    """Add the ground's light at the end of a line of sight.
+    """Add the attenuated radiance of the ground at the end of a line of sight.
 
     Parameters
     ----------
     r, mu, mu_s, nu, length : float
         Coordinates of the start, and length. [m], [1], [1], [1], [m]
     axes : Layout
-        Axes of the table, with the suns.
-    lit_ground : array, shape (suns, nl)
+        Axes of the table.
+    lit_ground : array, shape (sun_angles, nl)
         Irradiance of the ground. [1]
     by_star : bool
-        Whether the light comes from the star; otherwise from the sky.
+        Whether it is direct rather than diffuse.
     logarithmic : bool
         Whether to interpolate the logarithm.
     ground : Reflection
-        Reflection by the ground.
-    through : array, shape (nl,)
+        Reflectance of the ground.
+    transmittance : array, shape (nl,)
         Transmittance of the line. [1]
     out : array, shape (nl,)
-        Receives the light, per irradiance of the star. [sr⁻¹]
+        Receives the radiance, per irradiance of the star. [sr⁻¹]
     """
     mu_s_ground = min(max((r * mu_s + length * nu) / axes.bottom, -1.0), 1.0)
     s0, s1, e = sun_cell(mu_s_ground, axes)
-    leaving = leaving_cosine(r, mu, axes.bottom)
+    mu_r = cos_reflected(r, mu, axes.bottom)
     for l in range(out.size):
         low, high = lit_ground[s0, l], lit_ground[s1, l]
         if logarithmic and low > _DARK and high > _DARK:
             value = exp((1.0 - e) * log(low) + e * log(high))
         else:
             value = (1.0 - e) * low + e * high
-        out[l] += through[l] * reflected(ground, l, by_star, mu_s_ground, leaving, nu) * value
+        out[l] += transmittance[l] * reflected(ground, l, by_star, mu_s_ground, mu_r, nu) * value
 
 
 @inlined
-def reflected(ground, l, by_star, mu_s, leaving, nu):
+def reflected(ground, l, by_star, mu_s, mu_r, nu):
     """Radiance of the ground at one wavelength, per irradiance. [sr⁻¹]
 
     Parameters
@@ -171,25 +171,25 @@ def reflected(ground, l, by_star, mu_s, leaving, nu):
     l : int
         Index of the wavelength.
     by_star : bool
-        Whether the star lights it; otherwise the sky.
-    mu_s, leaving, nu : float
-        Cosines of ``star_factor``. [1]
+        Whether irradiance is direct rather than diffuse.
+    mu_s, mu_r, nu : float
+        Cosines of ``direct_reflectance``. [1]
     """
     if by_star:
-        return star_factor_at(ground, l, mu_s, leaving, nu) / pi
-    return sky_factor_at(ground, l, leaving) / pi
+        return direct_reflectance_at(ground, l, mu_s, mu_r, nu) / pi
+    return diffuse_reflectance_at(ground, l, mu_r) / pi
 
 
 @compiled_loop
 def direct_light(r, mu_s, nested, air, line, out):
-    """Irradiance of a level surface by the star itself, relative to the star's.
+    """Direct horizontal irradiance, per irradiance of the star.
 
     Parameters
     ----------
     r, mu_s : float
         Radius, and zenith cosine of the star. [m], [1]
     nested : bool
-        Whether the column is integrated by the rule; otherwise it is looked up.
+        Whether the column is integrated by the rule rather than looked up.
     air, line :
         See ``LineOptics`` and ``Line``.
     out : array, shape (nl,)
@@ -208,7 +208,7 @@ def direct_light(r, mu_s, nested, air, line, out):
 
 
 def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> FloatArray:
-    """Irradiance of level ground by the sky: the ambient pass.
+    """Ambient pass: diffuse horizontal irradiance of the ground.
 
     Parameters
     ----------
@@ -216,12 +216,12 @@ def sky_light(zenith: FloatArray, weights: FloatArray, incoming: FloatArray) -> 
         Zenith angles. [rad]
     weights : array, shape (nz, na)
         Solid angles. [sr]
-    incoming : array, shape (suns, nl, nz, na)
-        Light of one order on the ground. [sr⁻¹]
+    incoming : array, shape (sun_angles, nl, nz, na)
+        Radiance of one order at the ground. [sr⁻¹]
 
     Returns
     -------
-    array, shape (suns, nl)
+    array, shape (sun_angles, nl)
         Irradiance. [1]
     """
     cosine = np.maximum(np.cos(zenith), 0.0)

@@ -1,4 +1,4 @@
-"""Resolution of the direct solver, and the document that it follows."""
+"""Settings of the direct solver: resolution, and variants of the equations."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 from airlight.errors import ParameterError
 from airlight.solvers.quality import settings_by_name
 
-#: Mappings of the table of gathered light.
+#: Mappings of the table of gathered radiance.
 MAPPINGS: Final = ("angle", "bruneton", "linear", "power", "weighted-power")
 #: Printed forms that differ from the corrected equations and can be selected.
 LITERAL: Final = ("", "atmosphere-plus-1", "atmosphere-plus-2")
@@ -21,24 +21,24 @@ class Settings:
     Attributes
     ----------
     mapping : str
-        Mapping of the table of gathered light. ``bruneton`` is the 4-D mapping of (r, mu, mu_s,
-        nu), ``angle`` the same with the view direction and the angle to the sun in even steps of
-        angle; ``linear``, ``power`` and ``weighted-power`` are the 3-D mappings of Atmosphere Plus
-        of (h, φ, δ), which omit azimuth.
-    radii, views, suns, scatter_angles : int
+        Mapping of the table of gathered radiance. ``bruneton``: the 4-D mapping of (r, mu, mu_s,
+        nu); ``angle``: the same with even steps in the angles of view and of sun to view;
+        ``linear``, ``power`` and ``weighted-power``: the 3-D mappings of Atmosphere Plus of
+        (h, φ, δ), which omit azimuth.
+    radii, views, sun_angles, scatter_angles : int
         Shape of the table; the last is 1 for the 3-D mappings.
     power : float
         Exponent of the power and weighted power mappings. [1]
     azimuth : float
-        Azimuth at which a 3-D table holds the gathered light. [deg]
+        Azimuth of a 3-D table. [deg]
     zenith_steps, azimuth_steps : int
         Steps of the gather over the sphere: in Θ (on each side of the horizon if graded, otherwise
         over all of it), and in Φ over the whole turn.
     steps : int
-        Steps of the trapezoid on each stretch of a line of sight, between lowest point, corners of
-        the profiles, edges of the shadow and ends if graded, otherwise over all of it.
+        Steps of the trapezoid on a line of sight; if graded, on each segment between ends, tangent
+        point, breakpoints of the profiles and shadow edges.
     pass_steps : int
-        Steps for the lines of the passes that fill the table.
+        Steps on the lines of the passes.
     graded : bool
         Whether trapezoids are graded and split at the horizon and the tangent point; otherwise they
         have equal steps, as printed.
@@ -49,7 +49,7 @@ class Settings:
     tolerance : float
         Relative change by an order below which the iteration stops. [1]
     tail : bool
-        Whether the omitted orders are added as a geometric series.
+        Whether further orders are added as a geometric series.
     keep_orders : bool
         Whether each order can be requested separately.
     literal : str
@@ -60,7 +60,7 @@ class Settings:
     mapping: str = "angle"
     radii: int = 24
     views: int = 32
-    suns: int = 40
+    sun_angles: int = 40
     scatter_angles: int = 12
     power: float = 2.0
     azimuth: float = 0.0
@@ -84,7 +84,7 @@ class Settings:
         for name, low, high in (
             ("radii", 2, 256),
             ("views", 4, 512),
-            ("suns", 4, 512),
+            ("sun_angles", 4, 512),
             ("scatter_angles", 1 if self.flat else 2, 1 if self.flat else 256),
             ("zenith_steps", 3, 200),
             ("azimuth_steps", 4, 400),
@@ -111,32 +111,32 @@ class Settings:
         return self.mapping not in ("angle", "bruneton")
 
     def as_text(self) -> str:
-        """Return all settings on one line, for reports and fingerprints."""
+        """Settings on one line, for reports and fingerprints."""
         return " ".join(f"{name}={value}" for name, value in asdict(self).items() if value != "")
 
 
 QUALITIES: Final = {
     "preview": Settings(
-        radii=16, views=20, suns=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20, steps=12,
-        pass_steps=8, tolerance=2e-2,
+        radii=16, views=20, sun_angles=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20,
+        steps=12, pass_steps=8, tolerance=2e-2,
     ),
     "default": Settings(),
     "fine": Settings(
-        radii=26, views=36, suns=72, scatter_angles=16, zenith_steps=20, azimuth_steps=44,
+        radii=26, views=36, sun_angles=72, scatter_angles=16, zenith_steps=20, azimuth_steps=44,
         steps=28, pass_steps=14, keep_orders=False,
     ),
 }  # fmt: skip
 
 #: Tables of the Atmosphere Plus notes: 32 heights, 64 view and 32 sun directions, 30 steps.
 ATMOSPHERE_PLUS: Final = Settings(
-    mapping="weighted-power", radii=32, views=64, suns=32, scatter_angles=1, zenith_steps=12,
+    mapping="weighted-power", radii=32, views=64, sun_angles=32, scatter_angles=1, zenith_steps=12,
     azimuth_steps=24, steps=30, pass_steps=30, graded=False, logarithmic=False, orders=6,
     tail=False,
 )  # fmt: skip
 
 
 def settings_for(quality: str | Settings) -> Settings:
-    """Settings of a named quality level, or the given settings.
+    """Settings of a named quality level; settings are returned unchanged.
 
     Raises
     ------

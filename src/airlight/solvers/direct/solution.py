@@ -1,4 +1,4 @@
-"""Result of the direct solver: lines of sight through the tables of gathered light."""
+"""Solution of the direct solver: ray marches through the tables of gathered radiance."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.kernel import compiled_loop, disk
 from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.optics.density_profile import DensitySegments
-from airlight.optics.reflection import leaving_cosine
+from airlight.optics.reflection import cos_reflected
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import layout_for
 from airlight.solvers.direct.line import (
@@ -33,17 +33,17 @@ from airlight.solvers.direct.orders import Orders, solve_orders
 from airlight.solvers.direct.passes import add_ground, direct_light, reflected
 from airlight.solvers.direct.settings import Settings
 from airlight.solvers.direct.trapezoid import sphere
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import without_refraction
-from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
 
 FloatArray = NDArray[np.float64]
 
 #: Lines of sight per block of work.
 _BLOCK = 64
-#: Steps in zenith and azimuth for the irradiance of the sky.
+#: Steps in zenith angle and azimuth for diffuse irradiance.
 _SKY_STEPS = (12, 28)
-#: Note of a report where the air polarises light.
+#: Note of a report on neglected polarisation.
 SCALAR = "scalar transfer: without polarisation, which changes radiances by some percent"
 
 
@@ -57,11 +57,11 @@ class DirectSolution(Solution):
     settings : Settings
         Settings of the solver.
     parts : list of (Medium, Orders)
-        Medium and its orders; for the literal first notes one pair per constituent that scatters.
+        Medium and its orders; for the literal first notes one pair per scattering constituent.
     seconds : float
         Wall time. [s]
     note : str
-        What is left out of the planet; see ``Report``.
+        Neglected properties of the planet; see ``Report``.
     """
 
     def __init__(
@@ -89,11 +89,11 @@ class DirectSolution(Solution):
             note=note,
         )
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; each order up to ``highest_order``, or all together."""
-        out = np.zeros((sight.r.size, self.wavelengths.size))
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
+        """See ``Solution``; orders up to ``highest_order``, or all."""
+        out = np.zeros((lines.r.size, self.wavelengths.size))
         for (medium, orders), air in zip(self.parts, self._airs, strict=True):
-            out += _radiance(medium, orders, air, self.settings, sight, order)
+            out += _radiance(medium, orders, air, self.settings, lines, order)
         return out
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
@@ -119,10 +119,10 @@ class DirectSolution(Solution):
                 (self.medium.top_radius - r[k]) * (self.medium.top_radius + r[k]) + (r[k] * mu) ** 2
             )
             nu = np.clip(mu * mu_s[k] + sine * around, -1.0, 1.0)
-            sight = Sight(
+            lines = LinesOfSight(
                 same * r[k], mu, same * mu_s[k], nu, length, np.zeros(mu.size, dtype=bool)
             )
-            out[k] = (weights.ravel() * mu) @ self.relative_radiance(sight)
+            out[k] = (weights.ravel() * mu) @ self.relative_radiance(lines)
         return out
 
 
@@ -131,10 +131,10 @@ def _radiance(
     orders: Orders,
     air: LineOptics,
     settings: Settings,
-    sight: Sight,
+    lines: LinesOfSight,
     order: int | None,
 ) -> FloatArray:
-    n, wavelengths = sight.r.size, medium.wavelengths.size
+    n, wavelengths = lines.r.size, medium.wavelengths.size
     out = np.zeros((n, wavelengths))
     once = order is None or order == 1
     table, ground = orders.total, orders.ground
@@ -147,14 +147,14 @@ def _radiance(
 
     def block(index: int) -> None:
         rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
-        phase = medium.phase_function(sight.nu[rows])[:, scatterers]
+        phase = medium.phase_function(lines.nu[rows])[:, scatterers]
         _lines(
-            sight.r[rows],
-            sight.mu[rows],
-            sight.mu_s[rows],
-            sight.nu[rows],
-            sight.length[rows],
-            sight.to_ground[rows],
+            lines.r[rows],
+            lines.mu[rows],
+            lines.mu_s[rows],
+            lines.nu[rows],
+            lines.length[rows],
+            lines.to_ground[rows],
             np.ascontiguousarray(phase.reshape(phase.shape[0], -1)),
             once,
             gathered,
@@ -178,7 +178,7 @@ def _lines(
 ):  # fmt: skip
     received = np.empty(out.shape[1])
     for k in range(r.size):
-        line.through[:] = 1.0
+        line.transmittance[:] = 1.0
         if length[k] > 0.0:
             dark, dawn = shadow_edges(r[k], mu[k], mu_s[k], nu[k], air.bottom)
             count = prepare(r[k], mu[k], length[k], dark, dawn, air, line)
@@ -191,16 +191,16 @@ def _lines(
             if gathered:
                 add_ground(
                     r[k], mu[k], mu_s[k], nu[k], length[k], axes, ground, False, logarithmic,
-                    air.ground, line.through, out[k],
+                    air.ground, line.transmittance, out[k],
                 )  # fmt: skip
             if once:
                 mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / air.bottom
                 mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
                 direct_light(air.bottom, mu_s_ground, True, air, line, received)
-                leaving = leaving_cosine(r[k], mu[k], air.bottom)
+                mu_r = cos_reflected(r[k], mu[k], air.bottom)
                 for l in range(received.size):
-                    factor = reflected(air.ground, l, True, mu_s_ground, leaving, nu[k])
-                    out[k, l] += line.through[l] * factor * received[l]
+                    factor = reflected(air.ground, l, True, mu_s_ground, mu_r, nu[k])
+                    out[k, l] += line.transmittance[l] * factor * received[l]
 
 
 def solve(
@@ -211,7 +211,7 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> DirectSolution:
-    """Solve a medium by the notes' equations, or read its solution from the cache.
+    """Solution of a medium by the equations of the notes, computed or from the cache.
 
     Parameters
     ----------
@@ -220,17 +220,17 @@ def solve(
     settings : Settings
         Settings of the solver.
     cache : bool
-        Whether to read the solution from disk, and to keep it there.
+        Whether to read the solution from the cache on disk, and to write it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Raises
     ------
     ConvergenceError
-        If the orders do not fall.
+        If the orders do not decrease.
     """
     medium, note = without_refraction(medium)
-    if medium.polarising(np.zeros(())).any():  # at right angles to the star
+    if medium.phase_f12(np.zeros(())).any():  # at right angles to the star
         note = f"{note}; {SCALAR}" if note else SCALAR
     started = perf_counter()
     media = [medium]
@@ -271,7 +271,7 @@ def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
 def _from_arrays(
     medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]] | None
 ) -> Orders | None:
-    """Orders from a cache file, or None if it holds something else."""
+    """Orders from the arrays of a cache file; None if they do not fit."""
     if arrays is None:
         return None
     axes = layout_for(medium, settings)
@@ -289,7 +289,7 @@ def _from_arrays(
         )
     except (KeyError, TypeError, ValueError):
         return None
-    lit = (axes.suns, medium.wavelengths.size)
+    lit = (axes.sun_angles, medium.wavelengths.size)
     sound = (
         orders.total.shape == shape
         and orders.ground.shape == lit
@@ -303,14 +303,14 @@ def _from_arrays(
 
 def alone(medium: Medium, index: int) -> Medium:
     """Medium with only one constituent over black ground, as in the first notes."""
-    here = slice(index, index + 1)
+    only = slice(index, index + 1)
     return replace(
         medium,
-        names=medium.names[here],
-        scattering=medium.scattering[here],
-        absorption=medium.absorption[here],
-        density=DensitySegments(medium.density.edges[here], medium.density.coefficients[here]),
-        phase_table=medium.phase_table[here],
+        names=medium.names[only],
+        scattering=medium.scattering[only],
+        absorption=medium.absorption[only],
+        density=DensitySegments(medium.density.edges[only], medium.density.coefficients[only]),
+        phase_table=medium.phase_table[only],
         ground_albedo=np.zeros_like(medium.ground_albedo),
-        constituents=medium.constituents[here],
+        constituents=medium.constituents[only],
     )

@@ -1,9 +1,8 @@
 r"""Trapezoid rules on a line, on a rectangle and on the sphere, uniform and graded.
 
-The uniform rules are those of the Atmosphere Plus notes. The graded rule is the same rule after
-the substitution x = t - sin(2πt)/2π (Sidi 1993), whose slope vanishes at both ends and thereby
-removes the error of the trapezoid at the ends of a stretch: 16 steps integrate exp(-5x) to 1e-6
-instead of 8e-3.
+The uniform rules are those of the Atmosphere Plus notes. The graded rule is the same after the
+substitution x = t - sin(2πt)/2π (Sidi 1993), whose slope vanishes at both ends, which removes the
+end-point error of the trapezoid: 16 steps integrate exp(-5x) to 1e-6 instead of 8e-3.
 """
 
 from __future__ import annotations
@@ -60,8 +59,8 @@ def weights_2d(steps: int, steps_2: int) -> FloatArray:
     References
     ----------
     Atmosphere Plus notes 2, section 4.2, where they are given as 1, 2 and 4 quarters. They are the
-    products of the weights of two nested rules: the notes' warning that nesting is less accurate
-    (notes 1, section 1.8) does not hold.
+    products of the weights of two nested rules, so that nesting is equally accurate (unlike notes
+    1, section 1.8).
 
     Examples
     --------
@@ -154,21 +153,21 @@ def sphere(
 
     .. math:: \int_{4\pi} f\, d\omega = \int_0^{2\pi} \int_0^\pi f \sin\Theta\, d\Theta\, d\Phi
 
-    The rule in Φ has ``azimuth_steps`` steps over the whole turn; of two directions that mirror
-    each other in the plane Φ = 0 only one is kept, with the weight of both. If graded, Φ = t - 0.7
-    sin t with equal steps in t: three times finer towards the sun, where haze is bright, and as
-    exact for smooth functions, since the whole turn has no ends.
+    The rule in Φ has ``azimuth_steps`` steps over the whole turn; directions mirrored in the plane
+    Φ = 0 are represented by one, with the weight of both. If graded, Φ = t - 0.7 sin t with equal
+    steps in t: three times finer towards the sun, where haze is bright, and as accurate for smooth
+    functions, which are periodic.
 
     Parameters
     ----------
     zenith_steps : int
-        Number of steps in Θ on each stretch.
+        Number of steps in Θ on each interval.
     azimuth_steps : int
         Number of steps in Φ over 2π, even.
     cuts : tuple of float
-        Ends of the stretches of Θ, ascending, such as (0, horizon, π). [rad]
+        Ends of the intervals of Θ, ascending, such as (0, horizon, π). [rad]
     grade : bool
-        Whether each stretch and the turn have their graded rules; otherwise uniform ones.
+        Whether the rules are graded rather than uniform.
 
     Returns
     -------
@@ -177,7 +176,7 @@ def sphere(
     azimuth : array, shape (azimuth_steps / 2 + 1,)
         Azimuths Φ from 0 to π. [rad]
     weights : array, shape (nz, azimuth_steps / 2 + 1)
-        Solid angles; the sum is 4π for cuts from 0 to π, within the rule's accuracy. [sr]
+        Solid angles; the sum is 4π for cuts from 0 to π, within the accuracy of the rule. [sr]
 
     References
     ----------

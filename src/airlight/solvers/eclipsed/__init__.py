@@ -1,1 +1,1 @@
-"""Light of a planet's air in the shadow of a moon: a field of its own around the umbra."""
+"""Radiance of an atmosphere in the shadow of a moon: a separate field around the umbra."""

@@ -1,10 +1,10 @@
-"""Iteration for the field around a moon's shadow, order by order.
+"""Successive orders of the scattering correction around a moon's shadow.
 
-Every node of the grid gathers the light of a sphere of directions, dense at its horizon, where the
-light comes from while the sky above is dark. The first sweep gathers local light less the same with
-the node's own part of the star's: the source of the deviation. Each further sweep gathers the light
-of the last one, the next order; the orders after the last are summed as a geometric series. Where
-nothing is in shadow the source is 0, whatever the grid.
+Every node of the grid integrates radiance over the sphere, with dense directions at the horizon,
+where light comes from while the sky above is dark. The source of the correction is single
+scattering with the local visible fraction of the star, less the same with the fraction at the node.
+Each sweep yields the next order; the orders after the last are summed as a geometric series.
+Outside the shadow the source vanishes, independent of the grid.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class ShadowGrid(NamedTuple):
     points : tuple of int
         Points of a panel in a sweep, as in ``quadratures``.
     tolerance : float
-        Largest part of the light of a node that the last sweep adds. [1]
+        Largest relative contribution of the last sweep at a node. [1]
     """
 
     radii: int
@@ -79,18 +79,17 @@ class ShadowGrid(NamedTuple):
     tolerance: float
 
 
-#: Resolutions by the radii of the solution's own grid: preview, default, fine.
+#: Resolutions by the number of radii of the solution: preview, default, fine.
 GRIDS: Final = {
     14: ShadowGrid(8, 13, 8, 4, 6, 4, 8, (8, 8, 10), 5e-2),
     24: ShadowGrid(13, 21, 12, 7, 9, 5, 12, (8, 10, 14), 2e-2),
     40: ShadowGrid(19, 29, 16, 10, 14, 8, 16, (12, 16, 20), 1e-2),
 }
-#: Distance of the grid's end behind the umbra, in distances to the horizon of the air's scale.
+#: Extent of the grid beyond the umbra, in horizon distances of the scale height.
 _REACH: Final = 3.0
-#: Part of the grid's coordinate behind which the field is let fade to 0.
+#: Fraction of the grid's coordinate beyond which the field is tapered to 0.
 _FADE: Final = 0.8
-#: Largest ratio of an order to the one before by which further ones are summed, and largest number
-#: of sweeps.
+#: Largest ratio of successive orders in the geometric series, and largest number of sweeps.
 _LARGEST_RATIO: Final = 0.8
 _MOST_SWEEPS: Final = 60
 #: Nodes of the stored field between those of the iteration, in distance and in angle.
@@ -106,16 +105,16 @@ def eclipsed_field(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> ShadowTables:
-    """Find the light around a moon's shadow.
+    """Field of the scattering correction around a moon's shadow.
 
     Parameters
     ----------
     solution : MomentsSolution
         Unshadowed solution, lit by the same star.
     star : OccultedStar
-        Star and moon, in the shadow's frame (``shadow_axes``), points by optical radius.
+        Star and moon, in the shadow's frame (``shadow_axes``), with optical radii.
     cache : bool
-        Whether the field is looked for on disk first, and stored there.
+        Whether to read the field from the cache on disk, and to write it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -154,14 +153,14 @@ def _key(solution: MomentsSolution, star: OccultedStar) -> str:
 
 
 def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
-    """Tables of the right size around the shadow, without deviations."""
-    light, grid = solution.light, _grid(solution)
+    """Tables around the shadow, of the final shape, without correction."""
+    tables, grid = solution.tables, _grid(solution)
     degree = min(grid.degree, solution.moments.degree)
     terms = harmonics(degree)
     apart = np.array([star.x, star.y, star.z])
     distance = float(np.linalg.norm(apart))
     umbra = abs(star.radius - distance * np.sin(star.star_radius))
-    reach = umbra + _REACH * sqrt(2.0 * light.bottom * _scale_height(solution))
+    reach = umbra + _REACH * sqrt(2.0 * tables.bottom * _scale_height(solution))
     middle, width = grid_spacing(umbra, reach)
     nodes = grid.radii * grid.distances * (grid.turns + 1)
     return ShadowTables(
@@ -194,8 +193,8 @@ def _axis_offset(star: OccultedStar) -> float:
 
 
 def _scale_height(solution: MomentsSolution) -> float:
-    """Mean altitude of what scatters, by the vertical scattering optical depth. [m]"""
-    medium = solution.paths.medium
+    """Mean altitude of scattering, weighted by vertical scattering optical depth. [m]"""
+    medium = solution.geometry.medium
     altitude = np.linspace(0.0, medium.thickness, 2000)
     weight = medium.scattering.max(axis=1) @ medium.density.at(altitude)
     return float(np.trapezoid(weight * altitude, altitude) / np.trapezoid(weight, altitude))
@@ -204,9 +203,9 @@ def _scale_height(solution: MomentsSolution) -> float:
 def _iterate(
     solution: MomentsSolution, empty: ShadowTables, progress: Progress | None, cancel: Cancel | None
 ) -> dict[str, NDArray[Any]]:
-    """Sweep until the field does not change: arrays by node, wavelengths last."""
+    """Sum of the orders until convergence: arrays by node, wavelengths last."""
     grid = _grid(solution)
-    light = solution.light._replace(rules=quadratures(grid.points), panels=1)
+    tables = solution.tables._replace(rules=quadratures(grid.points), panels=1)
     half, lanes = grid.turns // 2 + 1, empty.star.lanes
     terms = (empty.degree + 1) ** 2
     signs = _mirror_signs(empty.degree)
@@ -221,8 +220,8 @@ def _iterate(
             if column == grid.distances - 1:
                 return
             _gather(
-                row, column, 1 if column == 0 else half, kind, light, shadow,
-                new_workspace(light), new_shadow_workspace(shadow), directions,
+                row, column, 1 if column == 0 else half, kind, tables, shadow,
+                new_workspace(tables), new_shadow_workspace(shadow), directions,
                 field[row, column], sky[column],
             )  # fmt: skip
 
@@ -242,7 +241,7 @@ def _iterate(
     source, sky_source = sweep(empty, LOCAL_SHADOW, 1)
     used = solution.wavelengths.size
     field, sky, last, last_sky = source, sky_source, source, sky_source
-    part = _local_part(empty, light)
+    part = _local_part(empty, tables)
     mean = 1.0 / sqrt(4.0 * pi)
     for order in range(2, _MOST_SWEEPS + 2):
         shadow = empty._replace(field=last.reshape(-1), sky=last_sky.reshape(-1))
@@ -254,7 +253,7 @@ def _iterate(
             tail, sky_tail = _tail(more[..., 0, :], last[..., 0, :]), _tail(more_sky, last_sky)
             return {"field": field + more * tail[..., None, :], "sky": sky + more_sky * sky_tail}
         last, last_sky = more, more_sky
-    raise ConvergenceError(f"light in the shadow still changes after {_MOST_SWEEPS} sweeps")
+    raise ConvergenceError(f"light in the shadow has not converged after {_MOST_SWEEPS} sweeps")
 
 
 def _tail(last: Float32Array, before: Float32Array) -> Float32Array:
@@ -270,38 +269,38 @@ def _fade(distances: int) -> Float32Array:
 
 
 def _mirror_signs(degree: int) -> Float32Array:
-    """Signs by which harmonics change on the other side of the plane of axis and centre."""
+    """Parity of the harmonics under reflection at the plane of axis and centre."""
     return np.array(
         [-1.0 if m < 0 else 1.0 for l in range(degree + 1) for m in range(-l, l + 1)], np.float32
     )
 
 
 def _directions(grid: ShadowGrid) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
-    """Nodes and weights on either side of the horizon, in [0, 1], and number of azimuths."""
+    """Quadrature on either side of the horizon, in [0, 1], and number of azimuths."""
     up, down = gauss_legendre(grid.up), gauss_legendre(grid.down)
     return up.nodes, up.weights, down.nodes, down.weights, grid.azimuths
 
 
-def _local_part(shadow: ShadowTables, light: MarchTables) -> Float32Array:
-    """Part of the star's light at every node, shape (radii, distances, angles, w). [1]"""
+def _local_part(shadow: ShadowTables, tables: MarchTables) -> Float32Array:
+    """Visible fraction of the star at every node, shape (radii, distances, angles, w). [1]"""
     out = np.empty((shadow.radii, shadow.distances, shadow.angles, shadow.star.lanes), np.float32)
-    _fill_local(light.bottom, light.top, shadow, new_shadow_workspace(shadow), out)
+    _fill_local(tables.bottom, tables.top, shadow, new_shadow_workspace(shadow), out)
     return out
 
 
 @compiled_loop
-def _fill_local(bottom, top, shadow, spare, out):
+def _fill_local(bottom, top, shadow, scratch, out):
     for row in range(out.shape[0]):
         for column in range(out.shape[1]):
             for angle in range(out.shape[2]):
                 x, y, z = node_point(row, column, angle, bottom, top, shadow)
-                seen_star_part(x, y, z, shadow, spare)
-                out[row, column, angle] = spare.seen
+                seen_star_part(x, y, z, shadow, scratch)
+                out[row, column, angle] = scratch.seen
 
 
 @compiled_loop
-def _gather(row, column, count, kind, light, shadow, work, spare, directions, field, sky):
-    """Gather the light of all directions at the nodes of a distance, into field and sky.
+def _gather(row, column, count, kind, tables, shadow, work, scratch, directions, field, sky):
+    """Moments and diffuse irradiance of the next order at the nodes of a distance.
 
     Parameters
     ----------
@@ -309,47 +308,47 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
         Indices of altitude and distance, and number of position angles.
     kind : int
         ``LOCAL_SHADOW`` or ``SCATTERING_CORRECTION``.
-    light, shadow, work, spare :
+    tables, shadow, work, scratch :
         Arguments of ``march_eclipsed``.
     directions : tuple of arrays
         Result of ``_directions``.
     field : array, shape (angles, K, w)
-        Receives the deviation d.
+        Receives the correction d.
     sky : array, shape (angles, w)
-        Receives that of the sky's irradiance, at the lowest nodes.
+        Receives the correction of diffuse irradiance, at the lowest nodes.
     """
-    light, shadow, work, spare = without_refcount((light, shadow, work, spare))
-    lanes, star = light.lanes, shadow.star
+    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
+    lanes, star = tables.lanes, shadow.star
     up_nodes, up_weights, down_nodes, down_weights, azimuths = directions
     result = np.empty(2 * lanes, np.float32)
     scale = np.empty(lanes, np.float32)
     terms = (shadow.degree + 1) * (shadow.degree + 1)
     for angle in range(count):
-        x, y, z = node_point(row, column, angle, light.bottom, light.top, shadow)
-        q = min(max(sqrt(x * x + y * y + z * z), light.bottom), light.top)
+        x, y, z = node_point(row, column, angle, tables.bottom, tables.top, shadow)
+        q = min(max(sqrt(x * x + y * y + z * z), tables.bottom), tables.top)
         for at in range(lanes):
-            spare.offset[at] = 0.0
-        seen_star_part(x, y, z, shadow, spare)
+            scratch.offset[at] = 0.0
+        seen_star_part(x, y, z, shadow, scratch)
         for at in range(lanes):
-            spare.offset[at] = spare.seen[at]
+            scratch.offset[at] = scratch.seen[at]
         a, b, c = x / q, y / q, z / q
         mu_s = min(max(a * star.star_x + b * star.star_y + c * star.star_z, -1.0), 1.0)
         # Horizontal directions: any, if the quadrature is even in azimuth.
         flat = sqrt(a * a + c * c)
         d, e, f = (c / flat, 0.0, -a / flat) if flat > 1e-3 else (1.0, 0.0, 0.0)
         g, h, i = b * f - c * e, c * d - a * f, a * e - b * d
-        near, block, first, second = field_place(q, 1.0, mu_s, mu_s, light, work)
+        near, block, first, second = field_place(q, 1.0, mu_s, mu_s, tables, work)
         p, s = np.float32(first), np.float32(second)
         p0, s0 = np.float32(1.0) - p, np.float32(1.0) - s
-        far = near + light.suns * block
+        far = near + tables.sun_angles * block
         for at in range(0, lanes, LANES):
-            low = between(light.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
-            here = lanes + at
+            low = between(tables.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
+            element = lanes + at
             mean = between(
-                light.field, near + here, far + here, block, p0 * s0, p0 * s, p * s0, p * s
+                tables.field, near + element, far + element, block, p0 * s0, p0 * s, p * s0, p * s
             )
             store(scale, at, mean / low * work.functions[0])
-        horizon = horizon_cosine(q, light.bottom)
+        horizon = horizon_cosine(q, tables.bottom)
         for side in range(2):
             nodes, weights = (up_nodes, up_weights) if side == 0 else (down_nodes, down_weights)
             for k in range(nodes.size):
@@ -358,9 +357,9 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
                 mu = horizon + span * t * t
                 solid = abs(span) * 2.0 * t * weights[k] * 2.0 * pi / azimuths
                 sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
-                length = distance_to_top(q, mu, light.top)
+                length = distance_to_top(q, mu, tables.top)
                 if side == 1:
-                    length = distance_to_bottom(q, mu, light.bottom)
+                    length = distance_to_bottom(q, mu, tables.bottom)
                 if length <= 0.0 and side == 0:
                     continue
                 for turn in range(azimuths):
@@ -370,19 +369,23 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
                     nu = u * star.star_x + v * star.star_y + w * star.star_z
                     half = sqrt(max(0.5 * (1.0 - nu), 0.0))
                     read_phase(
-                        half, light.phase, light.phase_nodes, lanes * light.constituents, work.phase
+                        half,
+                        tables.phase,
+                        tables.phase_nodes,
+                        lanes * tables.constituents,
+                        work.phase,
                     )
                     line_eclipsed(
-                        x, y, z, u, v, w, half, length, side == 1, kind, work.phase, light, shadow,
-                        work, spare, result,
+                        x, y, z, u, v, w, half, length, side == 1, kind, work.phase, tables, shadow,
+                        work, scratch, result,
                     )  # fmt: skip
-                    direction_functions(u, v, w, shadow, spare)
+                    direction_functions(u, v, w, shadow, scratch)
                     for at in range(0, lanes, LANES):
                         value = load(result, at) * np.float32(solid)
                         for index in range(terms):
                             store(
                                 field[angle, index], at,
-                                load(field[angle, index], at) + value * spare.functions[index],
+                                load(field[angle, index], at) + value * scratch.functions[index],
                             )  # fmt: skip
                         if row == 0 and side == 0:
                             store(sky[angle], at, load(sky[angle], at) + value * np.float32(mu))
@@ -391,14 +394,14 @@ def _gather(row, column, count, kind, light, shadow, work, spare, directions, fi
                 over = scale[at]
                 field[angle, index, at] = field[angle, index, at] / over if over > 0.0 else 0.0
         if row == 0:
-            ground_light(mu_s, 2, light, work)
+            ground_light(mu_s, 2, tables, work)
             for at in range(lanes):
-                over = work.received[lanes + at]
+                over = work.irradiance[lanes + at]
                 sky[angle, at] = sky[angle, at] / over if over > 0.0 else 0.0
 
 
 def _refined(shadow: ShadowTables, field: Float32Array, sky: Float32Array) -> ShadowTables:
-    """Tables with nodes between those of the iteration, by smooth curves through these."""
+    """Tables with nodes interpolated between those of the iteration."""
     distances = (shadow.distances - 1) * _FINER + 1
     angles = (shadow.angles - 1) * _FINER_ANGLES + 1
     shape = (shadow.distances, shadow.angles, -1)
@@ -412,8 +415,8 @@ def _refined(shadow: ShadowTables, field: Float32Array, sky: Float32Array) -> Sh
 def _finer(values: Float32Array, distances: int, angles: int) -> Float32Array:
     """Values on a finer grid, shape (rows, distances, angles, n).
 
-    In distance by cubic splines through the axis, on whose other side the position angle is half a
-    turn farther; in angle by the trigonometric polynomial.
+    In distance by cubic splines across the axis, with the position angle shifted by half a turn on
+    the other side; in angle by trigonometric interpolation.
     """
     from scipy.interpolate import CubicSpline
 

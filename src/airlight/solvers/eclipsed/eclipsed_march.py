@@ -1,9 +1,9 @@
-"""Radiance along a line of sight through a moon's shadow on the air.
+"""Ray march through a moon's shadow on the atmosphere.
 
-The march is that of ``moments.march`` with three differences: every point has its place in space,
-at which the star's light is that part which the moon leaves; light scattered before is that of the
-unshadowed solution times the same part, and the deviation of ``ShadowTables``; and panels end where
-the line meets the umbra. Nothing is symmetric about the star's vertical plane.
+The march is that of ``moments.march`` with three differences: direct irradiance at a point is
+multiplied by the visible fraction of the star there; multiple scattering is that of the unshadowed
+solution times the same fraction, plus the correction of ``ShadowTables``; and panels end at the
+umbra. There is no symmetry about the star's vertical plane.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import bend_angle
 from airlight.geometry.occulted_star import apparent_discs, seen_lanes, table_place
 from airlight.geometry.path import insert_edge
+from airlight.geometry.refraction import refraction_angle
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, splat, store
-from airlight.optics.reflection import sky_factor, star_factor
+from airlight.optics.reflection import diffuse_reflectance, direct_reflectance
 from airlight.solvers.eclipsed.shadow_tables import (
     deviation,
     direction_functions,
@@ -36,8 +36,7 @@ from airlight.solvers.moments.source import (
     transmittance_columns,
 )
 
-#: Light that a march computes: single scattering in the local shadow, the correction of multiple
-#: scattering, or both.
+#: Component of the radiance: with the local shadow, correction of multiple scattering, or both.
 LOCAL_SHADOW: Final = 0
 SCATTERING_CORRECTION: Final = 1
 TOTAL: Final = 2
@@ -52,7 +51,8 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
     Parameters
     ----------
     x, y, u, v : float
-        Components across the axis of the line's start, optical [m], and direction [1].
+        Components normal to the axis: of the start, in the optical radius [m], and of the direction
+        [1].
     length : float
         Length of the line. [m]
     shadow : ShadowTables
@@ -83,14 +83,14 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
 
 
 @inlined
-def seen_star_part(x, y, z, shadow, spare):
-    """Part of the star's light at a point, less the offset, into ``spare.seen``. [1]
+def seen_star_part(x, y, z, shadow, scratch):
+    """Visible fraction of the star at a point, less the offset, to ``scratch.seen``. [1]
 
     Parameters
     ----------
     x, y, z : float
         Point in the frame of the shadow, optical. [m]
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
     """
     separation, size = apparent_discs(x, y, z, shadow.star)
     near, e, f = table_place(separation, size, shadow.star)
@@ -100,23 +100,23 @@ def seen_star_part(x, y, z, shadow, spare):
             part = splat(0.0)
         elif near >= 0:
             part = seen_lanes(near, e, f, shadow.star, at)
-        store(spare.seen, at, part - load(spare.offset, at))
+        store(scratch.seen, at, part - load(scratch.offset, at))
 
 
 @inlined
 def turned_point(x, y, z, u, v, w, q, mu, angle):
-    """Point of a bent line, from that of the straight one. [m]
+    """Point of a refracted line, from that of the straight one. [m]
 
     Parameters
     ----------
     x, y, z : float
-        Point as drawn. [m]
+        Point of the straight line. [m]
     u, v, w : float
-        Direction of the line as drawn. [1]
+        Direction of the straight line. [1]
     q, mu : float
         Radius of the point [m], and cosine of the line's zenith angle there [1].
     angle : float
-        Angle by which the line has been bent. [rad]
+        Refraction angle up to the point. [rad]
     """
     sine = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     if angle == 0.0 or sine < 1e-9:
@@ -128,14 +128,14 @@ def turned_point(x, y, z, u, v, w, q, mu, angle):
 
 @compiled_loop
 def march_eclipsed(
-    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result
+    x, y, z, u, v, w, half_sine, length, kind, phase, tables, shadow, work, scratch, result
 ):  # fmt: skip
-    """Light of a stretch of air towards its start, per irradiance of the unshadowed star.
+    """Path radiance and transmittance of a segment, per irradiance of the unshadowed star.
 
     Parameters
     ----------
     x, y, z : float
-        Start in the frame of the shadow, by optical radius. [m]
+        Start in the frame of the shadow, in the optical radius. [m]
     u, v, w : float
         Direction. [1]
     half_sine : float
@@ -143,71 +143,73 @@ def march_eclipsed(
     length : float
         Length, to the ground or to the top. [m]
     kind : int
-        ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. Of the first, ``spare.offset`` is
-        subtracted from the star's light.
+        ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. For the first, ``scratch.offset``
+        is subtracted from the visible fraction of the star.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
-    light, work : MarchTables, MarchWorkspace
+    tables, work : MarchTables, MarchWorkspace
         Tables of the unshadowed solution; workspace, whose totals receive the columns of the
-        stretch [m].
-    shadow, spare : ShadowTables, ShadowWorkspace
+        segment [m].
+    shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
     result : array, shape (2·w,)
-        Receives the air's radiance [sr⁻¹] and its transmittance [1].
+        Receives path radiance [sr⁻¹] and transmittance [1].
     """
     r = sqrt(x * x + y * y + z * z)
     star = shadow.star
     mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
     mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / r, -1.0), 1.0)
     nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
-    count, rule, _ = place_panels(r, mu, mu_s, nu, length, light, work)
+    count, rule, _ = place_panels(r, mu, mu_s, nu, length, tables, work)
     count = split_at_umbra(x, y, u, v, length, shadow, work.edges, count)
-    n = int(light.rules[rule])
+    n = int(tables.rules[rule])
     if kind != LOCAL_SHADOW:
-        direction_functions(u, v, w, shadow, spare)
-    for c in range(light.constituents):
+        direction_functions(u, v, w, shadow, scratch)
+    for c in range(tables.constituents):
         work.columns_so_far[c] = 0.0
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         store(result, at, splat(0.0))
-    reset_peaks(light, work)
+    reset_peaks(tables, work)
     for panel in range(count - 1):
-        place_panel(r, mu, panel, count, rule, light, work)
-        panel_columns(rule, light, work)
+        place_panel(r, mu, panel, count, rule, tables, work)
+        panel_columns(rule, tables, work)
         for k in range(n):
             _add_point(
-                x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, spare,
+                x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, tables, shadow, work, scratch,
                 result,
             )  # fmt: skip
-    for c in range(light.constituents):
+    for c in range(tables.constituents):
         work.columns_total[c] = work.columns_so_far[c]
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         transmittance = transmittance_columns(
-            work.columns_total, light.scaled_extinction, light.constituents, light.lanes, at
+            work.columns_total, tables.scaled_extinction, tables.constituents, tables.lanes, at
         )
-        store(result, light.lanes + at, transmittance)
-        if light.widened and kind != SCATTERING_CORRECTION:
-            more = peak_gain(half_sine, light, work, at)
+        store(result, tables.lanes + at, transmittance)
+        if tables.broadened and kind != SCATTERING_CORRECTION:
+            more = peak_gain(half_sine, tables, work, at)
             store(result, at, load(result, at) + more * load(work.peaks, at))
 
 
 @inlined
 def _add_point(
-    x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, light, shadow, work, spare, result
+    x, y, z, u, v, w, r, mu, mu_s, nu, k, n, kind, phase, tables, shadow, work, scratch, result
 ):  # fmt: skip
-    """Add the light of one point of a panel; arguments as in ``march_eclipsed``."""
-    q = min(max(work.radius[k], light.bottom), light.top)
+    """Add the source of one point of a panel; arguments as in ``march_eclipsed``."""
+    q = min(max(work.radius[k], tables.bottom), tables.top)
     t = work.distance[k]
     star = shadow.star
     mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
-    for c in range(light.constituents):
+    for c in range(tables.constituents):
         work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.columns[(light.constituents - 1) * n + k])
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
+        )
     px, py, pz = turned_point(x + t * u, y + t * v, z + t * w, u, v, w, q, mu_q, angle)
     mu_sq = min(max((px * star.star_x + py * star.star_y + pz * star.star_z) / q, -1.0), 1.0)
-    # The line is turned with its point: the cosine to the star, as ``bending.turned`` has it.
+    # The line is rotated with its point: cosine to the star as in ``refraction.turned``.
     nu_q = nu
     if angle != 0.0:
         sine = sqrt(max((1.0 - mu_q) * (1.0 + mu_q), 1e-18))
@@ -215,46 +217,53 @@ def _add_point(
         across = (nu - mu_q * straight) / sine
         nu_q = mu_q * mu_sq + sine * (cos(angle) * across - sin(angle) * straight)
     inside = kind != LOCAL_SHADOW and place_in_shadow(
-        px, py, pz, q, light.bottom, light.top, shadow, spare
+        px, py, pz, q, tables.bottom, tables.top, shadow, scratch
     )
     seen, spread = 0.0, False
     if kind != SCATTERING_CORRECTION:
-        seen_star_part(px, py, pz, shadow, spare)
-        seen, spread = star_columns(q, mu_sq, light, work)
+        seen_star_part(px, py, pz, shadow, scratch)
+        seen, spread = star_columns(q, mu_sq, tables, work)
     if kind == SCATTERING_CORRECTION and not inside:
         return
-    near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, light, work)
+    near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
     f, e = np.float32(f), np.float32(e)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    far = near + light.suns * block
-    for at in range(0, light.lanes, LANES):
+    far = near + tables.sun_angles * block
+    for at in range(0, tables.lanes, LANES):
         transmittance = transmittance_columns(
-            work.depths, light.scaled_extinction, light.constituents, light.lanes, at
+            work.depths, tables.scaled_extinction, tables.constituents, tables.lanes, at
         ) * np.float32(work.weight[k])
         source = splat(0.0)
         total = load(result, at)
         if kind != SCATTERING_CORRECTION:
-            part = load(spare.seen, at)
-            source = multiple_scattering_at(near, block, f, e, light, work, at) * part
+            part = load(scratch.seen, at)
+            source = multiple_scattering_at(near, block, f, e, tables, work, at) * part
             if seen > 0.0:
                 arriving = direct_beam(
                     seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
-                    light.scaled_extinction, light.constituents, light.lanes, at,
+                    tables.scaled_extinction, tables.constituents, tables.lanes, at,
                 )  # fmt: skip
                 arriving = transmittance * arriving
                 total = total + part * arriving * single_scattering_source(
-                    work.point_density, light.scattering, phase, light.constituents, light.lanes, at
+                    work.point_density,
+                    tables.scattering,
+                    phase,
+                    tables.constituents,
+                    tables.lanes,
+                    at,
                 )
-                if light.widened:
-                    add_peaks(arriving, part, spread, phase, light, work, at)
+                if tables.broadened:
+                    add_peaks(arriving, part, spread, phase, tables, work, at)
         if inside:
-            here = light.lanes + at
-            scale = between(light.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
-            mean = between(light.field, near + here, far + here, block, g * h, g * e, f * h, f * e)
+            element = tables.lanes + at
+            scale = between(tables.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
+            mean = between(
+                tables.field, near + element, far + element, block, g * h, g * e, f * h, f * e
+            )
             mean = maximum(mean / scale * work.functions[0], splat(0.0))
             source = source + mean * deviation(
-                work.point_density, light.moments, light.constituents, light.degree + 1, shadow,
-                spare, light.lanes, at,
+                work.point_density, tables.moments, tables.constituents, tables.degree + 1, shadow,
+                scratch, tables.lanes, at,
             )  # fmt: skip
             if kind == TOTAL:
                 source = maximum(source, splat(0.0))
@@ -262,92 +271,96 @@ def _add_point(
 
 
 @compiled_loop
-def eclipsed_ground_light(x, y, z, kind, light, shadow, work, spare):
-    """Irradiance of level ground per irradiance of the unshadowed star, in ``work.received``. [1]
+def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
+    """Horizontal irradiance of the ground per that of the unshadowed star, to ``work.irradiance``.
 
     Parameters
     ----------
     x, y, z : float
         Point of the ground in the frame of the shadow, optical. [m]
-    kind, light, shadow, work, spare :
-        Arguments of ``march_eclipsed``; the workspace receives the irradiances by the star and by
-        the sky.
+    kind, tables, shadow, work, scratch :
+        Arguments of ``march_eclipsed``; the workspace receives direct and diffuse irradiance [1].
     """
     star = shadow.star
     q = sqrt(x * x + y * y + z * z)
     mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / q, -1.0), 1.0)
-    ground_light(mu_s, 2, light, work)
-    seen_star_part(x, y, z, shadow, spare)
+    ground_light(mu_s, 2, tables, work)
+    seen_star_part(x, y, z, shadow, scratch)
     inside = kind != LOCAL_SHADOW and place_in_shadow(
-        x, y, z, light.bottom, light.bottom, light.top, shadow, spare
+        x, y, z, tables.bottom, tables.bottom, tables.top, shadow, scratch
     )
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         part = splat(0.0)
         if kind != SCATTERING_CORRECTION:
-            part = load(spare.seen, at)
-        store(work.received, at, load(work.received, at) * part)
+            part = load(scratch.seen, at)
+        store(work.irradiance, at, load(work.irradiance, at) * part)
         if inside:
-            part = part + sky_deviation(shadow, spare, light.lanes, at)
+            part = part + sky_deviation(shadow, scratch, tables.lanes, at)
             if kind == TOTAL:
                 part = maximum(part, splat(0.0))
-        sky = load(work.received, light.lanes + at) * part
-        store(work.received, light.lanes + at, sky)
+        sky = load(work.irradiance, tables.lanes + at) * part
+        store(work.irradiance, tables.lanes + at, sky)
 
 
 @inlined
-def end_on_ground(x, y, z, u, v, w, length, light, work):
-    """Point of the ground at the end of a line, and cosine of the zenith angle of the way back.
+def end_on_ground(x, y, z, u, v, w, length, tables, work):
+    """Point of the ground at the end of a line, and cosine of the zenith angle of reflection.
 
     Parameters
     ----------
-    x, y, z, u, v, w, length, light, work :
+    x, y, z, u, v, w, length, tables, work :
         Arguments of ``march_eclipsed``, after it: ``work.columns_total`` has those of the line.
 
     Returns
     -------
     px, py, pz : float
         Point in the frame of the shadow, optical. [m]
-    leaving : float
+    mu_r : float
         Cosine. [1]
     """
     r = sqrt(x * x + y * y + z * z)
     mu = min(max((x * u + y * v + z * w) / r, -1.0), 1.0)
-    slant = min(max((r * mu + length) / light.bottom, -1.0), 1.0)
+    slant = min(max((r * mu + length) / tables.bottom, -1.0), 1.0)
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.columns_total[light.constituents - 1])
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns_total[tables.constituents - 1]
+        )
     px, py, pz = turned_point(
-        x + length * u, y + length * v, z + length * w, u, v, w, light.bottom, slant, angle
+        x + length * u, y + length * v, z + length * w, u, v, w, tables.bottom, slant, angle
     )
     return px, py, pz, max(-slant, 0.0)
 
 
 @inlined
 def line_eclipsed(
-    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, light, shadow, work, spare, result
+    x, y, z, u, v, w, half_sine, length, to_ground, kind, phase, tables, shadow, work, scratch,
+    result,
 ):  # fmt: skip
-    """Radiance of a whole line of sight, the ground at its end included.
+    """Radiance of a whole line of sight, including the ground.
 
     Parameters
     ----------
-    x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result :
+    x, y, z, u, v, w, half_sine, length, kind, phase, tables, shadow, work, scratch, result :
         Arguments of ``march_eclipsed``.
     to_ground : bool
         Whether the line ends on the ground.
     """
     march_eclipsed(
-        x, y, z, u, v, w, half_sine, length, kind, phase, light, shadow, work, spare, result
+        x, y, z, u, v, w, half_sine, length, kind, phase, tables, shadow, work, scratch, result
     )
     if to_ground:
-        px, py, pz, leaving = end_on_ground(x, y, z, u, v, w, length, light, work)
-        eclipsed_ground_light(px, py, pz, kind, light, shadow, work, spare)
+        px, py, pz, mu_r = end_on_ground(x, y, z, u, v, w, length, tables, work)
+        eclipsed_ground_light(px, py, pz, kind, tables, shadow, work, scratch)
         star = shadow.star
-        mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / light.bottom
+        mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / tables.bottom
         nu = u * star.star_x + v * star.star_y + w * star.star_z
-        for at in range(0, light.lanes, LANES):
-            direct = load(work.received, at) * star_factor(
-                light.ground, at, max(mu_s, 0.0), leaving, nu
+        for at in range(0, tables.lanes, LANES):
+            direct = load(work.irradiance, at) * direct_reflectance(
+                tables.ground, at, max(mu_s, 0.0), mu_r, nu
             )
-            sky = load(work.received, light.lanes + at) * sky_factor(light.ground, at, leaving)
-            behind = load(result, light.lanes + at) * (direct + sky) * INVERSE_PI
+            sky = load(work.irradiance, tables.lanes + at) * diffuse_reflectance(
+                tables.ground, at, mu_r
+            )
+            behind = load(result, tables.lanes + at) * (direct + sky) * INVERSE_PI
             store(result, at, load(result, at) + behind)

@@ -1,19 +1,19 @@
-r"""Field of the scattered light around a moon's shadow, and the frame in which it is stored.
+r"""Field of the scattering correction around a moon's shadow, and its frame.
 
-The frame has its origin in the planet's centre, its third axis along the shadow's towards the star,
-and its first towards the axis. A point of the air is placed by its altitude, its distance ρ from
-the axis and its position angle about it: what varies with the shadow keeps its place at every
-altitude, however the shadow slants.
+The frame has its origin in the planet's centre, its third axis along the shadow's axis towards the
+star, and its first towards the axis. Coordinates of a point are its altitude, its distance ρ from
+the axis and its position angle about it, so that the shadow has the same coordinates at every
+altitude, however oblique.
 
-Stored is what the shadow's edge adds to local shadowing. Light scattered before, relative to that
-of the unshadowed solution, would be the visible fraction F of the star where all light came from
-near by; the field holds the rest,
+The field is the correction to local shadowing. If scattering were local, the multiple-scattering
+radiance would be that of the unshadowed solution times the visible fraction F of the star; the
+field d holds the difference,
 
 .. math:: L(x, \omega) = F(x) L_0(x, \omega) + B_0(x) \sum_{lm} d_{lm}(x) Y_{lm}(\omega)
 
-B_0 the mean radiance of the unshadowed air. Far from the umbra, where F is nearly linear over the
-free path of light, d vanishes; without an occluder it is 0 everywhere. Y are real harmonics in the
-frame, so that the expansion of a line of sight is the same along all of it.
+with B_0 the mean radiance of the unshadowed atmosphere. Far from the umbra, where F is nearly
+linear over the mean free path, d vanishes; without an occluder it is 0 everywhere. Y are real
+harmonics in the fixed frame, so that their values are constant along a line of sight.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from airlight.solvers.moments.harmonics import legendre_functions
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Range of the width of the grid's dense middle, over the distance of its end.
+#: Range of the width of the dense middle of the grid, over the distance of its end.
 _MIDDLE: Final = (0.02, 0.3)
 
 
@@ -42,11 +42,11 @@ class ShadowTables(NamedTuple):
     Attributes
     ----------
     star : OccultedStar
-        Star and moon; points are given by optical radius.
+        Star and moon, with optical radii.
     axis : float
         Distance of the shadow's axis from the planet's centre. [m]
     umbra : float
-        Distance from the axis at which the discs touch inside. [m]
+        Radius of the umbra, where the discs are internally tangent. [m]
     middle, width : float
         Distance from the axis up to which the grid is dense [m], and its coordinate at the end.
     degree : int
@@ -54,12 +54,12 @@ class ShadowTables(NamedTuple):
     start, ahead, back : array
         Fields of ``Harmonics``.
     radii, distances, angles : int
-        Numbers of altitudes, of distances from the axis, and of position angles, the last of which
-        is the first again.
+        Numbers of altitudes, of distances from the axis, and of position angles, of which the last
+        repeats the first.
     field : array, shape (radii·distances·angles·K·w,)
-        Deviation d from local shadowing. [sr^½]
+        Correction d to local shadowing. [sr^½]
     sky : array, shape (distances·angles·w,)
-        The same of the irradiance of level ground by the sky, over the unshadowed one. [1]
+        Correction of the diffuse irradiance of the ground, over the unshadowed one. [1]
     """
 
     star: OccultedStar
@@ -92,9 +92,9 @@ class ShadowWorkspace(NamedTuple):
     nodes : array of int, shape (8,)
         Indices of the nodes.
     seen : array, shape (w,)
-        Part of the star's light at a point. [1]
+        Visible fraction of the star at a point, less ``offset``. [1]
     offset : array, shape (w,)
-        What is taken from it. [1]
+        Subtracted fraction. [1]
     """
 
     legendre: FloatArray
@@ -106,7 +106,7 @@ class ShadowWorkspace(NamedTuple):
 
 
 def new_shadow_workspace(shadow: ShadowTables) -> ShadowWorkspace:
-    """Workspace of one thread; nothing is taken from the star's light."""
+    """Workspace of one thread, with the offset 0."""
     lanes = shadow.star.lanes
     return ShadowWorkspace(
         legendre=np.empty(shadow.ahead.size),
@@ -119,7 +119,7 @@ def new_shadow_workspace(shadow: ShadowTables) -> ShadowWorkspace:
 
 
 def shadow_axes(star: OccultedStar) -> FloatArray:
-    """Axes of the frame of a shadow, as rows, shape (3, 3). [1]
+    """Axes of a shadow's frame, as rows, shape (3, 3). [1]
 
     Parameters
     ----------
@@ -148,17 +148,19 @@ def grid_distances(middle: float, width: float, count: int) -> FloatArray:
 
 
 @inlined
-def direction_functions(u, v, w, shadow, spare):
+def direction_functions(u, v, w, shadow, scratch):
     """Real harmonics of a direction, (l, m) at l(l + 1) + m, sines at negative m.
 
     Parameters
     ----------
     u, v, w : float
         Direction in the frame of the shadow. [1]
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         The workspace receives the functions.
     """
-    legendre_functions(w, (shadow.degree, shadow.start, shadow.ahead, shadow.back), spare.legendre)
+    legendre_functions(
+        w, (shadow.degree, shadow.start, shadow.ahead, shadow.back), scratch.legendre
+    )
     level = sqrt(u * u + v * v)
     cosine, sine = 1.0, 0.0
     if level > 1e-12:
@@ -166,24 +168,24 @@ def direction_functions(u, v, w, shadow, spare):
     even, odd = 1.0, 0.0
     for m in range(shadow.degree + 1):
         for l in range(m, shadow.degree + 1):
-            value = spare.legendre[l * (l + 1) // 2 + m]
-            spare.functions[l * (l + 1) + m] = value * even
+            value = scratch.legendre[l * (l + 1) // 2 + m]
+            scratch.functions[l * (l + 1) + m] = value * even
             if m > 0:
-                spare.functions[l * (l + 1) - m] = value * odd
+                scratch.functions[l * (l + 1) - m] = value * odd
         even, odd = even * cosine - odd * sine, odd * cosine + even * sine
 
 
 @inlined
-def place_in_shadow(x, y, z, q, bottom, top, shadow, spare):
-    """Find the nodes around a point, and their weights.
+def place_in_shadow(x, y, z, q, bottom, top, shadow, scratch):
+    """Nodes around a point, and their weights.
 
     Parameters
     ----------
     x, y, z, q : float
         Point in the frame of the shadow, and its radius, both optical. [m]
     bottom, top : float
-        Optical radii of the ground and of the shell's top. [m]
-    shadow, spare : ShadowTables, ShadowWorkspace
+        Optical radii of the ground and of the top of the shell. [m]
+    shadow, scratch : ShadowTables, ShadowWorkspace
         The workspace receives nodes, of altitude, distance and angle, and parts.
 
     Returns
@@ -208,14 +210,16 @@ def place_in_shadow(x, y, z, q, bottom, top, shadow, spare):
     for k in range(8):
         up, out, on = k // 4, (k // 2) % 2, k % 2
         part = (f if up else 1.0 - f) * (g if out else 1.0 - g) * (h if on else 1.0 - h)
-        spare.parts[k] = part
-        spare.nodes[k] = ((row + up) * shadow.distances + column + out) * shadow.angles + angle + on
+        scratch.parts[k] = part
+        scratch.nodes[k] = (
+            ((row + up) * shadow.distances + column + out) * shadow.angles + angle + on
+        )
     return True
 
 
 @inlined
-def deviation(density, moments, constituents, width, shadow, spare, lanes, at):
-    """Deviation of light scattered before, scattered into a line, over the mean radiance. [m⁻¹]
+def deviation(density, moments, constituents, width, shadow, scratch, lanes, at):
+    """Correction of the multiple-scattering source along a line, over the mean radiance. [m⁻¹]
 
     Parameters
     ----------
@@ -225,7 +229,7 @@ def deviation(density, moments, constituents, width, shadow, spare, lanes, at):
         Scattering coefficient times Legendre moment. [m⁻¹]
     constituents, width : int
         Number of constituents, and of Legendre moments of each.
-    shadow, spare : ShadowTables, ShadowWorkspace
+    shadow, scratch : ShadowTables, ShadowWorkspace
         Field, and workspace after ``place_in_shadow`` and ``direction_functions``.
     lanes, at : int
         Number of lanes, and index of the first.
@@ -240,34 +244,34 @@ def deviation(density, moments, constituents, width, shadow, spare, lanes, at):
         for index in range(l * l, (l + 1) * (l + 1)):
             value = splat(0.0)
             for k in range(8):
-                value = value + spare.parts[k] * load(
-                    shadow.field, lanes * (spare.nodes[k] * terms + index) + at
+                value = value + scratch.parts[k] * load(
+                    shadow.field, lanes * (scratch.nodes[k] * terms + index) + at
                 )
-            part = part + spare.functions[index] * value
+            part = part + scratch.functions[index] * value
         total = total + strength * part
     return total
 
 
 @inlined
-def sky_deviation(shadow, spare, lanes, at):
-    """Deviation of the sky's irradiance of the ground, over the unshadowed one. [1]
+def sky_deviation(shadow, scratch, lanes, at):
+    """Correction of the diffuse irradiance of the ground, over the unshadowed one. [1]
 
     Parameters
     ----------
-    shadow, spare, lanes, at :
+    shadow, scratch, lanes, at :
         Arguments of ``deviation``, the point on the ground.
     """
     value = splat(0.0)
     for k in range(8):
-        node = spare.nodes[k]
+        node = scratch.nodes[k]
         if node < shadow.distances * shadow.angles:
-            value = value + spare.parts[k] * load(shadow.sky, lanes * node + at)
+            value = value + scratch.parts[k] * load(shadow.sky, lanes * node + at)
     return value
 
 
 @inlined
 def node_point(row, column, angle, bottom, top, shadow):
-    """Point of a node, in the frame of the shadow: on the side of the star, or on the limb. [m]
+    """Point of a node, in the frame of the shadow: on the sunward side, or on the limb. [m]
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Solution of a planet's air in the shadow of a moon: answers for points and directions."""
+"""Solution of an atmosphere in the shadow of a moon, for points and directions in space."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from airlight.solvers.eclipsed.shadow_tables import (
     new_shadow_workspace,
     shadow_axes,
 )
+from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.moments.march_tables import new_workspace
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import enter_shell
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -31,16 +31,16 @@ _BLOCK: Final = 256
 
 
 class EclipsedSolution:
-    """Light of a planet's air and ground while a moon hides a part of the star.
+    """Radiance of a planet while a moon occults part of the star.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Solution of the planet without the moon, lit by the star.
+        Unshadowed solution of the planet.
     star : OccultedStar
         Star and moon, in any frame around the planet's centre.
     cache : bool
-        Whether the field is looked for on disk first, and stored there.
+        Whether to read the field from the cache on disk, and to write it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -68,7 +68,7 @@ class EclipsedSolution:
     ) -> None:
         self.solution = solution
         self.axes = shadow_axes(star)
-        drawn = solution.paths.medium.bottom_radius
+        drawn = solution.geometry.medium.bottom_radius
         scale = solution.medium.bottom_radius / drawn
         self._star = star.moved(self.axes, scale)
         self.shadow: ShadowTables = eclipsed_field(
@@ -85,7 +85,7 @@ class EclipsedSolution:
         directions : array, shape (n, 3)
             Unit vectors. [1]
         """
-        solution, paths = self.solution, self.solution.paths
+        solution, geometry = self.solution, self.solution.geometry
         at = np.atleast_2d(np.asarray(points, float)) @ self.axes.T
         along = np.atleast_2d(np.asarray(directions, float)) @ self.axes.T
         at, along = (np.ascontiguousarray(one) for one in np.broadcast_arrays(at, along))
@@ -94,14 +94,14 @@ class EclipsedSolution:
         towards = np.array([self._star.star_x, self._star.star_y, self._star.star_z])
         mu = np.clip(np.einsum("nk,nk->n", up, along), -1.0, 1.0)
         sine = np.linalg.norm(np.cross(up, along), axis=-1)
-        sight = enter_shell(
+        lines = enter_shell(
             r, mu, sine, np.clip(up @ towards, -1.0, 1.0), np.clip(along @ towards, -1.0, 1.0),
             solution.medium.bottom_radius, solution.medium.top_radius,
         )  # fmt: skip
-        drawn = paths.sight(sight)
-        seen = paths.apparent_nu(drawn)
+        drawn = geometry.optical_lines(lines)
+        seen = geometry.apparent_nu(drawn)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))
-        phase = pack(paths.medium.phase_function(seen)).reshape(r.size, -1)
+        phase = pack(geometry.medium.phase_function(seen)).reshape(r.size, -1)
         way = np.where(r > solution.medium.top_radius, _way(r, mu, sine, solution), 0.0)
         start = at + way[:, None] * along
         start *= (drawn.r / np.linalg.norm(start, axis=-1))[:, None]
@@ -110,11 +110,11 @@ class EclipsedSolution:
 
         def run(index: int) -> None:
             rows = slice(index * _BLOCK, (index + 1) * _BLOCK)
-            result = np.zeros((drawn.r[rows].size, solution.light.lanes), np.float32)
+            result = np.zeros((drawn.r[rows].size, solution.tables.lanes), np.float32)
             _lines(
                 start[rows], along[rows], half_sine[rows], drawn.length[rows],
-                drawn.to_ground[rows], phase[rows], solution.light, self.shadow,
-                new_workspace(solution.light), new_shadow_workspace(self.shadow), result,
+                drawn.to_ground[rows], phase[rows], solution.tables, self.shadow,
+                new_workspace(solution.tables), new_shadow_workspace(self.shadow), result,
             )  # fmt: skip
             out[rows] = result[:, :count]
 
@@ -122,12 +122,12 @@ class EclipsedSolution:
         return out
 
     def relative_ground_irradiance(self, points: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Irradiance of level ground by star and sky, per irradiance of the unshadowed star.
+        """Direct and diffuse irradiance of the ground, per that of the unshadowed star.
 
         Parameters
         ----------
         points : array, shape (n, 3)
-            Directions, or points, from the planet's centre; those of the ground below are taken.
+            Directions, or points, from the planet's centre, projected onto the ground.
 
         Returns
         -------
@@ -135,11 +135,11 @@ class EclipsedSolution:
             Irradiances. [1]
         """
         at = np.atleast_2d(np.asarray(points, float)) @ self.axes.T
-        light = self.solution.light
-        at *= (light.bottom / np.linalg.norm(at, axis=-1))[:, None]
-        out = np.empty((len(at), 2, light.lanes), np.float32)
+        tables = self.solution.tables
+        at *= (tables.bottom / np.linalg.norm(at, axis=-1))[:, None]
+        out = np.empty((len(at), 2, tables.lanes), np.float32)
         _ground(
-            at, light, self.shadow, new_workspace(light), new_shadow_workspace(self.shadow), out
+            at, tables, self.shadow, new_workspace(tables), new_shadow_workspace(self.shadow), out
         )
         found = out[:, :, : self.solution.wavelengths.size].astype(float)
         return found[:, 0], found[:, 1]
@@ -152,25 +152,25 @@ def _way(r: FloatArray, mu: FloatArray, sine: FloatArray, solution: MomentsSolut
 
 
 @compiled_loop
-def _lines(start, along, half_sine, length, to_ground, phase, light, shadow, work, spare, out):
-    light, shadow, work, spare = without_refcount((light, shadow, work, spare))
-    result = np.empty(2 * light.lanes, np.float32)
+def _lines(start, along, half_sine, length, to_ground, phase, tables, shadow, work, scratch, out):
+    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
+    result = np.empty(2 * tables.lanes, np.float32)
     for k in range(length.size):
         if length[k] <= 0.0 and not to_ground[k]:
             continue
         line_eclipsed(
             start[k, 0], start[k, 1], start[k, 2], along[k, 0], along[k, 1], along[k, 2],
-            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], light, shadow, work, spare,
+            half_sine[k], length[k], to_ground[k], TOTAL, phase[k], tables, shadow, work, scratch,
             result,
         )  # fmt: skip
-        out[k] = result[: light.lanes]
+        out[k] = result[: tables.lanes]
 
 
 @compiled_loop
-def _ground(at, light, shadow, work, spare, out):
-    light, shadow, work, spare = without_refcount((light, shadow, work, spare))
+def _ground(at, tables, shadow, work, scratch, out):
+    tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
     for k in range(at.shape[0]):
-        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, light, shadow, work, spare)
-        for at_lane in range(light.lanes):
-            out[k, 0, at_lane] = work.received[at_lane]
-            out[k, 1, at_lane] = work.received[light.lanes + at_lane]
+        eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, tables, shadow, work, scratch)
+        for at_lane in range(tables.lanes):
+            out[k, 0, at_lane] = work.irradiance[at_lane]
+            out[k, 1, at_lane] = work.irradiance[tables.lanes + at_lane]

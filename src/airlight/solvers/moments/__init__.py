@@ -1,1 +1,1 @@
-"""Successive orders of scattering, kept as spherical-harmonic moments of the radiance."""
+"""Successive orders of scattering by spherical-harmonic moments of the radiance."""

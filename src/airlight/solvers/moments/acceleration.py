@@ -1,8 +1,8 @@
-"""Anderson's acceleration of a fixed-point iteration.
+"""Anderson acceleration of a fixed-point iteration.
 
-For X ← G(X) the next guess is the combination of the last few G(X_i) whose residuals
-G(X_i) - X_i combine to the smallest residual. Clear air needs little help (the change falls to a
-third each order); in thick air, where it falls by a few per cent, this makes the iteration end.
+For X ← G(X) the next guess is the linear combination of recent iterates G(X_i) whose residuals
+G(X_i) - X_i combine to the smallest norm. An optically thin atmosphere converges by a factor of
+three per order without it; an optically thick one, by a few per cent, would not converge.
 Source: D. G. Anderson (1965), J. ACM 12, 547; type II of Walker & Ni (2011), SIAM J. Numer. Anal.
 49, 1715.
 """
@@ -18,15 +18,15 @@ from airlight.kernel import compiled_loop
 
 FloatArray = NDArray[np.float64]
 
-#: Small relative increase of the diagonal: the changes become parallel near the end.
+#: Relative regularisation of the diagonal: the changes become parallel near convergence.
 RIDGE: Final = 1.0 + 1e-10
-#: Weights that are larger than this, or not finite, mean that the equations are singular.
+#: Larger weights, or weights that are not finite, indicate singular equations.
 _LARGEST: Final = 1e30
 
 
 @compiled_loop
 def combine(products, steps, weights):
-    """Find the smallest combination of ``steps`` residuals, with weights that add up to 1.
+    """Anderson weights: minimal norm of the combined residual, sum of weights 1.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def combine(products, steps, weights):
 
 
 def mixing_weights(residuals: FloatArray) -> FloatArray:
-    """Weights of the smallest combination of residuals; they add up to 1.
+    """Anderson weights: minimal norm of the combined residual, sum of weights 1.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
-"""Adaptive quadrature of rays through thick air: few points in panels that contribute little.
+"""Adaptive quadrature of rays through optically thick media: few points in faint panels.
 
-Panels of a ray through thick air end where the air has layers, wherever the ray's light comes from.
-A panel that contributes a hundredth of the radiance needs a hundred times less precision than the
-brightest: it gets fewer Gauss-Legendre points, to which its integrand is interpolated.
+Panels of a ray end at layer boundaries, wherever its radiance originates. A panel that contributes
+a hundredth of the radiance needs a hundredth of the relative precision: it gets fewer
+Gauss-Legendre points, to which its integrand is interpolated.
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ from airlight.solvers.moments.rays import Rays
 
 FloatArray = NDArray[np.float64]
 
-#: Least fraction of the ray's light that a panel contributes, and the panel's number of points.
+#: Smallest fraction of the ray's radiance from a panel, and the panel's number of points.
 POINTS: Final = ((0.3, 8), (0.03, 5), (1e-3, 3), (0.0, 2))
 
 
 def adaptive_quadrature(rays: Rays, air: ScaledOptics, nodes: int) -> Rays:
-    """Rays with fewer points in panels that contribute little.
+    """Rays with fewer points in faint panels.
 
     Parameters
     ----------
     rays : Rays
         Rays with ``nodes`` Gauss-Legendre points in each panel.
     air : ScaledOptics
-        Optics of eight wavelengths: the one that needs most points decides.
+        Optics of eight wavelengths; the most demanding one decides.
     nodes : int
-        Present, and largest, number of points in a panel.
+        Number of points of a panel, as given and at most.
     """
     extinction = air.extinction.astype(float).reshape(-1, LANES)
     constituents = extinction.shape[0]
@@ -79,7 +79,7 @@ def adaptive_quadrature(rays: Rays, air: ScaledOptics, nodes: int) -> Rays:
 
 
 def _between(nodes: FloatArray, weights: FloatArray, wanted: FloatArray) -> FloatArray:
-    """Matrix of polynomial interpolation from a rule's nodes to others, shape (m, n). [1]"""
+    """Matrix of polynomial interpolation from n nodes to m others, shape (m, n). [1]"""
     degrees = np.arange(nodes.size)
     analysis = (2 * degrees[:, None] + 1) * weights
     analysis = analysis * legvander(2.0 * nodes - 1.0, nodes.size - 1).T

@@ -1,7 +1,8 @@
-"""Convergence of the iteration: weights of acceleration, remaining error, next guess.
+"""Convergence of the iteration: acceleration weights, remaining error, Anderson step.
 
-These functions take the light at all radii and suns, some wavelengths at a time. Formulas of one
-node or one wavelength are kernels, so that a page runs the same; when to stop is in ``stopping``.
+These functions take the field at all radii and sun angles, for one batch of wavelengths. Formulas
+of a single node or wavelength are kernels, which the browser shares; ``stopping`` has the stopping
+rule.
 """
 
 from __future__ import annotations
@@ -19,12 +20,12 @@ Float32Array = NDArray[np.float32]
 #: Moments (r, s, k, 8) and irradiances (r, s, 8).
 Light = tuple[Float32Array, Float32Array]
 
-#: Mean radiance below this part of its largest value is dark: it does not affect the iteration.
+#: Mean radiance below this fraction of its maximum is dark, and ignored by the iteration.
 DARK: Final = 1e-6
-#: In thick air the tolerance is relative for mean radiances above this part of the largest one,
-#: and absolute below.
+#: In optically thick media the tolerance is relative above this fraction of the largest mean
+#: radiance, and absolute below.
 DIM: Final = 5e-2
-#: Accelerated light counts only above this fraction of the swept light.
+#: The accelerated iterate is used only above this fraction of the swept one.
 LEAST: Final = 0.1
 #: Limits of the estimated ratio of successive changes. [1]
 SHRINKAGE: Final = 0.3
@@ -36,12 +37,12 @@ BACK: Final = 2
 def acceleration_weights(mean: Float32Array, lateral_threshold: FloatArray) -> Float32Array:
     """Weights of synthetic acceleration, shape (r, s, 8). [1]
 
-    They are small in the night of thick air, where lateral transport dominates.
+    Small on the night side of optically thick media, where lateral transport dominates.
     """
     most = np.maximum(mean.max(axis=(0, 1)), 1e-30).astype(float)
-    here, column = mean / most, mean.max(axis=0) / most
+    relative, column = mean / most, mean.max(axis=0) / most
     return np.asarray(
-        acceleration_weight(np.maximum(here * column, 0.0), lateral_threshold), np.float32
+        acceleration_weight(np.maximum(relative * column, 0.0), lateral_threshold), np.float32
     )
 
 
@@ -51,8 +52,8 @@ def acceleration_weight(bright, lateral_threshold):
     Parameters
     ----------
     bright : float or array
-        Mean radiance at the node times the largest at any radius under the same sun, both over the
-        largest at any node. [1]
+        Mean radiance at the node times the largest at any radius for the same sun angle, both over
+        the largest at any node. [1]
     lateral_threshold : float or array
         Fraction of the largest mean radiance below which lateral transport dominates. [1]
     """
@@ -61,21 +62,21 @@ def acceleration_weight(bright, lateral_threshold):
 
 @kernel
 def count_at(mean, brightest, thick):
-    """Weight of a relative change at a node: smaller in the night of thick air. [1]
+    """Weight of a relative change at a node: small on the night side of thick media. [1]
 
     Parameters
     ----------
     mean, brightest : float
         Mean radiance at the node, and the largest at any node.
     thick : float
-        Exponent, from 0 (all changes count alike) to 1 (in proportion to the light itself). [1]
+        Exponent, from 0 (relative changes) to 1 (absolute changes). [1]
     """
     return min(max(mean / (DIM * brightest), 1e-30), 1.0) ** thick
 
 
 @compiled_loop
 def counted_changes(before, after, thick, night, brightest, changes, largest):
-    """Changes of mean radiances (r, n, w), counted as ``count_at`` says.
+    """Relative changes of mean radiances (r, n, w), weighted by ``count_at``.
 
     Parameters
     ----------
@@ -112,7 +113,7 @@ def counted_changes(before, after, thick, night, brightest, changes, largest):
 def positivity_fixup(
     field: Float32Array, sky: Float32Array, swept_field: Float32Array, swept_sky: Float32Array
 ) -> Light:
-    """Accelerated light, or the swept light where the former is far below it or negative."""
+    """Accelerated iterate, or the swept one where the former is far below it or negative."""
     field, sky = field.copy(), sky.copy()
     _replace(field, swept_field, field[:, :, 0] > LEAST * swept_field[:, :, 0])
     _replace(sky[:, :, None], swept_sky[:, :, None], sky > LEAST * swept_sky)
@@ -120,9 +121,9 @@ def positivity_fixup(
 
 
 def clip_to_first_order(light: Float32Array, least: Float32Array) -> None:
-    """Replace moments (r, s, k, 8) by ``least``, or 0, where their mean is below.
+    """Replace moments (r, s, k, 8) by ``least``, or 0, where their mean radiance is below.
 
-    No light is negative, but a sum of few harmonics may be where there is almost none.
+    Radiance is not negative, but its truncated expansion may be where it nearly vanishes.
     """
     sound = light[:, :, 0] >= least[:, :, 0]
     if not sound.all():
@@ -131,7 +132,7 @@ def clip_to_first_order(light: Float32Array, least: Float32Array) -> None:
 
 @compiled_loop
 def _replace(light, other, sound):
-    """Replace moments (r, s, k, 8) by others where they are not ``sound`` (r, s, 8)."""
+    """Replace moments (r, s, k, 8) by ``other`` where ``sound`` (r, s, 8) is false."""
     for i in range(light.shape[0]):
         for j in range(light.shape[1]):
             for lane in range(light.shape[3]):
@@ -160,14 +161,14 @@ def change_at(before, after, brightest):
 def geometric_tail(last, before, steps):
     """Tail of the geometric series of changes over the last change, ρ/(1 - ρ). [1]
 
-    ρ is the ratio by which the changes shrank in each of the last steps.
+    ρ is the convergence rate: the ratio of successive changes over the last steps.
 
     Parameters
     ----------
     last, before : float
         Size of the last change, and of the change ``steps`` before it.
     steps : int
-        0 where there is no earlier change: a ratio of one half is assumed.
+        0 without an earlier change: ρ = 1/2 is assumed.
     """
     ratio = 0.5
     if steps > 0 and before > 0.0:
@@ -188,18 +189,18 @@ def estimated_tail(residuals: deque[FloatArray]) -> FloatArray:
 def anderson_step(
     iterates: deque[Light], weights: Float32Array, damping: Float32Array, mixed: Light
 ) -> None:
-    """Next guess by Anderson acceleration: each wavelength has its own combination of iterates.
+    """Anderson step: weighted combination of iterates, per wavelength.
 
     Parameters
     ----------
     iterates : deque of Light
-        Last iterates of the light, the latest last.
+        Recent iterates, the latest last.
     weights : array, shape (iterates, 8)
         Weights of the iterates. [1]
     damping : array, shape (r, s, 8)
         Weights from ``acceleration_weights``. [1]
     mixed : Light
-        Receives the guess; none of the iterates.
+        Receives the next guess; not one of the iterates.
     """
     for part, last in enumerate(iterates[-1]):
         shape = (*last.shape[:2], -1, last.shape[-1])
@@ -208,13 +209,13 @@ def anderson_step(
         for iterate, weight in zip(iterates, weights, strict=True):
             _add(total, iterate[part].reshape(shape), weight)
         _approach(total, latest, damping)
-        # In the dark, and where the combination is far off, keep the latest iterate.
+        # Where it is dark, or the combination is far from the latest iterate, keep the latter.
         _replace(total, latest, _is_near(total[:, :, 0], latest[:, :, 0]))
 
 
 @compiled_loop
 def _add(total, light, weight):
-    """Add moments (r, s, k, 8) times the weight of each wavelength (8,)."""
+    """Add moments (r, s, k, 8) times weights of the wavelengths (8,)."""
     for i in range(total.shape[0]):
         for j in range(total.shape[1]):
             for k in range(total.shape[2]):
@@ -224,7 +225,7 @@ def _add(total, light, weight):
 
 @compiled_loop
 def _approach(mixed, last, damping):
-    """Interpolate from the last moments (r, s, k, 8) to the mixed ones by ``damping`` (r, s, 8)."""
+    """Damp the mixed moments (r, s, k, 8) towards the last ones by ``damping`` (r, s, 8)."""
     for i in range(mixed.shape[0]):
         for j in range(mixed.shape[1]):
             for k in range(mixed.shape[2]):
@@ -237,7 +238,7 @@ def _approach(mixed, last, damping):
 
 @kernel
 def is_near(mixed, computed, brightest):
-    """Whether a mixed mean radiance is within a factor of two of a computed one that is not dark.
+    """Whether a mixed mean radiance is within a factor of two of the computed one, if not dark.
 
     Parameters
     ----------

@@ -1,16 +1,15 @@
 """Delta-M scaling of the optics of a medium, packed for kernels of eight wavelengths at once.
 
-For particles with a sharp forward peak, the fraction f = g_{N+1} of each scattering counts as
-unscattered (δ-M: Wiscombe 1977, JAS 34, 1408), and the first order is computed with the exact phase
-function and the scaled extinction (TMS: Nakajima & Tanaka 1988, JQSRT 40, 51). Where the particles
-are optically thin, the peak's light is scattered once, δ-M gains nothing and spoils the narrow
-bright band along the horizon; f is therefore faded in with the particles' vertical optical depth.
-Measurements: docs/decisions/04-forward-peaks.md.
+Of phase functions with a sharp forward peak, the fraction f = g_{N+1} is treated as unscattered
+(δ-M: Wiscombe 1977, JAS 34, 1408), and the first order uses the exact phase function with the
+scaled extinction (TMS: Nakajima & Tanaka 1988, JQSRT 40, 51). For optically thin particles single
+scattering dominates the peak; δ-M then gains nothing and degrades the narrow bright band along the
+horizon, so f is faded in with the particles' vertical optical depth. Measurements:
+docs/decisions/0001-moments-in-the-twilight.md.
 
-Q and U are expanded to degree 2 only, beyond which particles scatter them forward. A larger
-fraction of them counts therefore as unscattered: the element of degree 5 of the phase matrix, which
-represents those of degree 3 and more to 0.01 of the degree of polarisation under haze
-(docs/decisions/05-polarisation.md). Molecules have none.
+Q and U are expanded to degree 2 only. Their truncated fraction is therefore larger: the element of
+degree 5 of the phase matrix, which represents degrees 3 and more to 0.01 of the degree of
+polarisation under haze (docs/decisions/0049-haze-in-polarised-light.md); 0 for molecules.
 """
 
 from __future__ import annotations
@@ -39,10 +38,10 @@ FloatArray = NDArray[np.float64]
 
 #: Vertical scattering optical depth about which forward peaks begin to be truncated. [1]
 THIN: Final = 0.1
-#: Smallest scattering optical depth of a layer aloft at whose edges the panels of lines of sight
-#: end: at dusk, when it alone is lit, a cloud of depth 1e-4 at 55 km was up to 40 % off.
+#: Smallest scattering optical depth of a layer aloft at whose boundaries panels end: at dusk, when
+#: it alone is sunlit, the error of a cloud of depth 1e-4 at 55 km was up to 40 %.
 _SEEN: Final = 1e-6
-#: Distance from a layer's edge within which a cut of thick air is left out, over the thickness.
+#: Distance from a layer boundary within which other panel ends are dropped, over the thickness.
 _NEAR_EDGE: Final = 1.5e-3
 #: Legendre moments below this count as zero.
 NEGLIGIBLE: Final = 1e-6
@@ -58,13 +57,13 @@ def is_peaked(beyond):
 
 @kernel
 def delta_m_weight(depth):
-    """Weight of delta-M scaling, by the scattering depth of the constituents with peaks. [1]"""
+    """Weight of delta-M scaling, from the scattering depth of peaked constituents. [1]"""
     return 1.0 - exp(-((depth / THIN) ** 2))
 
 
 @kernel
 def truncated_fraction(beyond, weight):
-    """Fraction f of a scattering that counts as unscattered. [1]
+    """Truncated fraction f of delta-M scaling. [1]
 
     Parameters
     ----------
@@ -80,14 +79,14 @@ def truncated_fraction(beyond, weight):
 
 @kernel
 def polarised_truncated_fraction(forward, part):
-    """Fraction of a scattering of Q and U that counts as unscattered. [1]
+    """Truncated fraction of delta-M scaling for Q and U. [1]
 
     Parameters
     ----------
     forward : float
         Diagonal element of degree 5 of the phase matrix, of ``PhaseFunction``. [1]
     part : float
-        That of I, from ``truncated_fraction``. [1]
+        Truncated fraction of I, from ``truncated_fraction``. [1]
     """
     return min(max(forward, part), MOST_PEAK)
 
@@ -95,7 +94,7 @@ def polarised_truncated_fraction(forward, part):
 @compiled_loop
 def delta_m_scaling(
     scattering, absorption, phases, polarised_elements, columns, degree, extinction, moments,
-    polarised_phase, depths,
+    polarised_moments, depths,
 ):  # fmt: skip
     """Delta-M scaling of a medium, at each of its wavelengths.
 
@@ -106,8 +105,8 @@ def delta_m_scaling(
     phases : array, shape (nc, nl, degree + 2)
         Legendre moments of the phase functions. [1]
     polarised_elements : array, shape (nc, nl, 4)
-        Elements of the phase matrix of degree 2, and the one of degree 5, see ``PhaseFunction``;
-        all 0 for scalar transfer. [1]
+        Expansion coefficients of the phase matrix: three of degree 2, one of degree 5, see
+        ``PhaseFunction``; 0 for scalar transfer. [1]
     columns : array, shape (nc,)
         Vertical columns. [m]
     degree : int
@@ -116,14 +115,13 @@ def delta_m_scaling(
         Receives the scaled extinction coefficients. [m⁻¹]
     moments : array, shape (nc·(degree + 1)·nl,)
         Receives scattering coefficient times Legendre moment, both scaled. [m⁻¹]
-    polarised_phase : array, shape (nc·4·nl,)
-        Receives scattering coefficient times the scaled elements of degree 2: β₁ between moments of
-        the radiance and even polarised ones, α₂ and α₃ between even and between odd polarised
-        ones; then the extinction of I less that of Q and U. [m⁻¹]
+    polarised_moments : array, shape (nc·4·nl,)
+        Receives scattering coefficient times scaled coefficients of degree 2: β₁ couples I to even
+        moments of Q and U, α₂ couples even and α₃ odd moments of Q and U; then the extinction of I
+        less that of Q and U. [m⁻¹]
     depths : array, shape (3·nl,)
         Receives the weight of the scaling, from 0 (thin) to 1 (thick); the scaled vertical
-        scattering optical depth; and the vertical transport depth, in which scattering counts
-        by 1 - g. [1]
+        scattering optical depth; and the vertical transport optical depth, τ (1 - g). [1]
     """
     constituents, wavelengths = scattering.shape[0], scattering.shape[1]
     for w in range(wavelengths):
@@ -148,14 +146,14 @@ def delta_m_scaling(
                 moments[(c * (degree + 1) + l) * wavelengths + w] = moment
             polarised_part = polarised_truncated_fraction(polarised_elements[c, w, 3], part)
             first = ELEMENTS * c * wavelengths + w
-            polarised_phase[first] = scattered * polarised_elements[c, w, 0]
-            polarised_phase[first + wavelengths] = scattered * (
+            polarised_moments[first] = scattered * polarised_elements[c, w, 0]
+            polarised_moments[first + wavelengths] = scattered * (
                 polarised_elements[c, w, 1] - polarised_part
             )
-            polarised_phase[first + 2 * wavelengths] = scattered * (
+            polarised_moments[first + 2 * wavelengths] = scattered * (
                 polarised_elements[c, w, 2] - polarised_part
             )
-            polarised_phase[first + 3 * wavelengths] = scattered * (polarised_part - part)
+            polarised_moments[first + 3 * wavelengths] = scattered * (polarised_part - part)
         depths[w] = weight
         depths[wavelengths + w] = smooth
         depths[2 * wavelengths + w] = transport
@@ -163,7 +161,7 @@ def delta_m_scaling(
 
 @dataclass(frozen=True, eq=False)
 class Optics:
-    """Optics of a medium for harmonics of a degree; each part is made at its first use.
+    """Scaled optics of a medium for a degree of expansion, evaluated lazily.
 
     Parameters
     ----------
@@ -172,7 +170,7 @@ class Optics:
     degree : int
         Degree of the harmonics.
     polarised : bool
-        Whether light is polarised.
+        Whether transfer is polarised.
 
     Examples
     --------
@@ -188,14 +186,14 @@ class Optics:
 
     @classmethod
     def chosen(cls, medium: Medium, settings: Settings) -> Optics:
-        """Optics of no higher degree than the phase functions need; it is higher for thick dust.
+        """Optics of the lowest sufficient degree; higher for optically thick dust.
 
         Parameters
         ----------
         medium : Medium
             Medium with all wavelengths.
         settings : Settings
-            Settings with the degrees of clear and of thick air.
+            Settings with the degrees for optically thin and thick media.
         """
         layers = bool(medium.thin_layers)
         highest = settings.layer_degree if layers else settings.thick_degree
@@ -214,7 +212,7 @@ class Optics:
 
     @cached_property
     def polarised_elements(self) -> FloatArray:
-        """Elements of the phase matrix, shape (nc, nl, 4); 0 without polarisation. [1]"""
+        """Expansion coefficients of the phase matrix, shape (nc, nl, 4); 0 for scalar. [1]"""
         shape = (*self.medium.scattering.shape, ELEMENTS)
         return self.medium.polarising_moments() if self.polarised else np.zeros(shape)
 
@@ -223,18 +221,18 @@ class Optics:
         medium, (constituents, wavelengths) = self.medium, self.medium.scattering.shape
         extinction = np.empty((constituents, wavelengths))
         moments = np.empty((constituents, self.degree + 1, wavelengths))
-        polarised_phase = np.empty((constituents, ELEMENTS, wavelengths))
+        polarised_moments = np.empty((constituents, ELEMENTS, wavelengths))
         depths = np.empty((3, wavelengths))
-        # Copies, which can be written to: a medium's arrays cannot, and need not be in one piece.
+        # Copies: the medium's arrays are read-only and may not be contiguous.
         given = (
             medium.scattering, medium.absorption, self.phases, self.polarised_elements,
             medium.columns,
         )  # fmt: skip
         delta_m_scaling(
             *(np.array(one, float) for one in given), self.degree, extinction.reshape(-1),
-            moments.reshape(-1), polarised_phase.reshape(-1), depths.reshape(-1),
+            moments.reshape(-1), polarised_moments.reshape(-1), depths.reshape(-1),
         )  # fmt: skip
-        return extinction, moments, polarised_phase, depths
+        return extinction, moments, polarised_moments, depths
 
     @property
     def extinction(self) -> FloatArray:
@@ -258,16 +256,16 @@ class Optics:
 
     @property
     def transport_depth(self) -> FloatArray:
-        """Vertical transport depth, in which scattering counts by 1 - g, shape (nl,). [1]"""
+        """Vertical transport optical depth τ (1 - g), shape (nl,). [1]"""
         return np.asarray(self._reduced[3][2])
 
     def kept_beyond(self, degree: int) -> float:
-        """Largest fraction of moments of a higher degree that survives on a horizontal path. [1]
+        """Largest moment above a degree, attenuated along a horizontal path. [1]
 
         Parameters
         ----------
         degree : int
-            Degree above which moments count.
+            Degree above which moments are considered.
         """
         moments = self._reduced[1]
         depth = np.minimum(10.0 * moments[:, 0] * self.medium.columns[:, None], 1.0)
@@ -277,7 +275,7 @@ class Optics:
 
     @cached_property
     def depths(self) -> Depths:
-        """Optical depths by which the radial grid is placed."""
+        """Optical depths from which the radial grid follows."""
         medium = self.medium
         table, altitude = density_table(medium.density), medium.density.node_altitudes
         step = 0.5 * (table[1:] + table[:-1]) * np.diff(altitude)[:, None]
@@ -293,17 +291,17 @@ class Optics:
         block : slice
             Indices of the wavelengths.
         """
-        medium, (extinction, moments, polarised_phase, _) = self.medium, self._reduced
+        medium, (extinction, moments, polarised_moments, _) = self.medium, self._reduced
         return ScaledOptics(
             extinction=pack(extinction[:, block]),
             moments=pack(moments[..., block]),
             ground=medium.ground._replace(albedo=pack(medium.ground.albedo[block])),
             star_radius=medium.lights[0].angular_radius,
-            polarised_phase=pack(polarised_phase[..., block]),
+            polarised_moments=pack(polarised_moments[..., block]),
         )
 
 
-def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) -> FloatArray:
+def panel_ends(medium: Medium, grid: Grid, refinement: int, *, sweeps: bool = False) -> FloatArray:
     """Altitudes at which the panels of rays end, ascending, inside the shell. [m]
 
     Parameters
@@ -311,31 +309,35 @@ def panel_ends(medium: Medium, grid: Grid, parts: int, *, sweeps: bool = False) 
     medium : Medium
     grid : Grid
         Grid of the medium.
-    parts : int
-        More than 1 in thick air, some of whose levels are then ends; otherwise, and in sweeps,
-        those of layers aloft are.
+    refinement : int
+        More than 1 for optically thick media, where panels end at some levels; otherwise, and in
+        sweeps, at boundaries of layers aloft.
     sweeps : bool
-        Whether the rays are those of sweeps, which need no ends in layers that are faint and wide.
-        A line of sight of eight points saw a stratosphere of depth 0.007 10 % too bright.
+        Whether the rays are those of sweeps, which need no panel ends in faint wide layers; a line
+        of sight with eight points made a stratosphere of depth 0.007 10 % too bright.
     """
     least, faint = (FAINT_AND_WIDE, FAINT) if sweeps else (0.0, _SEEN)
     strength = medium.scattering.max(axis=1)
     layers, thin = medium.thin_layers, layer_ends(medium)
-    if parts == 1:
+    if refinement == 1:
         edges = layer_edges(medium.density, strength, faint=faint, faint_and_wide=least)
-        return np.union1d(_beside(edges, layers, medium.thickness), thin)
-    cuts = panel_cuts(grid.radii - grid.bottom_radius, parts)
+        return np.union1d(_outside_thin_layers(edges, layers, medium.thickness), thin)
+    cuts = panel_cuts(grid.radii - grid.bottom_radius, refinement)
     if not sweeps:
         return np.union1d(cuts, thin)
-    # Across a cloud's edge a panel errs by 9 % in the light scattered once.
+    # Across a cloud boundary the error of single scattering was 9 %.
     edges = layer_edges(medium.density, strength, faint_and_wide=least)
     near = _NEAR_EDGE * medium.thickness
     kept = [cut for cut in cuts if not (np.abs(edges - cut) < near).any() or thin.size]
-    return np.unique(np.concatenate([kept, _beside(edges, layers, medium.thickness), thin]))
+    return np.unique(
+        np.concatenate([kept, _outside_thin_layers(edges, layers, medium.thickness), thin])
+    )
 
 
-def _beside(edges: FloatArray, layers: tuple[ThinLayer, ...], thickness: float) -> FloatArray:
-    """Those edges of layers that are not in or next to thin layers, which have their own. [m]"""
+def _outside_thin_layers(
+    edges: FloatArray, layers: tuple[ThinLayer, ...], thickness: float
+) -> FloatArray:
+    """Layer boundaries away from thin layers, which have panel ends of their own. [m]"""
     near = _NEAR_EDGE * thickness
     for layer in layers:
         edges = edges[(edges < layer.bottom - near) | (edges > layer.top + near)]

@@ -1,9 +1,9 @@
-"""Directions in which a sweep gathers light, on either side of the horizon, and their weights.
+"""Quadrature of zenith angles in a sweep, on either side of the horizon.
 
-Thick air is lit alike from neighbouring directions: Gauss-Legendre points over each side suffice.
-In clear air most of the light of deep twilight comes from a narrow band at the horizon, on either
-side of it: the lit air far away, seen past the planet. There each side has two panels, one of them
-next to the horizon. From the top of the shell the band is the shell itself.
+In optically thick media radiance varies slowly with direction: one Gauss-Legendre panel on each
+side suffices. In thin ones most of the radiance of deep twilight comes from a narrow band on either
+side of the horizon, the distant sunlit atmosphere; there each side has two panels, one of them next
+to the horizon. From the top of the shell the band is the shell itself.
 """
 
 from __future__ import annotations
@@ -20,22 +20,22 @@ from airlight.solvers.moments.grid import Grid
 
 FloatArray = NDArray[np.float64]
 
-#: Width of the panel next to the horizon, over the sine of the dip of the horizon, seen from the
-#: top of the shell; and its largest part of a side.
+#: Width of the panel next to the horizon, over the sine of the dip of the horizon at the top of the
+#: shell; and its largest fraction of a side.
 _BAND: Final = 0.7
 _MOST_OF_SIDE: Final = 0.5
 
 
 class Directions(NamedTuple):
-    """Zenith angles at each radius; the first half of a row points below the horizon.
+    """Quadrature of zenith angles at each radius; the first half of a row is below the horizon.
 
     Attributes
     ----------
     mu, weight : array, shape (r, a)
         Zenith cosine and its weight in ∫ dmu. [1]
     flux : array, shape (r, a)
-        Weight in ∫ mu dmu over the upper half of the sphere, from the polynomial through the
-        directions of each panel above the horizon. [1]
+        Weight in ∫ mu dmu over the upper hemisphere, from the interpolating polynomial of each
+        panel above the horizon. [1]
     """
 
     mu: FloatArray
@@ -51,8 +51,8 @@ def directions(grid: Grid, counts: tuple[int, ...]) -> Directions:
     grid : Grid
         Grid with the radii.
     counts : tuple of int
-        Number of directions on each side; or that of the panel next to the horizon, then that of
-        the rest of the side.
+        Number of directions on each side; or those of the panel next to the horizon and of the rest
+        of the side.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def directions(grid: Grid, counts: tuple[int, ...]) -> Directions:
 def _at_radius(
     r: float, bottom: float, band: float, counts: tuple[int, ...]
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Cosines, weights and weights of the flux at one radius."""
+    """Cosines, weights and flux weights at one radius."""
     horizon = -sqrt(max((r - bottom) * (r + bottom), 0.0)) / r
     mu, weight, flux = [], [], []
     for pole in (-1.0, 1.0):

@@ -1,7 +1,7 @@
-"""Linear equations for eight wavelengths at once: each lane has its own matrix.
+"""Gaussian elimination for eight wavelengths at once: one matrix per lane.
 
-Elimination without row exchange, which matrices 1 - K with a small K do not need. Lanes make a
-small system as fast as a large one, and the result does not depend on a library's threads.
+Without pivoting, which matrices 1 - K with a small K do not need. Lanes make small systems fast,
+and the result does not depend on the threads of a BLAS.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from airlight.kernel.lanes import LANES, load, splat, store
 
 Float32Array = NDArray[np.float32]
 
-#: Rows that are eliminated together, so that each row above is read once for all of them.
+#: Block size: rows eliminated together, so that each pivot row is read once for all of them.
 ROWS: Final = 8
 
 
 @compiled_loop
 def factorise(matrix, size):
-    """Replace a matrix by its triangular factors, L below the diagonal and U from it on.
+    """LU factorisation in place.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def factorise(matrix, size):
 
 @compiled_loop
 def substitute(factors, size, values, columns):
-    """Solve for right-hand sides, in place.
+    """Forward and back substitution in place.
 
     Parameters
     ----------
@@ -64,15 +64,15 @@ def substitute(factors, size, values, columns):
         for k in range(i):
             factor = load(factors, (i * size + k) * LANES)
             for j in range(0, width, LANES):
-                here = i * width + j
-                store(values, here, load(values, here) - factor * load(values, k * width + j))
+                entry = i * width + j
+                store(values, entry, load(values, entry) - factor * load(values, k * width + j))
     for back in range(size):
         i = size - 1 - back
         for k in range(i + 1, size):
             factor = load(factors, (i * size + k) * LANES)
             for j in range(0, width, LANES):
-                here = i * width + j
-                store(values, here, load(values, here) - factor * load(values, k * width + j))
+                entry = i * width + j
+                store(values, entry, load(values, entry) - factor * load(values, k * width + j))
         scale = splat(1.0) / load(factors, (i * size + i) * LANES)
         for j in range(0, width, LANES):
             store(values, i * width + j, load(values, i * width + j) * scale)

@@ -1,16 +1,16 @@
-r"""Energy balance of a solution: what the whole planet scatters, returns and absorbs.
+r"""Energy balance of a solution, over the whole planet.
 
-Of the star's light that the air scatters, :math:`P_s`, as much as is not absorbed leaves through
-the top or enters the ground. With the net upward flux F of diffuse light, its mean radiance J and
-the absorption coefficient :math:`k_a`,
+The power :math:`P_s` scattered out of the direct beam leaves through the top, enters the ground or
+is absorbed. With the net upward diffuse flux F, the mean diffuse radiance J and the absorption
+coefficient :math:`k_a`,
 
 .. math:: 4\pi R_t^2 \langle F(R_t)\rangle - 4\pi R_g^2 \langle F(R_g)\rangle
           = P_s - \int k_a 4\pi J \, dV
 
-where :math:`\langle\,\rangle` is the mean over the planet. Both sides come from the moments of
-degree 0 and 1 and from the table of columns. A solution whose grids do not resolve the air breaks
-the balance: it makes or loses light from sweep to sweep. Forward peaks count as unscattered on both
-sides; of refracted light the balance holds as far as that of straight rays by optical radius.
+where :math:`\langle\,\rangle` is the mean over the planet. Both sides follow from the moments of
+degree 0 and 1 and the column table. A solution whose grids do not resolve the medium violates the
+balance. Delta-M scaling applies to both sides; with refraction the balance is that of straight rays
+in the optical radius.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
 
-#: Step in rows of the table of columns where no layer made them closer: the balance of ordinary
-#: air errs by less than 1e-3.
+#: Step in rows of the column table outside layers: the quadrature error of the balance is below
+#: 1e-3.
 _EVERY: Final = 2
 
 
 def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
-    """Light that a solution makes (or, negative, loses), over the starlight that it takes up.
+    """Energy balance error over the scattered and absorbed power; positive: energy is created.
 
     Parameters
     ----------
     setup : Setup
         Set-up of the solve.
     field : array, shape (r, s, k, nl)
-        Moments of the diffuse light, per irradiance of the star. [1]
+        Moments of the diffuse radiance, per irradiance of the star. [1]
 
     Returns
     -------
@@ -51,30 +51,30 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     grid, optics = setup.grid, setup.optics
     bottom, top = grid.bottom_radius, grid.top_radius
     mu = grid.sun_cosines
-    suns = 0.5 * (np.diff(mu, prepend=-1.0) + np.diff(mu, append=1.0))
+    sun_weights = 0.5 * (np.diff(mu, prepend=-1.0) + np.diff(mu, append=1.0))
     radii, beam = _direct_beam(setup)
     below = _amounts_below(setup)
     amount = _between(setup, below, radii)
-    lit = np.tensordot(_logarithmic_mean(beam[:-1], beam[1:]), suns, (1, 0))
+    lit = np.tensordot(_logarithmic_mean(beam[:-1], beam[1:]), sun_weights, (1, 0))
     scattered = np.einsum("rc,cw,rw->w", amount, optics.scattering, lit)
     taken = np.einsum("rc,cw,rw->w", amount, optics.extinction, lit)
-    ground = 2.0 * pi * bottom**2 * ((suns * np.maximum(mu, 0.0)) @ beam[0])
-    diffuse = np.tensordot(np.asarray(field[:, :, 0], float), suns, (1, 0)) * sqrt(4.0 * pi)
+    ground = 2.0 * pi * bottom**2 * ((sun_weights * np.maximum(mu, 0.0)) @ beam[0])
+    diffuse = np.tensordot(np.asarray(field[:, :, 0], float), sun_weights, (1, 0)) * sqrt(4.0 * pi)
     amount = _between(setup, below, setup.gathering.radii)
     diffuse = _logarithmic_mean(diffuse[:-1], diffuse[1:])
     absorbed = np.einsum("rc,cw,rw->w", amount, optics.extinction - optics.scattering, diffuse)
-    # Moments are of the directions from which light comes: upward light has negative cosines.
-    flux = np.tensordot(np.asarray(field[[0, -1], :, 1], float), suns, (1, 0))
+    # Moments refer to viewing directions: upward radiation has negative cosines.
+    flux = np.tensordot(np.asarray(field[[0, -1], :, 1], float), sun_weights, (1, 0))
     flux *= -sqrt(4.0 * pi / 3.0)
     leaving = 2.0 * pi * (top**2 * flux[1] - bottom**2 * flux[0])
     return np.asarray((leaving + absorbed - scattered) / (taken + ground))
 
 
 def makes_light(energy: FloatArray, tolerance: float) -> bool:
-    """Whether a solution makes more than half of the tolerated light, as across unresolved edges.
+    """Whether the energy balance error exceeds half of the tolerance.
 
-    Interpolation across the edge of a deep cloud between two levels makes light: where it is half
-    of the tolerance, radiances err by all of it.
+    Interpolation across the unresolved boundary of a thick cloud creates energy: where it is half
+    of the tolerance, radiance errors reach all of it.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def makes_light(energy: FloatArray, tolerance: float) -> bool:
 
 
 def imbalance(energy: FloatArray, wavelengths: FloatArray, tolerance: float) -> str:
-    """Line about light that is made or lost; empty within the tolerance.
+    """Message about an energy balance error; empty within the tolerance.
 
     Parameters
     ----------
@@ -103,12 +103,12 @@ def imbalance(energy: FloatArray, wavelengths: FloatArray, tolerance: float) -> 
     return (
         f"energy is not conserved: reflected and absorbed light is {100.0 * error:+.2g} % off the "
         f"incident light at {wavelengths[worst]:g} nm (limit {100.0 * tolerance:g} %); "
-        "the grid of this quality does not resolve the air"
+        "the grid of this quality does not resolve the atmosphere"
     )
 
 
 def _logarithmic_mean(low: FloatArray, high: FloatArray) -> FloatArray:
-    """(a - b)/ln(a/b): mean of light that fades exponentially with the amount of air passed."""
+    """Logarithmic mean (a - b)/ln(a/b), of an exponential between a and b."""
     low, high = np.maximum(low, 1e-300), np.maximum(high, 1e-300)
     ratio = np.log(low / high)
     even = np.abs(ratio) < 1e-4
@@ -126,15 +126,15 @@ def _amounts_below(setup: Setup) -> FloatArray:
 
 
 def _between(setup: Setup, below: FloatArray, radii: FloatArray) -> FloatArray:
-    """Part of ``_amounts_below`` between neighbouring radii, shape (count - 1, nc). [m³]"""
+    """Increment of ``_amounts_below`` between neighbouring radii, shape (count - 1, nc). [m³]"""
     altitude, nodes = radii - setup.grid.bottom_radius, setup.medium.density.node_altitudes
     return np.stack([np.diff(np.interp(altitude, nodes, one)) for one in below.T], axis=1)
 
 
 def _direct_beam(setup: Setup) -> tuple[FloatArray, FloatArray]:
-    """Radii [m], and transmittance from the star there, shape (r, s, nl) [1].
+    """Radii [m], and transmittance of the direct beam there, shape (r, s, nl) [1].
 
-    The radii are those of the table of columns, every other one where no layer made them closer.
+    The radii are those of the column table, every other one outside layers.
     """
     grid, table, optics = setup.grid, setup.table, setup.optics
     step = _EVERY if table.radii.size == setup.settings.column_radii else 1

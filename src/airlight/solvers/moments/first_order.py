@@ -1,4 +1,4 @@
-"""Light scattered once and sunlight reflected once: the start of the sweeps."""
+"""First order: moments of single scattering and of reflected direct light."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import direct_horizontal_weights
+from airlight.geometry.refraction import direct_horizontal_weights
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import (
-    FEW,
+    HALF_LANES,
     INVERSE_PI,
     LANES,
     exponential,
@@ -25,10 +25,10 @@ from airlight.kernel.lanes import (
 )
 from airlight.mappings.transmittance import direction_coordinate
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import star_factor
+from airlight.optics.reflection import direct_reflectance
 from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED, legendre_functions
 from airlight.solvers.moments.ray_optics import (
-    leaving_at_end,
+    mu_r_at_end,
     optical_depth,
     polarised_transmittance_ratio,
     project,
@@ -58,13 +58,13 @@ def transmittance_row(depths, local, x, directions):
 
 
 @inlined
-def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift):
-    """Irradiance of level ground by the star itself, per irradiance at the top. [1]
+def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, refraction_table):
+    """Direct horizontal irradiance of the ground, per irradiance at the top. [1]
 
-    Row ``local`` of ``depths`` is the ground's.
+    Row ``local`` of ``depths`` is that of the ground.
     """
     from_low, from_high, low, high = direct_horizontal_weights(
-        bottom, mu_s, bottom, top, star_radius, lift
+        bottom, mu_s, bottom, top, star_radius, refraction_table
     )
     x = direction_coordinate(bottom, low, bottom, top) * (directions - 1)
     light = transmittance_row(depths, local, x, directions) * np.float32(from_low)
@@ -73,8 +73,8 @@ def direct_light(mu_s, bottom, top, star_radius, depths, local, directions, lift
 
 
 @inlined
-def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, paired):
-    """Optical depths from a radius to the top of the shell, in the tabled directions. [1]
+def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, narrow):
+    """Optical depths from a radius to the top of the shell, in the tabulated directions. [1]
 
     Parameters
     ----------
@@ -90,9 +90,9 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, pa
     first : int
         Index of the point's first value in ``out``.
     out : array
-        Receives for each direction eight wavelengths, or four if ``paired``.
-    paired : bool
-        Whether both halves of ``extinction`` are alike; a constant.
+        Receives eight wavelengths per direction, or four if ``narrow``.
+    narrow : bool
+        Whether both halves of ``extinction`` are equal; a constant.
     """
     constituents, directions = ratios.shape[1], ratios.shape[3]
     row = min(int(x), ratios.shape[0] - 2)
@@ -115,13 +115,13 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, pa
             low, high = low + directions, high + directions
             scaled = g * load(flat, low) + f * load(flat, high)
             store(workspace, LANES * c, distance * scaled / scale)
-        if paired:
+        if narrow:
             for lane in range(0, LANES, 2):
                 tau = splat(0.0)
                 for c in range(constituents):
                     column = pair(workspace[LANES * c + lane], workspace[LANES * c + lane + 1])
                     tau = tau + load(extinction, LANES * c) * column
-                store(out, first + FEW * (d + lane), tau)
+                store(out, first + HALF_LANES * (d + lane), tau)
         else:
             for lane in range(LANES):
                 tau = splat(0.0)
@@ -131,8 +131,8 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, pa
 
 
 @inlined
-def transmittance_tabled(depths, row, places, at, directions, paired):
-    """Transmittance towards the star at one azimuth, or at two if ``paired``. [1]
+def transmittance_tabled(depths, row, places, at, directions, narrow):
+    """Transmittance to the star at one azimuth, or at two if ``narrow``. [1]
 
     Parameters
     ----------
@@ -145,17 +145,17 @@ def transmittance_tabled(depths, row, places, at, directions, paired):
     at : int
         Index of the first azimuth among them.
     directions : int
-    paired : bool
+    narrow : bool
         A constant.
     """
     x = places[at]
     place = min(int(x), directions - 2)
-    if paired:
+    if narrow:
         y = places[at + 1]
         second = min(int(y), directions - 2)
         f = pair(x - np.float32(place), y - np.float32(second))
-        one, two = FEW * (row * directions + place), FEW * (row * directions + second)
-        low, high = load_two(depths, one, two), load_two(depths, one + FEW, two + FEW)
+        one, two = HALF_LANES * (row * directions + place), HALF_LANES * (row * directions + second)
+        low, high = load_two(depths, one, two), load_two(depths, one + HALF_LANES, two + HALF_LANES)
     else:
         f = splat(x - np.float32(place))
         at = LANES * (row * directions + place)
@@ -165,7 +165,7 @@ def transmittance_tabled(depths, row, places, at, directions, paired):
 
 @inlined
 def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
-    """Compute ``fill_phases`` of scatterers alone, ``nu`` and the results in the lanes."""
+    """``fill_phases`` for scattering constituents, ``nu`` and results in lanes."""
     for c in range(count):
         store(phases, LANES * c, splat(0.0))
     before, value = splat(0.0), splat(1.0)
@@ -183,10 +183,11 @@ def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
 
 @inlined
 def _first_order(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, paired
+    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out,
+    narrow,
 ):  # fmt: skip
-    """``first_order_radius``, or ``first_order_radius_of_few`` if ``paired``, a constant."""
-    # Arrays are unpacked from their tuples once: in the loop each access would count references.
+    """``first_order_radius``, or ``first_order_radius_narrow`` if ``narrow``, a constant."""
+    # Unpacked once: in the loop each access of a tuple would count references.
     bottom, top, _, sun_cosines, first_nodes, _, _ = grid
     (
         all_mu,
@@ -203,8 +204,8 @@ def _first_order(
         depths,
     ) = rays
     cosines, multiples, sines = azimuths
-    extinction, moments, surface, star_radius, polarised_phase = air
-    suns = sun_cosines.size
+    extinction, moments, surface, star_radius, polarised_moments = air
+    sun_angles = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
     harmonics = (degree + 1) * (degree + 2) // 2
@@ -216,8 +217,8 @@ def _first_order(
         most = max(most, starts[i, a + 1] - starts[i, a])
     directions = ratios.shape[3]
     width = LANES
-    if paired:
-        width = FEW
+    if narrow:
+        width = HALF_LANES
     scatterers = np.empty(constituents, np.int64)
     count = 0
     for c in range(constituents):
@@ -236,7 +237,7 @@ def _first_order(
     polarised = np.empty(5 * LANES, np.float32)
     turned = np.empty(2 * most, np.float32)
     places = np.empty(7 * most, np.float32)
-    columns = max(lift.shape[1], 2)
+    columns = max(refraction_table.shape[1], 2)
     lifts = np.empty(most * 2 * columns, np.float32)
     disc = np.empty(3 * DISC_NODES, np.float32)
     fill_disc(disc)
@@ -262,7 +263,7 @@ def _first_order(
             x = node_value(q, bottom, top, first_nodes, rows)
             fill_depths(
                 ratios, x, q, bottom, top, extinction, workspace, k * directions * width,
-                sun_depths, paired,
+                sun_depths, narrow,
             )  # fmt: skip
             transmittance = exponential(
                 0.0 - optical_depth(depths[first + k], 0, extinction, constituents)
@@ -271,9 +272,9 @@ def _first_order(
             for c in range(count):
                 amount = transmittance * np.float32(amounts[first + k, scatterers[c]])
                 store(strength, LANES * (k * count + c), amount)
-                beta_1 = beta_1 + load(polarised_phase, LANES * ELEMENTS * scatterers[c]) * amount
+                beta_1 = beta_1 + load(polarised_moments, LANES * ELEMENTS * scatterers[c]) * amount
             polarised_ratio = polarised_transmittance_ratio(
-                depths[first + k], 0, polarised_phase, constituents
+                depths[first + k], 0, polarised_moments, constituents
             )
             store(phase_f12, LANES * k, polarised_ratio * beta_1)
             turned[2 * k] = np.float32(turns_along[first + k, 0] + turns_along[first + k, 1] * mu)
@@ -285,21 +286,21 @@ def _first_order(
             places[7 * k + 1] = np.float32((top - q) * (top + q))
             places[7 * k + 2] = np.float32(top - q)
             places[7 * k + 3] = np.float32((directions - 1) / (longest - (top - q)))
-            horizon = fill_lift(lift, q, bottom, top, 2 * columns * k, lifts)
+            horizon = fill_lift(refraction_table, q, bottom, top, 2 * columns * k, lifts)
             places[7 * k + 4] = np.float32(horizon)
             places[7 * k + 5] = np.float32(horizon_cosine(q, bottom))
             places[7 * k + 6] = np.float32(bottom / q)
         whole = splat(0.0)
-        leaving = 0.0
+        mu_r = 0.0
         if below:
             whole = transmittance_ray(extinction, totals[i, a], 0, constituents) * INVERSE_PI
-            leaving = leaving_at_end(ends, i, a, mu)
+            mu_r = mu_r_at_end(ends, i, a, mu)
         legendre_functions(mu, expansion, functions)
-        exact = load(share, LANES * (i * angles + a))
+        exact = load(norm, LANES * (i * angles + a))
         step = 1
-        if paired:
+        if narrow:
             step = 2
-        for j in range(suns):
+        for j in range(sun_angles):
             mu_s = sun_cosines[j]
             sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
             azimuthal[:] = 0.0
@@ -325,13 +326,13 @@ def _first_order(
                         if kinds[k] == 0:
                             continue
                         at = LANES * k + lane
-                        light = transmittance_tabled(sun_depths, k, low_at, at, directions, paired)
+                        light = transmittance_tabled(sun_depths, k, low_at, at, directions, narrow)
                         if kinds[k] == 2:
                             light = light + transmittance_tabled(
-                                sun_depths, k, high_at, at, directions, paired
+                                sun_depths, k, high_at, at, directions, narrow
                             )
                             light = light * np.float32(0.5)
-                        if paired:
+                        if narrow:
                             light = light * pair(seen[at], seen[at + 1])
                         else:
                             light = light * seen[at]
@@ -347,13 +348,13 @@ def _first_order(
                     scattering_q = exact * scattering_q * pair(part, part_2)
                 if below:
                     reflected = reflected_star(
-                        surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius,
-                        ground_depths, directions, lift,
+                        surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius,
+                        ground_depths, directions, refraction_table,
                     )  # fmt: skip
-                    if paired:
+                    if narrow:
                         reflected_2 = reflected_star(
-                            surface, ends, i, a, mu_s, nu_2, leaving, bottom, top, star_radius,
-                            ground_depths, directions, lift,
+                            surface, ends, i, a, mu_s, nu_2, mu_r, bottom, top, star_radius,
+                            ground_depths, directions, refraction_table,
                         )  # fmt: skip
                         reflected = pair(reflected, reflected_2)
                     radiance = radiance + whole * reflected
@@ -367,7 +368,7 @@ def _first_order(
                     scattering_q * np.float32(cosine),
                     scattering_q * np.float32(sine_b),
                 )
-                if paired:
+                if narrow:
                     cosine, sine_b = star_plane(mu, mu_s, nu_2)
                     stokes_q = pair(stokes_q, scattering_q * np.float32(cosine))
                     stokes_u = pair(stokes_u, scattering_q * np.float32(sine_b))
@@ -383,7 +384,7 @@ def _first_order(
                     at = LANES * (2 + m)
                     weight = pair(sines[m, b], sines[m, second])
                     store(polarised, at, load(polarised, at) + weight * stokes_u)
-            if paired:
+            if narrow:
                 for m in range(degree + 1):
                     store(azimuthal, LANES * m, folded(load(azimuthal, LANES * m)))
                 for m in range(5):
@@ -400,47 +401,50 @@ def _first_order(
 
 @inlined
 def reflected_star(
-    surface, ends, i, a, mu_s, nu, leaving, bottom, top, star_radius, depths, directions, lift
+    surface, ends, i, a, mu_s, nu, mu_r, bottom, top, star_radius, depths, directions,
+    refraction_table,
 ):  # fmt: skip
-    """Irradiance of the ground at the end of a ray by the star, times the reflectance factor. [1]
+    """Direct irradiance of the ground at the end of a ray, times the reflectance factor. [1]
 
-    Arguments as in ``_first_order``, and ``leaving`` of ``star_factor``.
+    Arguments as in ``_first_order``, and ``mu_r`` of ``direct_reflectance``.
     """
     mu_sg = star_at_end(ends, i, a, mu_s, nu)
-    light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, lift)
-    return star_factor(surface, 0, mu_sg, leaving, nu) * light
+    light = direct_light(mu_sg, bottom, top, star_radius, depths, 0, directions, refraction_table)
+    return direct_reflectance(surface, 0, mu_sg, mu_r, nu) * light
 
 
 @compiled_loop
 def first_order_radius(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out
+    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
 ):
-    """Moments of the light scattered or reflected once, at all sun elevations of one radius.
+    """Moments of first-order radiance at one radius, for all sun angles.
 
     Parameters
     ----------
-    i, grid, rays, share, azimuths, air, expansion, out, sky_out :
+    i, grid, rays, norm, azimuths, air, expansion, out, sky_out :
         As in ``sweep_radius``.
     rows : array, shape (n,)
         Rows of ``ratios`` at the altitude nodes, from ``column_rows``. [1]
     ratios : array, shape (radii, nc, 2, directions)
         ``Setup.star_ratios``.
-    lift : array, shape (rows, columns, 2)
+    refraction_table : array, shape (rows, columns, 2)
         Table from ``refraction_table``. [1]
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, False
+        i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out,
+        sky_out, False,
     )  # fmt: skip
 
 
 @compiled_loop
-def first_order_radius_of_few(
-    i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out
+def first_order_radius_narrow(
+    i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out, sky_out
 ):  # fmt: skip
     """``first_order_radius`` for at most four wavelengths, two azimuths in a register.
 
-    Both halves of ``share`` and of ``air`` have the same wavelengths.
+    Both halves of ``norm`` and of ``air`` have the same wavelengths.
     """
     _first_order(
-        i, grid, rays, share, azimuths, air, expansion, rows, ratios, lift, out, sky_out, True
+        i, grid, rays, norm, azimuths, air, expansion, rows, ratios, refraction_table, out,
+        sky_out, True,
     )  # fmt: skip

@@ -1,16 +1,16 @@
 r"""Correction of single scattering for multiple scattering within the forward peak.
 
-Delta-M scaling counts the fraction f of each scattering as unscattered, and the march adds single
+Delta-M scaling treats the fraction f of scattering as unscattered, and the march adds single
 scattering by the whole phase function with the scaled extinction (TMS: Nakajima & Tanaka 1988,
-JQSRT 40, 51). Light of the peak is then counted both as unscattered on its path and as scattered at
-each point: too much by x/(1 - exp(-x)), where x is the optical depth of the peak from the star to
-the observer, and it is not broadened by repeated scattering. This correction, like their IMS
-method, adds the small-angle multiple scattering.
+JQSRT 40, 51). The peak is then counted both as transmitted along the path and as scattered at each
+point: too much by x/(1 - exp(-x)), where x is the optical depth of the peak from the star to the
+observer, and it is not broadened by multiple scattering. Like their IMS method, this correction
+adds small-angle multiple scattering.
 
 The Legendre moments of the peak are the truncated ones: q_l = f up to the degree of the sweeps, and
-p_l, those of the phase function, beyond. In the small-angle approximation light that passes the
-depth x of the peak has the moments exp(-x (1 - χ_l)), χ_l = q_l/f (Goudsmit & Saunderson 1940,
-Phys. Rev. 57, 24); exp(-x) of it is unscattered. One n-th of n-fold scattering is attributed to
+p_l, those of the phase function, beyond. In the small-angle approximation the moments after the
+optical depth x of the peak are exp(-x (1 - χ_l)), χ_l = q_l/f (Goudsmit & Saunderson 1940,
+Phys. Rev. 57, 24), of which exp(-x) is unscattered. One n-th of n-fold scattering is attributed to
 each point of the path, so that the phase function p at a point becomes
 
 .. math:: p + f B, \quad B = \sum_l \frac{2l + 1}{4\pi} P_l(\nu)
@@ -41,112 +41,112 @@ FloatArray = NDArray[np.float64]
 ANGLES: Final = 128
 DEPTHS: Final = 20
 MIDDLE: Final = 2.0
-#: Vertical depth of the peaks below which there is no correction. [1]
+#: Vertical optical depth of the peaks below which there is no correction. [1]
 _FAINT: Final = 1e-4
-#: Numbers of moments: of most particles, and of those with sharper peaks.
+#: Numbers of Legendre moments: usual, and for sharper peaks.
 _MOMENTS: Final = (400, 4000)
-#: Moment over f below which higher ones are omitted; they contribute by their square. [1]
+#: Moment over f below which higher ones are omitted, since they contribute by their square. [1]
 _LAST: Final = 5e-3
-#: Smallest strength of the peaks on a line, which keeps their mean depth finite. [1]
+#: Smallest weight of the peaks on a line, which keeps their mean optical depth finite. [1]
 _LEAST: Final = 1e-30
 
 
 @inlined
-def reset_peaks(light, work):
-    """Set sums over a line's peaks to zero; arguments as in ``add_peaks``."""
-    for at in range(0, 3 * light.lanes, LANES):
+def reset_peaks(tables, work):
+    """Reset the sums of ``add_peaks``."""
+    for at in range(0, 3 * tables.lanes, LANES):
         store(work.peaks, at, splat(0.0))
 
 
 @inlined
-def add_peaks(star, dimmed, spread, phase, light, work, at):
-    """Add a point's scattering by forward peaks to the sums over its line.
+def add_peaks(star, dimmed, spread, phase, tables, work, at):
+    """Add the forward-peak scattering at a point to the sums over its line.
 
     Parameters
     ----------
     star : lanes
-        Irradiance by the star at the point, times its weight, as transmitted to the line's start.
-        [m]
+        Direct irradiance at the point, times its weight and the transmittance to the start of the
+        line. [m]
     dimmed : lanes or float
         Factor of single scattering. [1]
     spread : bool
         Whether two points represent the star.
     phase : array, shape (nc·w,)
         Phase functions. [sr⁻¹]
-    light, work : MarchTables, MarchWorkspace
+    tables, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace with density and columns of the point, whose peaks receive
-        single scattering by constituents with peaks [sr⁻¹], the truncated part [1], and the latter
-        times the peaks' optical depth on its path. [1]
+        single scattering by peaked constituents [sr⁻¹], its truncated part [1], and the latter
+        times the optical depth of the peaks on its path. [1]
     at : int
         Index of the first lane.
     """
     peaked, strength, depth = splat(0.0), splat(0.0), splat(0.0)
-    for c in range(light.constituents):
-        here = light.lanes * c + at
-        part = load(light.extinction, here) - load(light.scaled_extinction, here)
+    for c in range(tables.constituents):
+        element = tables.lanes * c + at
+        part = load(tables.extinction, element) - load(tables.scaled_extinction, element)
         column = work.columns_to_sun_low[c]
         if spread:
             column = 0.5 * (column + work.columns_to_sun_high[c])
         depth = depth + part * np.float32(work.depths[c] + column)
         part = part * work.point_density[c]
         strength = strength + part
-        peaked = peaked + part * load(light.inverse_peak_fraction, here) * load(phase, here)
+        peaked = peaked + part * load(tables.inverse_peak_fraction, element) * load(phase, element)
     strength = strength * star
-    count, means = light.lanes + at, 2 * light.lanes + at
+    count, means = tables.lanes + at, 2 * tables.lanes + at
     store(work.peaks, at, load(work.peaks, at) + peaked * (star * dimmed))
     store(work.peaks, count, load(work.peaks, count) + strength)
     store(work.peaks, means, load(work.peaks, means) + strength * depth)
 
 
 @inlined
-def peak_gain(half_sine, light, work, at):
-    """Gain of single scattering by peaks, f B/p. [1]
+def peak_gain(half_sine, tables, work, at):
+    """Relative gain f B/p of single scattering by forward peaks. [1]
 
     Parameters
     ----------
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
-    light, work, at :
-        Arguments of ``add_peaks``, after the whole line.
+    tables, work, at :
+        Arguments of ``add_peaks``, after the last point of the line.
     """
     u = sqrt(sqrt(half_sine)) * (ANGLES - 1)
     node = min(int(u), ANGLES - 2)
     f = np.float32(u - node)
-    strength = maximum(load(work.peaks, light.lanes + at), _LEAST)
-    depth = load(work.peaks, 2 * light.lanes + at) / strength
+    strength = maximum(load(work.peaks, tables.lanes + at), _LEAST)
+    depth = load(work.peaks, 2 * tables.lanes + at) / strength
     place = depth / (depth + np.float32(MIDDLE)) * np.float32(DEPTHS - 1)
     more = splat(0.0)
     for k in range(DEPTHS):
         away = place - np.float32(k)
         share = maximum(np.float32(1.0) - maximum(away, 0.0 - away), 0.0)
-        first = light.lanes * (k * ANGLES + node) + at
-        low = load(light.widening, first)
-        more = more + share * (low + f * (load(light.widening, first + light.lanes) - low))
+        first = tables.lanes * (k * ANGLES + node) + at
+        low = load(tables.broadening, first)
+        more = more + share * (low + f * (load(tables.broadening, first + tables.lanes) - low))
     return more
 
 
 @inlined
-def peak_fraction(constituent, light, at):
-    """Fraction of a constituent's single scattering that has the gain: 0 without a peak. [1]
+def peak_fraction(constituent, tables, at):
+    """Fraction of a constituent's single scattering to which the gain applies; 0 without peak. [1]
 
     Parameters
     ----------
     constituent : int
         Index of the constituent.
-    light, at :
+    tables, at :
         Arguments of ``add_peaks``.
     """
-    here = light.lanes * constituent + at
-    part = load(light.extinction, here) - load(light.scaled_extinction, here)
+    element = tables.lanes * constituent + at
+    part = load(tables.extinction, element) - load(tables.scaled_extinction, element)
     return (
         part
-        * load(light.inverse_peak_fraction, here)
-        / maximum(load(light.scattering, here), _LEAST)
+        * load(tables.inverse_peak_fraction, element)
+        / maximum(load(tables.scattering, element), _LEAST)
     )
 
 
 def inverse_peak_fraction(optics: Optics) -> FloatArray:
-    """Reciprocal 1/f of the peak's fraction of scattering, in thick air; 0 without a peak. [1]
+    """Reciprocal 1/f of the truncated fraction in the thick limit; 0 without a peak. [1]
 
     Parameters
     ----------
@@ -163,9 +163,9 @@ def inverse_peak_fraction(optics: Optics) -> FloatArray:
 
 
 def peak_broadening(optics: Optics) -> FloatArray | None:
-    """Table of the gain of single scattering by peaks, f B/p.
+    """Table of the relative gain f B/p of single scattering by forward peaks.
 
-    Constituents with peaks are mixed by their vertical scattering depths.
+    Peaked constituents are averaged by their vertical scattering optical depths.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def peak_broadening(optics: Optics) -> FloatArray | None:
     Returns
     -------
     array, shape (``DEPTHS``, ``ANGLES``, nl), or None
-        Gain, at least -1 [1]; None where nothing is truncated.
+        Gain, at least -1 [1]; None without truncation.
     """
     medium = optics.medium
     weight = inverse_peak_fraction(optics) > 0.0
@@ -213,7 +213,7 @@ def peak_broadening(optics: Optics) -> FloatArray | None:
 
 
 def _mixed_moments(medium: Medium, amount: FloatArray, part: FloatArray) -> FloatArray:
-    """Moments of the mixture, as many as count, shape (l, nl). [1]"""
+    """Legendre moments of the mean peak, up to the last significant one, shape (l, nl). [1]"""
     peaked = part > NEGLIGIBLE
     part = part[peaked]
     for count in _MOMENTS:
@@ -231,7 +231,7 @@ def _mixed_moments(medium: Medium, amount: FloatArray, part: FloatArray) -> Floa
 
 @cache
 def _quadrature(degree: int) -> tuple[FloatArray, FloatArray]:
-    """Cosines and weights over the sphere, for a peak at 1 and for moments up to a degree."""
+    """Quadrature over the sphere for a peak at 1 and for moments up to a degree."""
     narrow = np.geomspace(1e-4, 0.04, 20)
     wide = np.linspace(0.04, pi, 2 + degree // 4)
     edges = np.concatenate([[0.0], narrow, wide[1:]])

@@ -1,11 +1,11 @@
 """Nodes of the moments of the radiance: radii and sun elevations.
 
-Radii are even in the distance to the horizon (Bruneton's mapping), with more of them where the air
-is thick (``levels``). Sun elevations e crowd around the terminator, by 1/sqrt(w² + (e + s)²) nodes
-in a degree, where w and s are 0.6 and 0.3 of the dip of the horizon seen from the top of the shell
-(6° and 3° for Earth), so that every planet gets its own grid. Far in the shadow, where no light is
-left, they are sparser; by day they are not as sparse as that, for there light is a curved function
-of the elevation. Measurements: docs/decisions/01-moments.md.
+Radii are even in the distance to the horizon (Bruneton's mapping), denser in optically thick media
+(``levels``). The density of sun elevations e peaks at the terminator, as 1/sqrt(w² + (e + s)²) per
+degree, where w and s are 0.6 and 0.3 of the dip of the horizon at the top of the shell (6° and 3°
+for Earth). It is lower deep in the shadow, where no light is left, and has a lower bound by day,
+where radiance is a curved function of elevation. Measurements:
+docs/decisions/0001-moments-in-the-twilight.md, docs/decisions/0073-deep-twilight.md.
 """
 
 from __future__ import annotations
@@ -22,27 +22,27 @@ from airlight.solvers.moments.levels import Depths, radial_grid
 
 FloatArray = NDArray[np.float64]
 
-#: Width and depth below the horizon of the dense nodes, over the horizon's dip.
+#: Width, and depth below the horizon, of the peak in node density, over the dip of the horizon.
 _WIDTH: Final = 0.6
 _SHIFT: Final = 0.3
-#: Part of the nodes that is left in the shadow, and depths below the horizon, over its dip, between
-#: which they thin out.
+#: Reduction of the node density in the shadow, and elevations below the horizon, over its dip,
+#: between which it sets in.
 _SHADOW: Final = 0.2
 _LEAVES: Final = (2.0, 3.0)
-#: E-folds by which light fades below the horizon while the sun sinks by its dip: 9 to 12 on Earth
-#: from 96° to 110°, 6 to 10 on Titan. Half of them in one step, at most.
+#: Decay of radiance below the horizon, in e-folds per dip of the horizon: 9 to 12 on Earth from 96°
+#: to 110°, 6 to 10 on Titan. At most half of them per step.
 _FADES: Final = 10.0
 _STEEPEST: Final = 3.0
-#: By day the nodes are never sparser than the terminator's are at this elevation. [deg]
+#: By day the node density is at least that of the terminator's peak at this elevation. [deg]
 _DAY: Final = 45.0
-#: Elevations at which the density is summed.
+#: Elevations of the quadrature of the node density.
 _SAMPLES: Final = 8193
-#: Entries of the table that finds the index of a sun cosine in the grid.
+#: Entries of the look-up table from sun cosine to index in the grid.
 _LOOKUP = 8192
 
 
 class Grid(NamedTuple):
-    """Nodes of a solution.
+    """Nodes of a solution in radius and sun elevation.
 
     Attributes
     ----------
@@ -73,35 +73,35 @@ def make_grid(
     bottom_radius: float,
     top_radius: float,
     radii: int,
-    suns: int,
+    sun_angles: int,
     depths: Depths,
     first_nodes: FloatArray,
 ) -> tuple[Grid, int]:
-    """Make the grid of a shell.
+    """Grid of a shell, and its refinement.
 
     Parameters
     ----------
     bottom_radius, top_radius : float
         Radii of the ground and of the top. [m]
-    radii, suns : int
-        Numbers of nodes; thick air gets more radii.
+    radii, sun_angles : int
+        Numbers of nodes; optically thick media get more radii.
     depths : Depths
-        Depths at the altitude nodes.
+        Optical depths at the altitude nodes.
     first_nodes : array, shape (CELLS + 1,)
         Index of the first altitude node of each cell. [1]
 
     Returns
     -------
     grid : Grid
-    parts : int
+    refinement : int
         Step, in radii of the grid, between those at which light is gathered.
     """
     dip = degrees(acos(bottom_radius / top_radius))
-    elevation, index = sun_indices(dip, suns)
-    nodes = np.interp(np.arange(suns, dtype=float), index, elevation)
+    elevation, index = sun_indices(dip, sun_angles)
+    nodes = np.interp(np.arange(sun_angles, dtype=float), index, elevation)
     nodes[0], nodes[-1] = -90.0, 90.0
     wanted = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
-    # Light does not fade evenly before the densest nodes.
+    # The decay is not exponential before the densest nodes.
     dusk = nodes[nodes >= -_SHIFT * dip][0]
     place = np.where(
         wanted < dusk,
@@ -123,17 +123,17 @@ def make_grid(
         levels.row,
         place,
     )
-    return grid, levels.parts
+    return grid, levels.refinement
 
 
-def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
-    """Fractional indices of the nodes at many sun elevations.
+def sun_indices(dip: float, sun_angles: int) -> tuple[FloatArray, FloatArray]:
+    """Fractional node index as a function of sun elevation.
 
     Parameters
     ----------
     dip : float
         Dip of the horizon, seen from the top of the shell. [deg]
-    suns : int
+    sun_angles : int
         Number of nodes.
 
     Returns
@@ -141,7 +141,7 @@ def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
     elevation : array, shape (n,)
         Elevations, ascending from -90 to 90. [deg]
     index : array, shape (n,)
-        Fractional indices, ascending from 0 to suns - 1. [1]
+        Fractional indices, ascending from 0 to ``sun_angles`` - 1. [1]
     """
     width, shift = _WIDTH * dip, _SHIFT * dip
     t = np.linspace(asinh((shift - 90.0) / width), asinh((shift + 90.0) / width), _SAMPLES)
@@ -153,18 +153,18 @@ def sun_indices(dip: float, suns: int) -> tuple[FloatArray, FloatArray]:
     density = np.hypot(shadow, _smooth(elevation / dip) * width * np.cosh(t) / _DAY)
     steps = 0.5 * (density[1:] + density[:-1])
     index = np.concatenate([[0.0], np.cumsum(steps)])
-    return elevation, index * ((suns - 1) / index[-1])
+    return elevation, index * ((sun_angles - 1) / index[-1])
 
 
 def fading_places(elevation: FloatArray, nodes: FloatArray, rate: float) -> FloatArray:
-    r"""Places at which interpolation as ratios is exact for light that fades at a given rate.
+    r"""Fractional indices for which rational interpolation is exact for an exponential decay.
 
-    With h half the logarithm of the light at the upper node over that at the lower, and x the share
-    of the step in elevation, the share of the step in the grid is
+    With h half the logarithm of the ratio of upper to lower node value, and x the fraction of the
+    step in elevation, the fraction of the step in the grid is
 
     .. math:: \frac{\sinh xh}{\sinh xh + \sinh (1 - x)h}
 
-    where lerp(M·s)/lerp(s), with s = 1/sqrt(M), is the exponential between the two nodes.
+    for which lerp(M·s)/lerp(s), s = 1/sqrt(M), is the exponential between the two nodes.
 
     Parameters
     ----------
@@ -173,7 +173,7 @@ def fading_places(elevation: FloatArray, nodes: FloatArray, rate: float) -> Floa
     nodes : array, shape (s,)
         Sun elevations of the nodes, ascending. [deg]
     rate : float
-        E-folds of the light in a degree of the sun's elevation. [1/deg]
+        Decay rate with sun elevation. [1/deg]
 
     Returns
     -------
@@ -189,6 +189,6 @@ def fading_places(elevation: FloatArray, nodes: FloatArray, rate: float) -> Floa
 
 
 def _smooth(x: FloatArray) -> FloatArray:
-    """0 below 0, 1 above 1, and a smooth step between."""
+    """Smoothstep: 0 below 0, 1 above 1."""
     x = np.clip(x, 0.0, 1.0)
     return np.asarray(x * x * (3.0 - 2.0 * x))

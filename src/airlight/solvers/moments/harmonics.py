@@ -1,8 +1,8 @@
 """Real spherical harmonics about the zenith, even in azimuth.
 
 Y_lm(mu, phi) = K_lm P_l^m(mu) cos(m phi), orthonormal on the sphere, without the Condon-Shortley
-sign. The light of a sphere's air is symmetric about the plane of zenith and star, so the sine
-terms vanish and degree N has (N + 1)(N + 2)/2 coefficients; (l, m) has index l(l + 1)/2 + m.
+sign. Radiance in a spherical atmosphere is symmetric about the plane of zenith and star, so the
+sine terms vanish and degree N has (N + 1)(N + 2)/2 coefficients; (l, m) has index l(l + 1)/2 + m.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ _ZEROTH: Final = sqrt(15.0 / (32.0 * pi))
 _FIRST: Final = sqrt(5.0 / (8.0 * pi))
 
 
-#: Number of moments of polarised light: E_20, E_21, E_22, B_21 and B_22, after those of the
-#: radiance; as many are the parts Q_0, Q_1, Q_2, U_1 and U_2 of light about the zenith.
+#: Number of polarised moments E_20, E_21, E_22, B_21 and B_22, which follow those of the radiance,
+#: and of azimuthal components Q_0, Q_1, Q_2, U_1 and U_2.
 POLARISED: Final = 5
-#: Number of the first three, even ones. The odd B_20 is 0.
+#: Number of even moments E. The odd B_20 is 0.
 EVEN: Final = 3
-#: Number of elements that polarise, of ``PhaseFunction.polarising_moments``.
+#: Number of expansion coefficients of Q and U, of ``PhaseFunction.polarising_moments``.
 ELEMENTS: Final = 4
 
 
@@ -37,7 +37,7 @@ def coefficient_count(degree: int) -> int:
 
 
 def moment_count(degree: int) -> int:
-    """Number of moments of a node: those of the radiance, and ``POLARISED``."""
+    """Number of moments of a node, polarised ones included."""
     return coefficient_count(degree) + POLARISED
 
 
@@ -65,7 +65,7 @@ def normalisation(degree: int) -> NDArray[np.float64]:
 
 
 class Harmonics(NamedTuple):
-    """Coefficients of the recurrences that give K_lm P_l^m(mu) without a division.
+    """Coefficients of division-free recurrences for K_lm P_l^m(mu).
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ def harmonics(degree: int) -> Harmonics:
 
 @kernel
 def climbed(ahead, back, mu, value, before):
-    """Next step of the recurrence: K_lm P_l^m(mu) from those of degrees l - 1 and l - 2. [1]"""
+    """Recurrence in degree: K_lm P_l^m(mu) from degrees l - 1 and l - 2. [1]"""
     return ahead * mu * value - back * before
 
 
@@ -166,7 +166,7 @@ def degree_of(index):
     >>> [degree_of(index) for index in range(7)]
     [0, 1, 1, 2, 2, 2, 3]
     """
-    # The nearest root below a whole number is 1/(l + 1) away from it.
+    # Roots below an integer differ from it by at least 1/(l + 1).
     return int(0.5 * (sqrt(8.0 * index + 1.0) - 1.0) + 1e-3)
 
 
@@ -206,9 +206,9 @@ def directed_functions(mu, cosine, terms, out):
 
 @inlined
 def polarised_functions(mu):
-    r"""Harmonics of spin 2 and degree 2, for Q and U of a line of sight.
+    r"""Spin-2 harmonics of degree 2, for Q and U along a line of sight.
 
-    With moments E_2m, even, and B_2m, odd, of polarised light
+    With even moments E_2m and odd moments B_2m
 
     .. math:: Q = \sum_m (E_{2m} A_m + B_{2m} B_m) \cos m\phi, \quad
               U = \sum_m (E_{2m} B_m + B_{2m} A_m) \sin m\phi, \quad

@@ -1,33 +1,33 @@
-"""Irradiance of level ground and of level surfaces aloft from a solution: by star and by sky."""
+"""Direct and diffuse horizontal irradiance, at the ground and aloft, from a solution."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from airlight.geometry.bending import direct_horizontal_weights, star_points
+from airlight.geometry.refraction import direct_horizontal_weights, star_points
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor, star_factor
+from airlight.optics.reflection import diffuse_reflectance, direct_reflectance
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source import diffuse_horizontal, direct_beam, direct_horizontal
 from airlight.tables.column_ratios import columns_to_top
 
 
 @inlined
-def ground_light(mu_s, orders, light, work):
-    """Compute irradiance of level ground per irradiance of the star, in ``work.received``. [1]
+def ground_light(mu_s, orders, tables, work):
+    """Horizontal irradiance of the ground per irradiance of the star, to ``work.irradiance``. [1]
 
     Parameters
     ----------
     mu_s : float
-        Cosine of the star's zenith angle on the ground. [1]
-    orders, light, work :
-        Arguments of ``march``; the workspace receives the irradiances by the star and by the sky.
+        Cosine of the star's zenith angle at the ground. [1]
+    orders, tables, work :
+        Arguments of ``march``; the workspace receives direct and diffuse irradiance.
     """
-    bottom, top = light.bottom, light.top
+    bottom, top = tables.bottom, tables.top
     from_low, from_high, low, high = direct_horizontal_weights(
-        bottom, mu_s, bottom, top, light.star_radius, light.lift
+        bottom, mu_s, bottom, top, tables.star_radius, tables.refraction_table
     )
     direct = orders != 0 and from_low + from_high > 0.0
     if direct:
@@ -36,9 +36,9 @@ def ground_light(mu_s, orders, light, work):
             low,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             work.columns_to_sun_low,
         )
         columns_to_top(
@@ -46,62 +46,64 @@ def ground_light(mu_s, orders, light, work):
             high,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             work.columns_to_sun_high,
         )
-    x = sun_index(mu_s, light.place)
-    place = min(int(x), light.suns - 2)
-    for at in range(0, light.lanes, LANES):
+    x = sun_index(mu_s, tables.place)
+    place = min(int(x), tables.sun_angles - 2)
+    for at in range(0, tables.lanes, LANES):
         star, sky = splat(0.0), splat(0.0)
         if direct:
             star = direct_horizontal(
                 work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
-                light.scaled_extinction, light.constituents, light.lanes, at,
+                tables.scaled_extinction, tables.constituents, tables.lanes, at,
             )  # fmt: skip
         if orders != 1:
-            sky = diffuse_horizontal(light.sky, place, x - place, light.lanes, at)
-        store(work.received, at, star)
-        store(work.received, light.lanes + at, sky)
+            sky = diffuse_horizontal(tables.sky, place, x - place, tables.lanes, at)
+        store(work.irradiance, at, star)
+        store(work.irradiance, tables.lanes + at, sky)
 
 
 @inlined
-def ground_radiance(mu_s, leaving, nu, orders, light, work, out):
-    """Compute radiance of the ground per irradiance of the star. [sr⁻¹]
+def ground_radiance(mu_s, mu_r, nu, orders, tables, work, out):
+    """Radiance of the ground per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
-    mu_s, leaving, nu : float
-        Cosines as in ``star_factor``. [1]
-    orders, light, work :
+    mu_s, mu_r, nu : float
+        Cosines as in ``direct_reflectance``. [1]
+    orders, tables, work :
         Arguments of ``march``.
     out : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    ground_light(mu_s, orders, light, work)
-    for at in range(0, light.lanes, LANES):
-        star = load(work.received, at) * star_factor(light.ground, at, mu_s, leaving, nu)
-        sky = load(work.received, light.lanes + at) * sky_factor(light.ground, at, leaving)
+    ground_light(mu_s, orders, tables, work)
+    for at in range(0, tables.lanes, LANES):
+        star = load(work.irradiance, at) * direct_reflectance(tables.ground, at, mu_s, mu_r, nu)
+        sky = load(work.irradiance, tables.lanes + at) * diffuse_reflectance(
+            tables.ground, at, mu_r
+        )
         store(out, at, (star + sky) * INVERSE_PI)
 
 
 @compiled_loop
-def direct_irradiance(r, mu_s, light, work, out):
-    """Compute irradiance of a level surface by the star, for arrays of radii and cosines. [1]"""
-    bottom, top, lanes = light.bottom, light.top, light.lanes
+def direct_irradiance(r, mu_s, tables, work, out):
+    """Direct horizontal irradiance, for arrays of radii and cosines. [1]"""
+    bottom, top, lanes = tables.bottom, tables.top, tables.lanes
     for k in range(r.size):
         from_low, from_high, low, high = direct_horizontal_weights(
-            r[k], mu_s[k], bottom, top, light.star_radius, light.lift
+            r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
         )
         columns_to_top(
             r[k],
             low,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             work.columns_to_sun_low,
         )
         columns_to_top(
@@ -109,33 +111,35 @@ def direct_irradiance(r, mu_s, light, work, out):
             high,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             work.columns_to_sun_high,
         )
         for at in range(0, lanes, LANES):
             star = direct_horizontal(
                 work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
-                light.scaled_extinction, light.constituents, lanes, at,
+                tables.scaled_extinction, tables.constituents, lanes, at,
             )  # fmt: skip
             store(out[k], at, star)
 
 
 @compiled_loop
-def direct_normal_irradiance(r, mu_s, light, work, out):
-    """Compute irradiance by the star of surfaces that face it, arguments as above. [1]"""
-    bottom, top, lanes = light.bottom, light.top, light.lanes
+def direct_normal_irradiance(r, mu_s, tables, work, out):
+    """Direct normal irradiance; arguments as in ``direct_irradiance``. [1]"""
+    bottom, top, lanes = tables.bottom, tables.top, tables.lanes
     for k in range(r.size):
-        seen, low, high = star_points(r[k], mu_s[k], bottom, top, light.star_radius, light.lift)
+        seen, low, high = star_points(
+            r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
+        )
         columns_to_top(
             r[k],
             low,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             work.columns_to_sun_low,
         )
         columns_to_top(
@@ -143,33 +147,33 @@ def direct_normal_irradiance(r, mu_s, light, work, out):
             high,
             bottom,
             top,
-            light.first_nodes,
-            light.column_rows,
-            light.columns,
+            tables.first_nodes,
+            tables.column_rows,
+            tables.columns,
             work.columns_to_sun_high,
         )
         for at in range(0, lanes, LANES):
             star = direct_beam(
                 seen, work.columns_to_sun_low, work.columns_to_sun_high, high > low,
-                light.scaled_extinction, light.constituents, lanes, at,
+                tables.scaled_extinction, tables.constituents, lanes, at,
             )  # fmt: skip
             store(out[k], at, star)
 
 
 @compiled_loop
-def sky_irradiance(r, mu_s, radii, light, out):
-    """Compute irradiance of a level surface by the sky, for arrays of radii and cosines. [1]
+def sky_irradiance(r, mu_s, radii, tables, out):
+    """Diffuse horizontal irradiance, for arrays of radii and cosines. [1]
 
     ``radii`` are those of the solution's grid. [m]
     """
-    suns, lanes = light.suns, light.lanes
+    sun_angles, lanes = tables.sun_angles, tables.lanes
     for k in range(r.size):
-        place = node_value(r[k], light.bottom, light.top, light.first_nodes, light.row)
-        row = min(int(place), light.radii - 2)
-        # Linear in altitude: aloft the sky's light falls as the air above does, exponentially.
+        place = node_value(r[k], tables.bottom, tables.top, tables.first_nodes, tables.row)
+        row = min(int(place), tables.radii - 2)
+        # Linear in altitude: aloft, diffuse irradiance falls exponentially, like the column above.
         f = (r[k] - radii[row]) / (radii[row + 1] - radii[row])
-        x = sun_index(mu_s[k], light.place)
-        sun = min(int(x), suns - 2)
+        x = sun_index(mu_s[k], tables.place)
+        sun = min(int(x), sun_angles - 2)
         e = x - sun
         for at in range(0, lanes, LANES):
             scale = splat(0.0)
@@ -177,7 +181,7 @@ def sky_irradiance(r, mu_s, radii, light, out):
             for corner in range(4):
                 up, right = corner // 2, corner % 2
                 weight = np.float32((f if up else 1.0 - f) * (e if right else 1.0 - e))
-                node = ((row + up) * suns + sun + right) * 2 * lanes + at
-                scale = scale + weight * load(light.sky, node)
-                value = value + weight * load(light.sky, node + lanes)
+                node = ((row + up) * sun_angles + sun + right) * 2 * lanes + at
+                scale = scale + weight * load(tables.sky, node)
+                value = value + weight * load(tables.sky, node + lanes)
             store(out[k], at, value / scale)

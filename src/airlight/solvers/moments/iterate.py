@@ -1,7 +1,7 @@
 """Fixed-point iteration of the source function, eight wavelengths at a time.
 
-Each sweep is one order of scattering; synthetic acceleration adds the orders that follow along the
-vertical, and Anderson acceleration combines the last iterates.
+Each sweep is one order of scattering; synthetic acceleration adds further orders in the
+plane-parallel approximation, and Anderson acceleration combines recent iterates.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from airlight.solvers.moments.convergence import (
     positivity_fixup,
 )
 from airlight.solvers.moments.energy_balance import energy_error
-from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
+from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_narrow
 from airlight.solvers.moments.grid import Grid
 from airlight.solvers.moments.harmonics import EVEN, POLARISED
 from airlight.solvers.moments.iterate_update import (
@@ -36,19 +36,19 @@ from airlight.solvers.moments.iterate_update import (
 from airlight.solvers.moments.limits import check_limits
 from airlight.solvers.moments.packing import pack_light
 from airlight.solvers.moments.settings import Settings
-from airlight.solvers.moments.setup import Block, Setup
+from airlight.solvers.moments.setup import Setup, WavelengthBatch
 from airlight.solvers.moments.spectral_initial_guess import SpectralGuess, wavelength_batches
 from airlight.solvers.moments.stopping import Iteration, Stopping
-from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_of_few
+from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_narrow
 from airlight.solvers.moments.synthetic_acceleration import SyntheticAcceleration
 from airlight.solvers.refracted_geometry import RefractedGeometry
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Over-relaxation factors of the polarised moments, which synthetic acceleration leaves out. In
-#: molecular air each order has 0.3 of the even ones of the order before, and no odd ones; the
-#: factors leave the smallest residual among 1.2 to 1.6, and 1 to 1.4. [1]
+#: Over-relaxation factors of the polarised moments, which synthetic acceleration omits. For
+#: Rayleigh scattering even ones decay by 0.3 per order, and odd ones vanish; the factors minimise
+#: the residual among 1.2 to 1.6 and 1 to 1.4. [1]
 POLARISED_OVER_RELAXATION: Final = np.array([1.37] * EVEN + [1.1] * (POLARISED - EVEN), np.float32)
 
 
@@ -64,7 +64,7 @@ class IterationScheme(NamedTuple):
     acceleration : float
         Weight of synthetic acceleration; 0 for plain successive orders. [1]
     relaxation : float
-        Relaxation factor. Backward peaks make successive orders alternate; 0.5 damps that. [1]
+        Relaxation factor; 0.5 damps the alternation of orders with backward peaks. [1]
     """
 
     note: str
@@ -73,7 +73,7 @@ class IterationScheme(NamedTuple):
     relaxation: float
 
 
-#: Default scheme, and those that follow, one after the other, where the iteration diverges.
+#: Default scheme, and fallbacks, in this order, if the iteration diverges.
 FALLBACK_SCHEMES: Final = (
     IterationScheme("", 1.0, 1.0, 1.0),
     IterationScheme("iteration diverged; restarted with damping 0.7", 2.0, 0.7, 1.0),
@@ -91,27 +91,27 @@ class Moments:
         Degree of the harmonics.
     grid : Grid
         Nodes of the field.
-    parts : int
-        Step, in radii of the grid, between those at which light is gathered.
+    refinement : int
+        Number of levels of the grid per radius of the sweep.
     field : array, shape (r, s, k, nl)
-        Moments of the radiance of all scattered and reflected light. [1]
+        Moments of the diffuse radiance. [1]
     sky : array, shape (r, s, nl)
-        Irradiance of a level surface by scattered light from above. [1]
+        Diffuse horizontal irradiance from above. [1]
     columns : array, shape (radii, directions, nc)
         Columns of a ``ColumnTable``. [m]
     sweeps : int
-        Number of orders of scattering that were computed one by one (the rest is extrapolated).
+        Number of sweeps.
     residual : array, shape (nl,)
-        Largest relative change of the mean radiance that all further sweeps would make. [1]
+        Estimated largest relative change of the mean radiance by further sweeps. [1]
     energy : array, shape (nl,)
-        Light that the solution makes or loses, from ``energy_error``. [1]
+        Energy balance error, from ``energy_error``. [1]
     scheme : int
-        Index among ``FALLBACK_SCHEMES`` of the last scheme.
+        Index of the last scheme in ``FALLBACK_SCHEMES``.
     """
 
     degree: int
     grid: Grid
-    parts: int
+    refinement: int
     field: Float32Array
     sky: Float32Array
     columns: FloatArray
@@ -122,18 +122,18 @@ class Moments:
 
 
 def solve_moments(
-    paths: RefractedGeometry,
+    geometry: RefractedGeometry,
     settings: Settings,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Moments:
-    """Solve for the moments of the radiance at every wavelength of a medium.
+    """Moments of the radiance at all wavelengths of a medium.
 
     Parameters
     ----------
-    paths : RefractedGeometry
-        Light paths of a medium with any number of wavelengths and constituents.
+    geometry : RefractedGeometry
+        Refracted geometry of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
     progress, cancel : callable, optional
@@ -142,70 +142,70 @@ def solve_moments(
     Raises
     ------
     ParameterError
-        If the air is deeper than ``check_limits`` allows.
+        If the medium exceeds the limits of ``check_limits``.
     ConvergenceError
         If the tolerance is not reached within ``settings.max_sweeps``.
     Cancelled
         If ``cancel`` returned True.
     """
-    setup = Setup(paths=paths, settings=settings)
+    setup = Setup(geometry=geometry, settings=settings)
     check_limits(setup.optics)
     count = setup.medium.wavelengths.size
     radii = setup.gathering.radii.size
-    field = np.empty((radii, settings.suns, setup.terms, count), np.float32)
-    sky = np.empty((radii, settings.suns, count), np.float32)
+    field = np.empty((radii, settings.sun_angles, setup.terms, count), np.float32)
+    sky = np.empty((radii, settings.sun_angles, count), np.float32)
     residual = np.empty(count)
     most = hardest = 0
     done = 0
-    for batch in wavelength_batches(setup.medium.wavelengths, clear=setup.parts == 1):
+    for group in wavelength_batches(setup.medium.wavelengths, clear=setup.refinement == 1):
         guesses = SpectralGuess()
-        for number, which in enumerate(batch):
-            block = setup.block(which)
-            helped = guesses if len(batch) > 1 else None
-            last = number == len(batch) - 1
-            result = _iterate(block, _Watch(progress, block, done), cancel, helped, last)
+        for number, which in enumerate(group):
+            batch = setup.batch(which)
+            helped = guesses if len(group) > 1 else None
+            last = number == len(group) - 1
+            result = _iterate(batch, _Watch(progress, batch, done), cancel, helped, last)
             field[..., which], sky[..., which], residual[which], sweeps, scheme = result
-            most, hardest, done = max(most, sweeps), max(hardest, scheme), done + block.used
+            most, hardest, done = max(most, sweeps), max(hardest, scheme), done + batch.used
     return Moments(
-        degree=setup.degree, grid=setup.grid, parts=setup.parts, field=field, sky=sky,
+        degree=setup.degree, grid=setup.grid, refinement=setup.refinement, field=field, sky=sky,
         columns=setup.table.values, sweeps=most, residual=residual,
         energy=energy_error(setup, field), scheme=hardest,
     )  # fmt: skip
 
 
 def gather(
-    block: Block,
+    batch: WavelengthBatch,
     kernel: Callable[..., None],
     *light: NDArray[Any],
     cancel: Cancel | None = None,
     out: Light | None = None,
 ) -> Light:
-    """Run ``first_order_radius`` or ``sweep_radius`` at every radius, on all cores.
+    """Moments by ``first_order_radius`` or ``sweep_radius``, at all radii, on all cores.
 
     Parameters
     ----------
-    block : Block
-        Set-up from ``Setup.block``.
+    batch : WavelengthBatch
+        Set-up from ``Setup.batch``.
     kernel : callable
         One of these two functions.
     *light : array
-        Arrays that it reads beside the set-up.
+        Its arguments after the set-up.
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     out : Light, optional
-        Arrays that receive the result.
+        Arrays for the result.
 
     Returns
     -------
     moments, sky : array, shapes (r, s, k, 8), (r, s, 8)
     """
-    setup = block.setup
-    radii = block.rays.mu.shape[0]
-    moments, sky = _arrays(block) if out is None else out
+    setup = batch.setup
+    radii = batch.rays.mu.shape[0]
+    moments, sky = _arrays(batch) if out is None else out
 
     def radius(i: int) -> None:
         kernel(
-            i, setup.grid, block.rays, block.share, setup.azimuths, block.air, setup.expansion,
+            i, setup.grid, batch.rays, batch.norm, setup.azimuths, batch.air, setup.expansion,
             *light, moments[i].reshape(-1), sky[i].reshape(-1),
         )  # fmt: skip
 
@@ -213,10 +213,10 @@ def gather(
     return moments, sky
 
 
-def _arrays(block: Block) -> Light:
-    """Arrays of moments and irradiances, with any contents."""
-    setup = block.setup
-    shape = block.rays.mu.shape[0], setup.grid.sun_cosines.size
+def _arrays(batch: WavelengthBatch) -> Light:
+    """Uninitialised arrays of moments and irradiances."""
+    setup = batch.setup
+    shape = batch.rays.mu.shape[0], setup.grid.sun_cosines.size
     return (
         np.empty((*shape, setup.terms, LANES), np.float32),
         np.empty((*shape, LANES), np.float32),
@@ -225,19 +225,19 @@ def _arrays(block: Block) -> Light:
 
 @dataclass(frozen=True)
 class _Watch:
-    """Reporter of the progress of one block of wavelengths."""
+    """Progress reporter of one batch of wavelengths."""
 
     progress: Progress | None
-    block: Block
-    done: int  # wavelengths of the blocks before
+    batch: WavelengthBatch
+    done: int  # wavelengths of the batches before
 
     def report(self, iteration: Iteration | None = None) -> None:
-        """Report progress over all wavelengths; this block's share is 0 without an iteration."""
+        """Report progress over all wavelengths."""
         if self.progress is None:
             return
-        which, wavelengths = self.block.which, self.block.setup.medium.wavelengths
+        which, wavelengths = self.batch.which, self.batch.setup.medium.wavelengths
         nm = wavelengths[which]
-        share = 0.0 if iteration is None else iteration.share
+        share = 0.0 if iteration is None else iteration.progress
         still = 1.0 if iteration is None else float(iteration.remaining_error.max())
         self.progress(
             round(100 * (self.done + share * nm.size)),
@@ -247,41 +247,46 @@ class _Watch:
 
 
 def _iterate(
-    block: Block,
+    batch: WavelengthBatch,
     watch: _Watch,
     cancel: Cancel | None,
     spectral_guess: SpectralGuess | None = None,
     last: bool = False,
 ) -> tuple[Float32Array, Float32Array, FloatArray, int, int]:
-    """Solve one block of wavelengths: sum of all orders, its residual, number of sweeps and scheme.
+    """Solution of one batch of wavelengths: moments, residual, number of sweeps and scheme.
 
-    ``spectral_guess`` has corrections of near wavelengths, and receives its own unless ``last``.
+    ``spectral_guess`` has corrections of other batches, and receives those of this unless ``last``.
     """
-    setup, used = block.setup, block.used
+    setup, used = batch.setup, batch.used
     once, sweep = first_order_radius, sweep_radius
-    if block.few:
-        once, sweep = first_order_radius_of_few, sweep_radius_of_few
+    if batch.narrow:
+        once, sweep = first_order_radius_narrow, sweep_radius_narrow
     watch.report()
     first_field, first_sky = gather(
-        block, once, setup.column_rows, setup.star_ratios, setup.paths.lift, cancel=cancel
+        batch,
+        once,
+        setup.column_rows,
+        setup.star_ratios,
+        setup.geometry.refraction_table,
+        cancel=cancel,
     )
     if not (first_field[:, :, 0] > 0.0).any():
         return first_field[..., :used], first_sky[..., :used], np.zeros(used), 0, 0
-    synthetic = SyntheticAcceleration(block, cancel)
+    synthetic = SyntheticAcceleration(batch, cancel)
     guess = positivity_fixup(*synthetic.apply(first_field, first_sky), first_field, first_sky)
     light, least = guess, 2
-    nm = setup.medium.wavelengths[block.which]
+    nm = setup.medium.wavelengths[batch.which]
     between = None if spectral_guess is None else spectral_guess.corrected(nm, guess)
     if between is not None:
         light, least = positivity_fixup(*between, first_field, first_sky), 1
-    iteration = Iteration(Stopping.of_sweeps(setup.settings), block.thick, used, least=least)
+    iteration = Iteration(Stopping.of_sweeps(setup.settings), batch.thick, used, least=least)
     if spectral_guess is not None and between is not None:
         iteration.set_prediction(spectral_guess.expected(nm, guess))
-    degrees = active_degrees(block, light[0]) if setup.parts > 1 else block.all_degrees
+    degrees = active_degrees(batch, light[0]) if setup.refinement > 1 else batch.all_degrees
     iterates: deque[Light] = deque(maxlen=iteration.stopping.iterates)
     best, at, scheme = light, 0, FALLBACK_SCHEMES[0]
-    # Each sweep uses the arrays of the one before: the system clears new memory page by page.
-    swept, residual, mixed = _arrays(block), _arrays(block), _arrays(block)
+    # Arrays are reused between sweeps: the system would clear new memory page by page.
+    swept, residual, mixed = _arrays(batch), _arrays(batch), _arrays(batch)
     packed: tuple[Float32Array | None, Float32Array | None] = None, None
     while iteration.unfinished():
         if iteration.diverging and at + 1 < len(FALLBACK_SCHEMES):
@@ -291,12 +296,17 @@ def _iterate(
             iterates.clear()
             iteration.restart(accelerated=scheme.acceleration > 0.0)
         packed = pack_light(
-            light[0], light[1][:1], block.level, setup.parts, few=block.few, out=packed[0]
+            light[0],
+            light[1][:1],
+            batch.level,
+            setup.refinement,
+            narrow=batch.narrow,
+            out=packed[0],
         )
-        gather(block, sweep, *packed, degrees, cancel=cancel, out=swept)
+        gather(batch, sweep, *packed, degrees, cancel=cancel, out=swept)
         add_first_order(swept, (first_field, first_sky), light, residual)
         mean = swept[0][:, :, 0]
-        weight = scheme.acceleration * acceleration_weights(mean, block.lateral_threshold)
+        weight = scheme.acceleration * acceleration_weights(mean, batch.lateral_threshold)
         accelerated_residual = (
             synthetic.apply(*residual, (mean, swept[1])) if scheme.acceleration > 0.0 else None
         )

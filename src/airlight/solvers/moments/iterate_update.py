@@ -1,7 +1,7 @@
-"""Next iterate: the light after a sweep with synthetic acceleration.
+"""Next iterate after a sweep, with synthetic acceleration and over-relaxation.
 
-Loops run over one radius at a time, on all cores: the arrays of a solve are larger than the caches
-of a core, and whole-array operations would stream them from memory a dozen times.
+Loops run over one radius at a time, on all cores: the arrays exceed the caches, and whole-array
+operations would stream them from memory a dozen times.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ def add_first_order(swept: Light, first: Light, before: Light, residual: Light) 
     Parameters
     ----------
     swept, first, before : two arrays, shapes (r, s, k, 8), (r, s, 8)
-        Moments and irradiances of the sweep, of the first order, and of the light before the sweep.
+        Moments and irradiances of the sweep, of the first order, and of the previous iterate.
     residual : two arrays
-        Receives the light after the sweep less the light before it.
+        Receives the sum of sweep and first order, less the previous iterate.
     """
 
     def at(i: int) -> None:
@@ -39,7 +39,7 @@ def add_first_order(swept: Light, first: Light, before: Light, residual: Light) 
 
 @compiled_loop
 def _add_orders(swept, first, before, residual):
-    """Add ``first`` to ``swept``, and fill ``residual`` with the sum less ``before``; all flat."""
+    """Add ``first`` to ``swept``; ``residual`` receives the sum less ``before``; all flat."""
     for n in range(swept.size):
         swept[n] += first[n]
         residual[n] = swept[n] - before[n]
@@ -54,12 +54,12 @@ def next_iterate(
     over_relaxation: Float32Array,
     relaxation: float,
 ) -> Light:
-    """Light before the sweep plus the residual, accelerated as far as ``weight`` says.
+    """Previous iterate plus the accelerated residual, weighted by ``weight``.
 
     Parameters
     ----------
     light, residual, swept : two arrays, shapes (r, s, k, 8), (r, s, 8)
-        Light before the sweep, its residual, and the light after the sweep.
+        Previous iterate, its residual, and the iterate after the sweep.
     accelerated_residual : two arrays, or None
         Residual after ``SyntheticAcceleration.apply``; None for plain successive orders.
     weight : array, shape (r, s, 8)
@@ -72,7 +72,7 @@ def next_iterate(
     Returns
     -------
     two arrays
-        Next iterate; the light after the sweep where the iterate is negative or far below it.
+        Next iterate; that after the sweep where the accelerated one is negative or far below it.
     """
     out = np.empty_like(light[0]), np.empty_like(light[1])
     accelerated = residual if accelerated_residual is None else accelerated_residual
@@ -118,18 +118,18 @@ def _accelerate(light, residual, accelerated, swept, weight, over_relaxation, re
 def convergence_quantities(
     before: Float32Array, after: Float32Array
 ) -> tuple[Float32Array, Float32Array]:
-    """Values (r, s·6, 8) whose relative change measures convergence.
+    """Quantities (r, s·6, 8) whose relative change measures convergence.
 
-    Mean radiances, and mean radiances that differ by the change of each polarised moment: they
-    are not accelerated, so they are the last to converge.
+    Mean radiances, and mean radiances plus the change of each polarised moment, which are not
+    accelerated and converge last.
 
     Parameters
     ----------
     before, after : array, shape (r, s, k, 8)
         Moments of a guess and of its iterate.
     """
-    radii, suns, terms, lanes = after.shape
-    earlier = np.empty((radii, suns, 1 + POLARISED, lanes), np.float32)
+    radii, sun_angles, terms, lanes = after.shape
+    earlier = np.empty((radii, sun_angles, 1 + POLARISED, lanes), np.float32)
     mean = np.empty_like(earlier)
     _fill_quantities(before, after, terms - POLARISED, earlier, mean)
     shape = (radii, -1, lanes)

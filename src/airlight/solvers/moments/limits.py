@@ -1,4 +1,4 @@
-"""Largest optical depths that the moments solver accepts: deeper air would not converge."""
+"""Limits of optical depth of the moments solver, beyond which it would not converge."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
 
-#: Largest vertical transport depth, where absorption is weak: scattering weighted by 1 - g. [1]
+#: Largest vertical transport optical depth τ (1 - g) with weak absorption. [1]
 DEEPEST: Final = 500.0
-#: Largest transport depth times the height that holds nine tenths of the scattering, over the
-#: radius: where lateral transport is as far as vertical, synthetic acceleration fails. [1]
+#: Largest transport optical depth times the altitude range with 90 % of the scattering, over the
+#: radius: synthetic acceleration fails where lateral transport reaches as far as vertical. [1]
 WIDEST: Final = 2.0
-#: Largest fourth Legendre moment of a backward-scattering phase function, of g = -0.97, and the
-#: scattering optical depth up to which it may be larger. [1]
+#: Largest fourth Legendre moment of a backward-scattering phase function (that of g = -0.97), and
+#: the scattering optical depth up to which it may be larger. [1]
 BACKWARD: Final = 0.97**4 + 1e-9
 THIN: Final = 1.0
-#: Number of diffusion lengths beyond which deeper air has no influence.
+#: Depth in diffusion lengths beyond which a medium is effectively semi-infinite.
 _DIFFUSION_LENGTHS: Final = 10.0
 
 
 def check_limits(optics: Optics) -> None:
-    """Raise if the air is too deep for the iteration.
+    """Raise an error if the medium is too thick for the iteration.
 
-    The transport depth counts through all of the air where nothing absorbs, and otherwise only as
-    far as light diffuses (``diffusion_lengths``).
+    The transport optical depth is that of the whole medium without absorption, else that of the
+    depth reached by diffusion (``diffusion_lengths``).
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def check_limits(optics: Optics) -> None:
     Raises
     ------
     ParameterError
-        If the air is too deep, too deep for its height, or too deep for its backward peak.
+        If the medium is too thick, also for its height or for its backward peak.
     """
     medium = optics.medium
     scattered = medium.columns[:, None] * medium.scattering
@@ -70,10 +70,10 @@ def check_limits(optics: Optics) -> None:
 
 
 def diffusion_lengths(medium: Medium, asymmetry: FloatArray) -> FloatArray:
-    """Depth of the air in diffusion lengths: ∫ sqrt(3(1 - ϖ)(1 - ϖg)) dτ. [1]
+    """Vertical thickness in diffusion lengths: ∫ sqrt(3(1 - ϖ)(1 - ϖg)) dτ. [1]
 
-    The root is the diffusion exponent of Eddington's approximation. Where the air absorbs in one
-    layer alone, only that layer counts: light diffuses through the rest.
+    The root is the diffusion exponent of the Eddington approximation. If a single layer absorbs,
+    only that layer contributes.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def diffusion_lengths(medium: Medium, asymmetry: FloatArray) -> FloatArray:
     Returns
     -------
     array, shape (nl,)
-        0 where nothing absorbs.
+        0 without absorption.
     """
     density, altitude = density_table(medium.density), medium.density.node_altitudes
     absorbed = density @ medium.absorption

@@ -1,4 +1,4 @@
-"""Compiled loops that a solve of a planet runs, for the count of what is still to be compiled."""
+"""Compiled loops of a solve, for the progress of their first compilation."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from airlight.solvers.moments.convergence import (
 )
 from airlight.solvers.moments.delta_m import delta_m_scaling
 from airlight.solvers.moments.elimination import factorise, substitute
-from airlight.solvers.moments.first_order import first_order_radius_of_few
+from airlight.solvers.moments.first_order import first_order_radius_narrow
 from airlight.solvers.moments.iterate_update import _accelerate, _add_orders, _fill_quantities
-from airlight.solvers.moments.opaque_culling import share_into
+from airlight.solvers.moments.opaque_culling import norms_into
 from airlight.solvers.moments.packing import _pack_sun
 from airlight.solvers.moments.rays import trace_into
-from airlight.solvers.moments.sweep import sweep_radius_of_few
+from airlight.solvers.moments.sweep import sweep_radius_narrow
 from airlight.solvers.moments.synthetic_acceleration import (
     _legendre_rows,
     multiply,
@@ -46,10 +46,10 @@ LOOPS: Final = (
     _interpolate,
     delta_m_scaling,
     trace_into,
-    share_into,
+    norms_into,
     table_rays,
     _columns,
-    first_order_radius_of_few,
+    first_order_radius_narrow,
     synthetic_rows,
     gather_levels,
     _legendre_rows,
@@ -61,7 +61,7 @@ LOOPS: Final = (
     spread_onto,
     _replace,
     _pack_sun,
-    sweep_radius_of_few,
+    sweep_radius_narrow,
     _add_orders,
     _accelerate,
     _fill_quantities,

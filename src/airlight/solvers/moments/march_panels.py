@@ -1,7 +1,7 @@
-"""Panels of a line of sight: their ends, their points, and the columns up to each point.
+"""Panels of a line of sight: ends, quadrature points, and columns up to each point.
 
-Restricted Python, as in ``march``: one panel is stored at a time, so that a device, which runs one
-line a thread, needs little memory for it.
+Restricted Python, as in ``march``. One panel is stored at a time, so that a GPU thread, which runs
+one line, needs little memory.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from airlight.solvers.moments.source import transmittance_columns
 from airlight.tables.column_ratios import columns_to_top
 from airlight.tables.columns import THICK, split_at_profile_edges
 
-#: A stretch is steep if its length over the shell's thickness is less; and in full daylight if
-#: the star's zenith cosine is larger at both ends. Eight points then err by less than 1e-3.
+#: A line is steep if its length over the shell's thickness is less, and in full daylight if the
+#: star's zenith cosine is larger at both ends. The error of eight points is then below 1e-3.
 STEEP = 4.0
-#: Length over the shell's thickness above which a stretch grazes the densest air.
+#: Length over the shell's thickness above which a line grazes the densest layers.
 GRAZING = 9.0
 FULL_DAY = 0.1
 #: Transmittance below which a panel is not computed. [1]
 MIN_TRANSMITTANCE = 1e-7
-#: Numbers of edges, a panel on each leg, beyond which a line needs fewer points a panel.
+#: Numbers of edges, per panel of a leg, beyond which a panel needs fewer points.
 SOME_EDGES = 6
 MANY_EDGES = 10
 
 
 @inlined
-def place_panel(r, mu, panel, count, rule, light, work):
-    """Find the points of a panel: positions [m], weights [m] and densities [1].
+def place_panel(r, mu, panel, count, rule, tables, work):
+    """Quadrature points of a panel: positions [m], weights [m] and densities [1].
 
     Parameters
     ----------
@@ -47,71 +47,71 @@ def place_panel(r, mu, panel, count, rule, light, work):
     panel, count : int
         Index of the panel, and number of edges of the line.
     rule : int
-        Start of the quadrature in ``light.rules``.
-    light, work : MarchTables, MarchWorkspace
+        Start of the quadrature in ``tables.rules``.
+    tables, work : MarchTables, MarchWorkspace
         Tables of the solution; the workspace receives distance, radius, weight and density.
     """
-    n = int(light.rules[rule])
+    n = int(tables.rules[rule])
     descending, low, beside, first, last = panel_leg(
         r, mu, work.edges[panel], work.edges[panel + 1], work.edges[count - 1]
     )
     for k in range(n):
         work.distance[k], work.radius[k], slope = panel_point(
-            -r * mu, descending, low, beside, first, last, light.rules[rule + 1 + k]
+            -r * mu, descending, low, beside, first, last, tables.rules[rule + 1 + k]
         )
-        work.weight[k] = slope * light.rules[rule + 1 + n + k]
+        work.weight[k] = slope * tables.rules[rule + 1 + n + k]
         node, share = altitude_node(
-            work.radius[k], light.bottom, light.top - light.bottom, light.first_nodes
+            work.radius[k], tables.bottom, tables.top - tables.bottom, tables.first_nodes
         )
-        for c in range(light.constituents):
-            here = light.density[node, c]
-            work.density[c * n + k] = here + (light.density[node + 1, c] - here) * share
+        for c in range(tables.constituents):
+            below = tables.density[node, c]
+            work.density[c * n + k] = below + (tables.density[node + 1, c] - below) * share
 
 
 @inlined
-def panel_columns(rule, light, work):
+def panel_columns(rule, tables, work):
     """Columns up to each point of a panel, from ``work.columns_so_far`` on, and over the panel. [m]
 
     Parameters
     ----------
-    rule, light, work :
+    rule, tables, work :
         Arguments of ``place_panel``; the workspace receives columns, and ``before`` those up to the
         panel's end.
     """
-    n = int(light.rules[rule])
-    for c in range(light.constituents):
+    n = int(tables.rules[rule])
+    for c in range(tables.constituents):
         for k in range(n):
             work.amounts[c * n + k] = work.density[c * n + k] * work.weight[k]
         for k in range(n):
             running = 0.0
             for j in range(n):
-                share = light.rules[rule + 1 + 2 * n + k * n + j]
+                share = tables.rules[rule + 1 + 2 * n + k * n + j]
                 running += share * work.amounts[c * n + j]
-            # A running integral of a steep profile may dip below its start by rounding.
+            # The running integral of a steep profile may be negative by rounding.
             work.columns[c * n + k] = work.columns_so_far[c] + max(running, 0.0)
         for k in range(n):
             work.columns_so_far[c] += work.amounts[c * n + k]
 
 
 @inlined
-def is_transparent(light, work):
-    """Whether any wavelength has more than ``MIN_TRANSMITTANCE`` up to the next panel."""
+def is_transparent(tables, work):
+    """Whether the transmittance to the next panel exceeds ``MIN_TRANSMITTANCE`` anywhere."""
     most = np.float32(0.0)
-    for at in range(0, light.lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
         transmittance = transmittance_columns(
-            work.columns_so_far, light.scaled_extinction, light.constituents, light.lanes, at
+            work.columns_so_far, tables.scaled_extinction, tables.constituents, tables.lanes, at
         )
         most = max(most, largest(transmittance))
     return most > MIN_TRANSMITTANCE
 
 
 @inlined
-def columns_along(r, mu, count, rule, light, work):
-    """Columns of a whole line, and distances of optical depths 0.5, 3 and 12.
+def columns_along(r, mu, count, rule, tables, work):
+    """Columns of a whole line, and distances to optical depths 0.5, 3 and 12.
 
     Parameters
     ----------
-    r, mu, count, rule, light, work :
+    r, mu, count, rule, tables, work :
         Arguments of ``place_panel``; the workspace receives totals, and cuts: 0 for a depth that is
         not reached.
 
@@ -120,20 +120,20 @@ def columns_along(r, mu, count, rule, light, work):
     float
         Largest optical depth of any wavelength. [1]
     """
-    n = int(light.rules[rule])
-    for c in range(light.constituents):
+    n = int(tables.rules[rule])
+    for c in range(tables.constituents):
         work.columns_total[c] = 0.0
     for which in range(3):
         work.cuts[which] = 0.0
     reached, at = 0.0, 0.0
     for panel in range(count - 1):
-        place_panel(r, mu, panel, count, rule, light, work)
+        place_panel(r, mu, panel, count, rule, tables, work)
         for k in range(n):
             depth = reached
-            for c in range(light.constituents):
+            for c in range(tables.constituents):
                 amount = work.density[c * n + k] * work.weight[k]
                 work.columns_total[c] += amount
-                depth += light.strongest[c] * amount
+                depth += tables.strongest[c] * amount
             if depth > reached:
                 for which in range(3):
                     wanted = 0.5 if which == 0 else (3.0 if which == 1 else 12.0)
@@ -146,15 +146,14 @@ def columns_along(r, mu, count, rule, light, work):
 
 
 @inlined
-def columns_between(r, mu, length, light, work):
-    """Estimate columns of a line from the table of columns to the top, where that suffices.
+def columns_between(r, mu, length, tables, work):
+    """Columns of a line from the column table.
 
-    It errs by 1e-3 of the columns of the whole ray on which the line lies, and costs a tenth of
-    ``columns_along``.
+    The error is 1e-3 of the columns of the whole ray, the cost a tenth of ``columns_along``.
 
     Parameters
     ----------
-    r, mu, length, light, work :
+    r, mu, length, tables, work :
         Arguments of ``place_panels``; the workspace receives totals.
 
     Returns
@@ -162,7 +161,7 @@ def columns_between(r, mu, length, light, work):
     float
         Largest optical depth of any wavelength. [1]
     """
-    bottom, top = light.bottom, light.top
+    bottom, top = tables.bottom, tables.top
     end = min(max(radius_along(r, mu, length), bottom), top)
     mu_end = min(max((r * mu + length) / end, -1.0), 1.0)
     # The table holds rays that miss the ground.
@@ -174,9 +173,9 @@ def columns_between(r, mu, length, light, work):
         low_mu,
         bottom,
         top,
-        light.first_nodes,
-        light.column_rows,
-        light.columns,
+        tables.first_nodes,
+        tables.column_rows,
+        tables.columns,
         work.columns_total,
     )
     columns_to_top(
@@ -184,21 +183,21 @@ def columns_between(r, mu, length, light, work):
         high_mu,
         bottom,
         top,
-        light.first_nodes,
-        light.column_rows,
-        light.columns,
+        tables.first_nodes,
+        tables.column_rows,
+        tables.columns,
         work.columns_to_sun_low,
     )
     depth = 0.0
-    for c in range(light.constituents):
+    for c in range(tables.constituents):
         work.columns_total[c] = max(work.columns_total[c] - work.columns_to_sun_low[c], 0.0)
-        depth += light.strongest[c] * work.columns_total[c]
+        depth += tables.strongest[c] * work.columns_total[c]
     return depth
 
 
 @inlined
-def place_panels(r, mu, mu_s, nu, length, light, work):
-    """Cut a line into panels, and choose their quadrature.
+def place_panels(r, mu, mu_s, nu, length, tables, work):
+    """Panels of a line, and their quadrature.
 
     A panel of n points integrates exp(-τ) well while τ over it stays below about n²/8. Where the
     whole line is thicker, panels end at optical depths 0.5, 3 and 12, found from first columns and
@@ -206,29 +205,29 @@ def place_panels(r, mu, mu_s, nu, length, light, work):
 
     Parameters
     ----------
-    r, mu, mu_s, nu, length, light, work :
+    r, mu, mu_s, nu, length, tables, work :
         Arguments of ``march``; the workspace receives edges and totals.
 
     Returns
     -------
     count, rule : int
-        Number of edges, and start of the quadrature in ``light.rules``.
+        Number of edges, and start of the quadrature in ``tables.rules``.
     day : bool
-        Whether all of the line is in full daylight.
+        Whether the whole line is in full daylight.
     """
-    first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, light.bottom)
-    count = place_edges(r, mu, length, light.panels, first_cut, second_cut, work.edges)
-    count = split_at_profile_edges(r, mu, light.bottom, light.ends, work.edges, count)
+    first_cut, second_cut = shadow_edges(r, mu, mu_s, nu, tables.bottom)
+    count = place_edges(r, mu, length, tables.panels, first_cut, second_cut, work.edges)
+    count = split_at_profile_edges(r, mu, tables.bottom, tables.ends, work.edges, count)
     end = min(mu_s, (r * mu_s + length * nu) / radius_along(r, mu, length))
-    slant = length / (light.top - light.bottom)
+    slant = length / (tables.top - tables.bottom)
     day = end > FULL_DAY
-    kind = 1 if slant < GRAZING or count > SOME_EDGES * light.panels else 2
-    if (day and slant < STEEP) or count > MANY_EDGES * light.panels:
+    kind = 1 if slant < GRAZING or count > SOME_EDGES * tables.panels else 2
+    if (day and slant < STEEP) or count > MANY_EDGES * tables.panels:
         kind = 0
-    rule = int(light.rules[kind])
-    if columns_between(r, mu, length, light, work) > THICK:
+    rule = int(tables.rules[kind])
+    if columns_between(r, mu, length, tables, work) > THICK:
         for _attempt in range(2):
-            if columns_along(r, mu, count, rule, light, work) <= THICK:
+            if columns_along(r, mu, count, rule, tables, work) <= THICK:
                 break
             for which in range(3):
                 count = insert_edge(work.edges, count, work.cuts[which])

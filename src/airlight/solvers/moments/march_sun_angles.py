@@ -1,10 +1,9 @@
-"""March of lines of sight that differ only in the direction of the star.
+"""Ray march of lines of sight for many sun angles at once.
 
-Texels of a table with the same radius and view lie on one line, for many sun angles. Its points,
-the columns up to them and the harmonics of its direction do not depend on the sun angle, so they
-are computed once for all sun angles that cut the line into the same panels. Points and results are
-those of ``march``: the loop over sun angles is inside that over points, and sums over the degrees
-of one azimuthal order come before those over orders.
+Texels of a table with the same radius and view share a line. Its points, the columns up to them and
+the harmonics of its direction do not depend on the sun angle, and are computed once for all sun
+angles with the same panels. Points and results are those of ``march``: the loop over sun angles is
+inside that over points, and sums over the degrees of an azimuthal order precede those over orders.
 """
 
 from __future__ import annotations
@@ -14,13 +13,14 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import MAX_EDGES
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import LANES, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.altitude_nodes import node_value
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.forward_peak import add_peaks, peak_fraction, peak_gain
 from airlight.solvers.moments.harmonics import (
     ELEMENTS,
@@ -36,7 +36,6 @@ from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.source import direct_beam, transmittance_columns
-from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -67,14 +66,14 @@ class SunAngleWorkspace(NamedTuple):
         Scattering coefficients at a point. [m⁻¹]
     factors : array, shape (k·w,)
         Harmonics of the line at a point times the moments' strengths. [m⁻¹]
-    orders : array, shape (suns·(N + 2)·w,)
+    orders : array, shape (sun_angles·(N + 2)·w,)
         Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
-        field's scale, for each sun of the field.
-    made : array, shape (suns,)
+        field's scale, for each sun angle of the field.
+    made : array, shape (sun_angles,)
         Whether these are computed for the point.
     sums : array, shape (n·(4 + nc)·w,)
-        Sums over the line for each sun angle: all light, three of ``add_peaks``, single scattering
-        by each constituent.
+        Sums over the line for each sun angle: path radiance, three of ``add_peaks``, single
+        scattering by each constituent.
     """
 
     edges: FloatArray
@@ -93,8 +92,8 @@ class SunAngleWorkspace(NamedTuple):
     sums: Float32Array
 
 
-def _new_workspace(light: MarchTables) -> SunAngleWorkspace:
-    lanes, count = light.lanes, light.constituents
+def _new_workspace(tables: MarchTables) -> SunAngleWorkspace:
+    lanes, count = tables.lanes, tables.constituents
     return SunAngleWorkspace(
         edges=np.empty((_STARS, MAX_EDGES)),
         columns_so_far=np.empty((_STARS, count)),
@@ -106,25 +105,25 @@ def _new_workspace(light: MarchTables) -> SunAngleWorkspace:
         transmittance=np.empty(lanes, np.float32),
         transmittance_once=np.empty(lanes, np.float32),
         scattering=np.empty(count * lanes, np.float32),
-        factors=np.empty(moment_count(light.degree) * lanes, np.float32),
-        orders=np.empty(light.suns * (light.degree + 2) * lanes, np.float32),
-        made=np.empty(light.suns, np.bool_),
+        factors=np.empty(moment_count(tables.degree) * lanes, np.float32),
+        orders=np.empty(tables.sun_angles * (tables.degree + 2) * lanes, np.float32),
+        made=np.empty(tables.sun_angles, np.bool_),
         sums=np.empty(_STARS * (4 + count) * lanes, np.float32),
     )
 
 
 def scattering_by_constituent(
-    solution: MomentsSolution, sight: Sight, orders: int, *, delta_scaled: bool
+    solution: MomentsSolution, lines: LinesOfSight, orders: int, *, delta_scaled: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Radiance of the air, and single scattering by each constituent.
+    """Path radiance, and single scattering by each constituent.
 
     Parameters
     ----------
     solution : MomentsSolution
-    sight : Sight
+    lines : LinesOfSight
         n lines of sight; neighbours with equal radius, view and length are marched together.
     orders : int
-        Orders of the light as for ``MomentsSolution.radiance_per_irradiance``.
+        As in ``MomentsSolution.radiance_per_irradiance``.
     delta_scaled : bool
         Whether single scattering is the solution's, with delta-M scaled extinction and broadened
         forward peaks; otherwise extinction and phase functions are unscaled.
@@ -132,27 +131,27 @@ def scattering_by_constituent(
     Returns
     -------
     light : array, shape (n, nl)
-        Radiance of the air. [sr⁻¹]
+        Path radiance. [sr⁻¹]
     once : array, shape (n, nc, nl)
         Single scattering by each constituent, to be multiplied by its phase function. [1]
     """
-    light, paths = solution.light, solution.paths
-    sight = paths.sight(sight)
-    seen = paths.apparent_nu(sight)
-    n, count, constituents = sight.r.size, solution.wavelengths.size, light.constituents
+    tables, geometry = solution.tables, solution.geometry
+    lines = geometry.optical_lines(lines)
+    seen = geometry.apparent_nu(lines)
+    n, count, constituents = lines.r.size, solution.wavelengths.size, tables.constituents
     out, once = np.empty((n, count)), np.empty((n, constituents, count))
 
     def run(index: int) -> None:
         rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
-        phase = pack(paths.medium.phase_function(seen[rows])).reshape(seen[rows].size, -1)
+        phase = pack(geometry.medium.phase_function(seen[rows])).reshape(seen[rows].size, -1)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
-        result = np.empty((phase.shape[0], (1 + constituents) * light.lanes), np.float32)
+        result = np.empty((phase.shape[0], (1 + constituents) * tables.lanes), np.float32)
         _march_all(
-            sight.r[rows], sight.mu[rows], sight.mu_s[rows], sight.nu[rows], half_sine,
-            sight.length[rows], orders, delta_scaled, phase, light, new_workspace(light),
-            _new_workspace(light), result,
+            lines.r[rows], lines.mu[rows], lines.mu_s[rows], lines.nu[rows], half_sine,
+            lines.length[rows], orders, delta_scaled, phase, tables, new_workspace(tables),
+            _new_workspace(tables), result,
         )  # fmt: skip
-        parts = result.reshape(-1, 1 + constituents, light.lanes)[:, :, :count]
+        parts = result.reshape(-1, 1 + constituents, tables.lanes)[:, :, :count]
         out[rows], once[rows] = parts[:, 0], parts[:, 1:]
 
     run_blocks(run, -(-n // _BLOCK))
@@ -161,13 +160,13 @@ def scattering_by_constituent(
 
 @compiled_loop
 def _march_all(
-    r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, light, work, stars, out
+    r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, tables, work, stars, out
 ):  # fmt: skip
-    light, work, stars = without_refcount((light, work, stars))
+    tables, work, stars = without_refcount((tables, work, stars))
     apart = False
     if not delta_scaled:
-        for k in range(light.scaled_extinction.size):
-            apart = apart or light.scaled_extinction[k] != light.extinction[k]
+        for k in range(tables.scaled_extinction.size):
+            apart = apart or tables.scaled_extinction[k] != tables.extinction[k]
     first = 0
     while first < r.size:
         last = first + 1
@@ -179,7 +178,7 @@ def _march_all(
         if length[first] > 0.0:
             _march_line(
                 first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, delta_scaled, phase,
-                light, work, stars, out,
+                tables, work, stars, out,
             )  # fmt: skip
         else:
             out[first:last] = 0.0
@@ -188,83 +187,83 @@ def _march_all(
 
 @inlined
 def _march_line(
-    first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, delta_scaled, phase, light,
+    first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, delta_scaled, phase, tables,
     work, stars, out,
 ):  # fmt: skip
     """March the line for the sun angles ``first`` to ``last``; arguments as in ``_march_all``."""
-    lanes, count = light.lanes, last - first
-    width = (4 + light.constituents) * lanes
+    lanes, count = tables.lanes, last - first
+    width = (4 + tables.constituents) * lanes
     for index in range(count):
         k = first + index
-        edges, rule, day = place_panels(r[k], mu[k], mu_s[k], nu[k], length[k], light, work)
+        edges, rule, day = place_panels(r[k], mu[k], mu_s[k], nu[k], length[k], tables, work)
         stars.next[index], stars.counts[index], stars.rules[index] = 0, edges, rule
         for edge in range(edges):
             stars.edges[index, edge] = work.edges[edge]
         scatters = 0.0
-        for c in range(light.constituents):
-            scatters += light.brightest[c] * work.columns_total[c]
+        for c in range(tables.constituents):
+            scatters += tables.brightest[c] * work.columns_total[c]
             stars.columns_so_far[index, c] = 0.0
-        points = int(light.rules[rule]) * (edges - 1)
+        points = int(tables.rules[rule]) * (edges - 1)
         stars.faint[index] = FAINT * min(scatters, 1.0) / points if day else 0.0
     for at in range(0, count * width, LANES):
         store(stars.sums, at, splat(0.0))
-    members = _next_panel(count, light, stars)
+    members = _next_panel(count, tables, stars)
     while members > 0:
         lead = stars.together[0]
         panel, edges, rule = stars.next[lead], stars.counts[lead], stars.rules[lead]
         for edge in range(edges):
             work.edges[edge] = stars.edges[lead, edge]
-        for c in range(light.constituents):
+        for c in range(tables.constituents):
             work.columns_so_far[c] = stars.columns_so_far[lead, c]
-        place_panel(r[first], mu[first], panel, edges, rule, light, work)
-        panel_columns(rule, light, work)
-        n = int(light.rules[rule])
+        place_panel(r[first], mu[first], panel, edges, rule, tables, work)
+        panel_columns(rule, tables, work)
+        n = int(tables.rules[rule])
         for k in range(n):
             _add_point(
-                members, first, k, n, r[first], mu[first], mu_s, nu, orders, apart, phase, light,
+                members, first, k, n, r[first], mu[first], mu_s, nu, orders, apart, phase, tables,
                 work, stars,
             )  # fmt: skip
         for member in range(members):
             index = stars.together[member]
             stars.next[index] += 1
-            for c in range(light.constituents):
+            for c in range(tables.constituents):
                 stars.columns_so_far[index, c] = work.columns_so_far[c]
-        members = _next_panel(count, light, stars)
+        members = _next_panel(count, tables, stars)
     for index in range(count):
         star, sums = first + index, index * width
         for at in range(0, lanes, LANES):
             more = splat(0.0)
-            if light.widened:
+            if tables.broadened:
                 for part in range(3):
                     value = load(stars.sums, sums + (1 + part) * lanes + at)
                     store(work.peaks, part * lanes + at, value)
-                more = peak_gain(half_sine[star], light, work, at)
+                more = peak_gain(half_sine[star], tables, work, at)
             found = load(stars.sums, sums + at)
-            if light.widened and orders != 0:
+            if tables.broadened and orders != 0:
                 found = found + more * load(work.peaks, at)
             store(out[star], at, found)
-            for c in range(light.constituents):
+            for c in range(tables.constituents):
                 once = load(stars.sums, sums + (4 + c) * lanes + at)
-                if delta_scaled and light.widened:
-                    once = once * (np.float32(1.0) + more * peak_fraction(c, light, at))
+                if delta_scaled and tables.broadened:
+                    once = once * (np.float32(1.0) + more * peak_fraction(c, tables, at))
                 store(out[star], (1 + c) * lanes + at, once)
 
 
 @inlined
-def _next_panel(count, light, stars):
-    """Find the nearest panel that is not marched, and the stars that share it.
+def _next_panel(count, tables, stars):
+    """Nearest unmarched panel, and the sun angles that share it.
 
     Parameters
     ----------
     count : int
-        Number of stars.
-    light, stars : MarchTables, SunAngleWorkspace
-        Tables of the solution; workspace, whose ``together`` receives the indices of the stars.
+        Number of sun angles.
+    tables, stars : MarchTables, SunAngleWorkspace
+        Tables of the solution; workspace, whose ``together`` receives the indices.
 
     Returns
     -------
     int
-        Number of stars; 0 at the end of the line.
+        Number of sun angles; 0 at the end of the line.
     """
     lead = -1
     for index in range(count):
@@ -276,7 +275,7 @@ def _next_panel(count, light, stars):
     if lead < 0:
         return 0
     start, end = stars.edges[lead, stars.next[lead]], stars.edges[lead, stars.next[lead] + 1]
-    points = light.rules[stars.rules[lead]]
+    points = tables.rules[stars.rules[lead]]
     members = 0
     for index in range(lead, count):
         panel = stars.next[index]
@@ -284,7 +283,7 @@ def _next_panel(count, light, stars):
             panel < stars.counts[index] - 1
             and stars.edges[index, panel] == start
             and stars.edges[index, panel + 1] == end
-            and light.rules[stars.rules[index]] == points
+            and tables.rules[stars.rules[index]] == points
         ):
             stars.together[members] = index
             members += 1
@@ -292,74 +291,78 @@ def _next_panel(count, light, stars):
 
 
 @inlined
-def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, light, work, stars):
+def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, tables, work, stars):
     """Add the source of point k of a panel, of n points, to the sums of each sun angle."""
-    lanes, constituents = light.lanes, light.constituents
+    lanes, constituents = tables.lanes, tables.constituents
     width = (4 + constituents) * lanes
-    q = min(max(work.radius[k], light.bottom), light.top)
+    q = min(max(work.radius[k], tables.bottom), tables.top)
     t = work.distance[k]
     mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
     scatters = 0.0
     for c in range(constituents):
         work.point_density[c] = work.density[c * n + k]
         work.depths[c] = work.columns[c * n + k]
-        scatters += light.brightest[c] * work.density[c * n + k]
+        scatters += tables.brightest[c] * work.density[c * n + k]
     angle = 0.0
-    if light.bend > 0.0:
-        angle = bend_angle(r, mu, light.bend, work.columns[(constituents - 1) * n + k])
+    if tables.refraction_strength > 0.0:
+        angle = refraction_angle(
+            r, mu, tables.refraction_strength, work.columns[(constituents - 1) * n + k]
+        )
     weight = np.float32(work.weight[k])
     for at in range(0, lanes, LANES):
         transmittance = transmittance_columns(
-            work.depths, light.scaled_extinction, constituents, lanes, at
+            work.depths, tables.scaled_extinction, constituents, lanes, at
         )
         store(stars.transmittance, at, transmittance * weight)
         if apart:
             transmittance = transmittance_columns(
-                work.depths, light.extinction, constituents, lanes, at
+                work.depths, tables.extinction, constituents, lanes, at
             )
             store(stars.transmittance_once, at, transmittance * weight)
         for c in range(constituents):
-            here = c * lanes + at
-            store(stars.scattering, here, load(light.scattering, here) * work.point_density[c])
-    x = node_value(q, light.bottom, light.top, light.first_nodes, light.row)
-    row = min(int(x), light.radii - 2)
+            element = c * lanes + at
+            store(
+                stars.scattering, element, load(tables.scattering, element) * work.point_density[c]
+            )
+    x = node_value(q, tables.bottom, tables.top, tables.first_nodes, tables.row)
+    row = min(int(x), tables.radii - 2)
     f = np.float32(x - row)
     ready = False
     for member in range(members):
         index = stars.together[member]
         star, sums = first + index, index * width
         mu_sq, nu_q = min(max((r * mu_s[star] + t * nu[star]) / q, -1.0), 1.0), nu[star]
-        if light.bend > 0.0:
+        if tables.refraction_strength > 0.0:
             mu_sq, nu_q = turned(mu_q, mu_sq, nu_q, angle)
             mu_sq = min(max(mu_sq, -1.0), 1.0)
-        seen, spread = star_columns(q, mu_sq, light, work)
+        seen, spread = star_columns(q, mu_sq, tables, work)
         if seen > 0.0:
-            _add_star(seen, spread, sums, orders, apart, phase[star], light, work, stars)
+            _add_star(seen, spread, sums, orders, apart, phase[star], tables, work, stars)
         gathers = orders != 1 and scatters * work.weight[k] >= stars.faint[index]
         if gathers:
             if not ready:
-                _place_direction(mu_q, light, work, stars)
+                _place_direction(mu_q, tables, work, stars)
                 ready = True
-            y = sun_index(mu_sq, light.place)
-            sun = min(int(y), light.suns - 2)
+            y = sun_index(mu_sq, tables.place)
+            sun = min(int(y), tables.sun_angles - 2)
             if not (stars.made[sun] and stars.made[sun + 1]):
-                _add_degrees(row, sun, f, light, stars)
+                _add_degrees(row, sun, f, tables, stars)
             _add_multiple_scattering(
-                sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), sums, light, stars
+                sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), sums, tables, stars
             )
 
 
 @inlined
-def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
+def _add_star(seen, spread, sums, orders, apart, phase, tables, work, stars):
     """Add single scattering at a point to the sums from index ``sums`` on."""
-    lanes, constituents = light.lanes, light.constituents
+    lanes, constituents = tables.lanes, tables.constituents
     for at in range(0, lanes, LANES):
         star = load(stars.transmittance, at) * direct_beam(
             seen,
             work.columns_to_sun_low,
             work.columns_to_sun_high,
             spread,
-            light.scaled_extinction,
+            tables.scaled_extinction,
             constituents,
             lanes,
             at,
@@ -367,15 +370,15 @@ def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
         if orders != 0:
             source = splat(0.0)
             for c in range(constituents):
-                here = c * lanes + at
-                source = source + load(stars.scattering, here) * load(phase, here)
+                element = c * lanes + at
+                source = source + load(stars.scattering, element) * load(phase, element)
             store(stars.sums, sums + at, load(stars.sums, sums + at) + star * source)
-        if light.widened:
+        if tables.broadened:
             for part in range(3):
                 store(
                     work.peaks, part * lanes + at, load(stars.sums, sums + (1 + part) * lanes + at)
                 )
-            add_peaks(star, np.float32(1.0), spread, phase, light, work, at)
+            add_peaks(star, np.float32(1.0), spread, phase, tables, work, at)
             for part in range(3):
                 store(
                     stars.sums, sums + (1 + part) * lanes + at, load(work.peaks, part * lanes + at)
@@ -386,7 +389,7 @@ def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
                 work.columns_to_sun_low,
                 work.columns_to_sun_high,
                 spread,
-                light.extinction,
+                tables.extinction,
                 constituents,
                 lanes,
                 at,
@@ -398,26 +401,26 @@ def _add_star(seen, spread, sums, orders, apart, phase, light, work, stars):
 
 
 @inlined
-def _place_direction(mu, light, work, stars):
+def _place_direction(mu, tables, work, stars):
     """Harmonics of the line at a point times the moments' strengths, for a new point."""
-    lanes, degree = light.lanes, light.degree
-    terms = (degree, light.start, light.ahead, light.back)
+    lanes, degree = tables.lanes, tables.degree
+    terms = (degree, tables.start, tables.ahead, tables.back)
     legendre_functions(mu, terms, work.functions)
-    for node in range(light.suns):
+    for node in range(tables.sun_angles):
         stars.made[node] = False
     for at in range(0, lanes, LANES):
         for l in range(degree + 1):
             strength = splat(0.0)
-            for c in range(light.constituents):
-                moment = load(light.moments, lanes * (c * (degree + 1) + l) + at)
+            for c in range(tables.constituents):
+                moment = load(tables.moments, lanes * (c * (degree + 1) + l) + at)
                 strength = strength + moment * work.point_density[c]
             for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
                 store(stars.factors, index * lanes + at, strength * work.functions[index])
         beta_1 = splat(0.0)
-        for c in range(light.constituents):
+        for c in range(tables.constituents):
             beta_1 = (
                 beta_1
-                + load(light.polarised_phase, lanes * ELEMENTS * c + at) * work.point_density[c]
+                + load(tables.polarised_moments, lanes * ELEMENTS * c + at) * work.point_density[c]
             )
         last = (degree + 1) * (degree + 2) // 2
         for m in range(EVEN):
@@ -426,51 +429,51 @@ def _place_direction(mu, light, work, stars):
 
 
 @inlined
-def _add_degrees(row, sun, f, light, stars):
+def _add_degrees(row, sun, f, tables, stars):
     """Sum the field over degrees at two sun nodes, between two rows; f is the second's weight."""
-    lanes, degree = light.lanes, light.degree
+    lanes, degree = tables.lanes, tables.degree
     last = (degree + 1) * (degree + 2) // 2
     block = lanes * (1 + last + POLARISED)
-    near = (row * light.suns + sun) * block
-    far = near + light.suns * block
+    near = (row * tables.sun_angles + sun) * block
+    far = near + tables.sun_angles * block
     g = np.float32(1.0) - f
     first = sun * (degree + 2) * lanes
     second = first + (degree + 2) * lanes
     for at in range(0, lanes, LANES):
         for m in range(degree + 1):
-            # Four sums that do not wait for each other.
+            # Four independent sums.
             low, high, next_low, next_high = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
             index = lanes * (m * (m + 1) // 2 + m) + at
             for l in range(m, degree + 1):
-                here = lanes + index
+                element = lanes + index
                 factor = load(stars.factors, index)
-                low = low + factor * load(light.field, near + here)
-                high = high + factor * load(light.field, far + here)
-                next_low = next_low + factor * load(light.field, near + block + here)
-                next_high = next_high + factor * load(light.field, far + block + here)
+                low = low + factor * load(tables.field, near + element)
+                high = high + factor * load(tables.field, far + element)
+                next_low = next_low + factor * load(tables.field, near + block + element)
+                next_high = next_high + factor * load(tables.field, far + block + element)
                 index += lanes * (l + 1)
             if m < EVEN:
-                here = lanes * (1 + last + m) + at
+                element = lanes * (1 + last + m) + at
                 factor = load(stars.factors, (last + m) * lanes + at)
-                low = low + factor * load(light.field, near + here)
-                high = high + factor * load(light.field, far + here)
-                next_low = next_low + factor * load(light.field, near + block + here)
-                next_high = next_high + factor * load(light.field, far + block + here)
+                low = low + factor * load(tables.field, near + element)
+                high = high + factor * load(tables.field, far + element)
+                next_low = next_low + factor * load(tables.field, near + block + element)
+                next_high = next_high + factor * load(tables.field, far + block + element)
             store(stars.orders, first + m * lanes + at, g * low + f * high)
             store(stars.orders, second + m * lanes + at, g * next_low + f * next_high)
-        here = (degree + 1) * lanes + at
-        low, high = load(light.field, near + at), load(light.field, far + at)
-        store(stars.orders, first + here, g * low + f * high)
-        low, high = load(light.field, near + block + at), load(light.field, far + block + at)
-        store(stars.orders, second + here, g * low + f * high)
+        element = (degree + 1) * lanes + at
+        low, high = load(tables.field, near + at), load(tables.field, far + at)
+        store(stars.orders, first + element, g * low + f * high)
+        low, high = load(tables.field, near + block + at), load(tables.field, far + block + at)
+        store(stars.orders, second + element, g * low + f * high)
     stars.made[sun] = True
     stars.made[sun + 1] = True
 
 
 @inlined
-def _add_multiple_scattering(sun, share, cosine, sums, light, stars):
+def _add_multiple_scattering(sun, share, cosine, sums, tables, stars):
     """Add multiple scattering at a point, between two sun nodes of the field, to a sum."""
-    lanes, degree = light.lanes, light.degree
+    lanes, degree = tables.lanes, tables.degree
     e = np.float32(share)
     h = np.float32(1.0) - e
     near = sun * (degree + 2) * lanes
@@ -479,12 +482,12 @@ def _add_multiple_scattering(sun, share, cosine, sums, light, stars):
         source = splat(0.0)
         earlier, multiple = cosine, 1.0  # cos (m - 1)φ and cos mφ
         for m in range(degree + 1):
-            here = m * lanes + at
-            part = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
+            element = m * lanes + at
+            part = h * load(stars.orders, near + element) + e * load(stars.orders, far + element)
             source = source + part * np.float32(multiple)
             earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
-        here = (degree + 1) * lanes + at
-        scale = h * load(stars.orders, near + here) + e * load(stars.orders, far + here)
-        # A sum of few harmonics may be negative where there is almost no light.
+        element = (degree + 1) * lanes + at
+        scale = h * load(stars.orders, near + element) + e * load(stars.orders, far + element)
+        # The truncated expansion may be negative where radiance nearly vanishes.
         source = maximum(source / scale, 0.0) * load(stars.transmittance, at)
         store(stars.sums, sums + at, load(stars.sums, sums + at) + source)

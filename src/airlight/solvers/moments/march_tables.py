@@ -1,8 +1,8 @@
-"""Tables of a solution that a march reads, and its workspace, under the same names everywhere.
+"""Tables of a solution for the ray march, and its workspace, with the same names in all backends.
 
-On the processor the arrays are flat and the spectral ones have whole groups of eight lanes; on a
-device each table is a part of a texture, a spectral element is a texel of four wavelengths, and the
-workspace is arrays of constant size.
+On the CPU arrays are flat, with spectral ones in groups of eight lanes; on a GPU each table is part
+of a texture, a spectral element is a texel of four wavelengths, and the workspace consists of
+arrays of constant size.
 """
 
 from __future__ import annotations
@@ -21,46 +21,46 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 
-#: Place of the sky that water mirrors, in the workspace behind the result of a march.
+#: Index, in units of w, of the mirrored sky's radiance after the result of a march.
 MIRRORED: Final = 6
 
 
 class MarchTables(NamedTuple):
-    """Solution as the march reads it; w is the number of lanes.
+    """Solution in the form read by the ray march; w is the number of lanes.
 
     Attributes
     ----------
     bottom, top : float
-        Radii of the ground and of the shell's top, optical where light is bent. [m]
+        Radii of the ground and of the top of the shell; optical radii with refraction. [m]
     star_radius : float
         Angular radius of the star. [rad]
-    bend : float
-        Bending over impact parameter and column of the last constituent. [m⁻²]
+    refraction_strength : float
+        See ``RefractedGeometry``. [m⁻²]
     lanes : int
         Number of lanes w: a multiple of ``LANES``; in a shader one texel is one group of lanes.
     panels : int
-        Number of panels a leg of a line; 1 in a shader.
-    hides : int
-        1 where panels that are out of sight have no points; 0 in a shader, whose lines run side by
-        side.
-    constituents, degree, radii, suns, phase_nodes : int
+        Number of panels per leg of a line; 1 in a shader.
+    culls_opaque : int
+        1 if opaque panels are culled; 0 in a shader, where lines run in lockstep.
+    constituents, degree, radii, sun_angles, phase_nodes : int
         Sizes of the tables.
     separated_1, separated_2 : int
-        Constituents whose single scattering is also found without its phase function; -1 for none.
-    widened : bool
-        Whether single scattering has the gain by forward peaks, see ``forward_peak``.
+        Constituents whose single scattering is returned separately, without its phase function; -1
+        for none.
+    broadened : bool
+        Whether the forward-peak gain applies to single scattering, see ``forward_peak``.
     first_nodes : array, shape (CELLS + 1,)
         Index of the first altitude node of each cell, see ``altitude_nodes``. [1]
     column_rows : array, shape (n,)
         Rows of ``columns`` at the altitude nodes. [1]
     columns : array, shape (radii, directions, nc, 2)
-        Ratios of a ``ColumnTable``, from ``mean_density_ratios``. [1]
+        Column table from ``rational_mean_density``. [1]
     density : array, shape (n, nc)
         Densities from ``density_table``. [1]
     strongest, brightest : array, shape (nc,)
         Largest extinction and largest scattering of each constituent at any wavelength. [m⁻¹]
-    lift : array, shape (rows, columns, 2)
-        Table from ``refraction_table``; without rows where light is not bent. [1]
+    refraction_table : array, shape (rows, columns, 2)
+        Table from ``refraction_table``; empty without refraction. [1]
     ends : array, shape (n,)
         Altitudes at which panels end, from ``panel_ends``. [m]
     row, place : array
@@ -72,56 +72,55 @@ class MarchTables(NamedTuple):
     scaled_extinction : array, shape (nc·w,)
         Delta-M scaled extinction. [m⁻¹]
     extinction : array, shape (nc·w,)
-        Extinction without scaling, which attenuates the star's disc. [m⁻¹]
+        Unscaled extinction, which attenuates the star's disc. [m⁻¹]
     scattering : array, shape (nc·w,)
-        True scattering coefficients. [m⁻¹]
+        Unscaled scattering coefficients. [m⁻¹]
     moments : array, shape (nc·(N + 1)·w,)
         Scattering coefficient times Legendre moment, both scaled. [m⁻¹]
-    polarised_phase : array, shape (nc·4·w,)
-        Scattering coefficient times elements of the phase matrix, from ``ScaledOptics``. [m⁻¹]
+    polarised_moments : array, shape (nc·4·w,)
+        Scattering coefficient times expansion coefficients of Q and U, see ``ScaledOptics``. [m⁻¹]
     phase : array, shape (phase_nodes·nc·w,)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
     phase_f12 : array, shape (phase_nodes·nc·w,)
         Elements F₁₂ of the phase matrices on these steps; 0 in scalar transfer. [sr⁻¹]
     inverse_peak_fraction : array, shape (nc·w,)
         Reciprocal of the truncated fraction f, from ``forward_peak``. [1]
-    widening : array, shape (depths·angles·w,)
-        Gain by forward peaks, from ``peak_broadening``; one element if not ``widened``. [1]
+    broadening : array, shape (depths·angles·w,)
+        Forward-peak gain, from ``peak_broadening``; one element if not ``broadened``. [1]
     darkening : array, shape (6·w,)
         Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
     basis : array, shape (3·w,)
         Reflectance of a red, a green and a blue ground. [1]
     field : array, shape (r·s·(1 + k)·w,)
-        Moments of all orders together, as (s, M·s) per node; see ``sweep``.
+        Moments of the radiance as (s, M·s) per node; see ``sweep``.
     sky : array, shape (r·s·2·w,)
-        Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
-        is the ground.
+        Diffuse horizontal irradiance as (s, E·s) per node; the first radius is the ground.
     ground : Reflection
-        Reflection by the ground.
+        Reflectance of the ground.
     """
 
     bottom: float
     top: float
     star_radius: float
-    bend: float
+    refraction_strength: float
     lanes: Annotated[int, Always(1)]
     panels: Annotated[int, Always(1)]
-    hides: Annotated[int, Always(0)]
+    culls_opaque: Annotated[int, Always(0)]
     constituents: int
     degree: int
     radii: int
-    suns: int
+    sun_angles: int
     phase_nodes: int
     separated_1: Annotated[int, CHOICE]
     separated_2: Annotated[int, CHOICE]
-    widened: bool
+    broadened: bool
     first_nodes: Annotated[FloatArray, scalars()]
     column_rows: Annotated[FloatArray, scalars()]
     columns: Annotated[FloatArray, scalars(4)]
     density: Annotated[FloatArray, scalars(2)]
     strongest: Annotated[FloatArray, scalars()]
     brightest: Annotated[FloatArray, scalars()]
-    lift: Annotated[FloatArray, scalars(3)]
+    refraction_table: Annotated[FloatArray, scalars(3)]
     ends: Annotated[FloatArray, scalars()]
     row: Annotated[FloatArray, scalars()]
     place: Annotated[FloatArray, scalars()]
@@ -133,11 +132,11 @@ class MarchTables(NamedTuple):
     extinction: Annotated[Float32Array, SPECTRA]
     scattering: Annotated[Float32Array, SPECTRA]
     moments: Annotated[Float32Array, SPECTRA]
-    polarised_phase: Annotated[Float32Array, SPECTRA]
+    polarised_moments: Annotated[Float32Array, SPECTRA]
     phase: Annotated[Float32Array, SPECTRA]
     phase_f12: Annotated[Float32Array, SPECTRA]
     inverse_peak_fraction: Annotated[Float32Array, SPECTRA]
-    widening: Annotated[Float32Array, SPECTRA]
+    broadening: Annotated[Float32Array, SPECTRA]
     darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
@@ -153,7 +152,7 @@ class MarchWorkspace(NamedTuple):
     edges : array, shape (MAX_EDGES,)
         Ends of the panels, from the line's start. [m]
     cuts : array, shape (3,)
-        Distances of the optical depths at which panels of a thick line end. [m]
+        Distances to the optical depths at which panels of a thick line end. [m]
     distance, radius, weight : array, shape (p,)
         Points of a panel: distances from the line's start, radii, and weights. [m]
     density, amounts, columns : array, shape (nc·p,)
@@ -167,16 +166,16 @@ class MarchWorkspace(NamedTuple):
         Columns from a point towards the two points that represent the star. [m]
     functions : array, shape (k,)
         Harmonics of the line at a point. [1]
-    received : array, shape (2·w,)
-        Irradiance of the ground by the star and by the sky. [1]
+    irradiance : array, shape (2·w,)
+        Direct and diffuse irradiance of the ground. [1]
     azimuth : array, shape (1,)
         Cosine of the line's azimuth at a point. [1]
     phase, phase_f12 : array, shape (nc·w,)
         Phase functions and elements F₁₂ of a line. [sr⁻¹]
     peaks : array, shape (3·w,)
         Sums over a line from ``forward_peak.add_peaks``.
-    found : array, shape (7·w,)
-        Result of a march, and the sky that water mirrors, at ``MIRRORED``.
+    radiance : array, shape (7·w,)
+        Result of a march, and radiance of the mirrored sky, at ``MIRRORED``.
     """
 
     edges: FloatArray
@@ -194,21 +193,21 @@ class MarchWorkspace(NamedTuple):
     columns_to_sun_low: FloatArray
     columns_to_sun_high: FloatArray
     functions: Float32Array
-    received: Float32Array
+    irradiance: Float32Array
     azimuth: FloatArray
     phase: Float32Array
     phase_f12: Float32Array
     peaks: Float32Array
-    found: Float32Array
+    radiance: Float32Array
 
 
 def workspace_sizes(constituents: int, points: int, terms: int) -> dict[str, int]:
-    """Sizes of the arrays of a workspace whose elements are numbers.
+    """Sizes of the workspace's scalar arrays.
 
     Parameters
     ----------
     constituents, points, terms : int
-        Numbers of constituents, of points of a panel and of harmonics, or more.
+        Numbers of constituents, of points of a panel and of harmonics, or upper limits.
     """
     return {
         "edges": MAX_EDGES,
@@ -232,24 +231,24 @@ def workspace_sizes(constituents: int, points: int, terms: int) -> dict[str, int
 
 
 def spectral_sizes(constituents: int) -> dict[str, int]:
-    """Sizes of those arrays of a workspace whose elements hold wavelengths, in elements.
+    """Sizes of the workspace's spectral arrays, in elements of all wavelengths.
 
     Parameters
     ----------
     constituents : int
-        Number of constituents, or more.
+        Number of constituents, or an upper limit.
     """
     each = dict.fromkeys(("phase", "phase_f12"), constituents)
-    return {"received": 2, **each, "peaks": 3, "found": MIRRORED + 1}
+    return {"irradiance": 2, **each, "peaks": 3, "radiance": MIRRORED + 1}
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:
-    """Workspace of one thread of the processor.
+    """Workspace of one CPU thread.
 
     Parameters
     ----------
     tables : MarchTables
-        Tables that the march will read.
+        Tables of the march.
     """
     count = tables.constituents
     points = max(int(tables.rules[int(tables.rules[k])]) for k in range(3))
@@ -266,13 +265,13 @@ def new_workspace(tables: MarchTables) -> MarchWorkspace:
 
 
 def quadratures(counts: tuple[int, ...]) -> FloatArray:
-    """Concatenate the rules of the march.
+    """Quadrature rules of the march, concatenated.
 
     Parameters
     ----------
     counts : tuple of int
-        Number of points of each rule: for stretches that are steep and in full daylight, where the
-        source is smooth; for most; and for those that graze the ground.
+        Number of points of each rule: for steep lines in full daylight, where the source function
+        is smooth; for most lines; and for those that graze the ground.
 
     Returns
     -------
@@ -285,7 +284,7 @@ def quadratures(counts: tuple[int, ...]) -> FloatArray:
     at = len(counts)
     for count in counts:
         nodes, weights, running = gauss_legendre(count).as_tuple()
-        # The value of a point, divided by its share of the rule, is the integrand on [0, 1].
+        # The value of a point, divided by its weight in the rule, is the integrand on [0, 1].
         part = np.concatenate([[count], nodes, weights, (running / weights).ravel()])
         parts.append(part)
         starts.append(float(at))

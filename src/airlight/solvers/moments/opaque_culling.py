@@ -1,4 +1,4 @@
-"""Rays for eight wavelengths without the points behind opaque air; the rest is renormalised."""
+"""Culling of ray points at optical depths that are opaque at eight wavelengths."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ Float32Array = NDArray[np.float32]
 _OPAQUE: Final = 14.0
 #: Arrays of ``Rays`` with a row for each point.
 _ALONG: Final = ("radius", "mu_along", "turn", "amount", "column")
-#: Largest correction of a ray's sum; a larger one means a ray without points that count.
+#: Largest correction of a ray's sum; a larger one indicates a ray without significant points.
 MOST: Final = 0.5
 
 
 def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
-    """Rays with only the points that are not opaque at all eight wavelengths, and their factors.
+    """Rays without points that are opaque at all eight wavelengths, and normalisation factors.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
     -------
     rays : Rays
         Rays with fewer points.
-    share : array, shape (r·a·8,)
+    norm : array, shape (r·a·8,)
         1 - exp(-τ) of the whole ray over the quadrature's sum of exp(-τ) dτ: with this factor the
         sum is exact for a constant source function, and energy is conserved. [1]
     """
@@ -52,21 +52,21 @@ def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
     along = {name: getattr(rays, name)[seen] for name in _ALONG}
     start = np.concatenate([begin, end[:, -1:]], axis=1)
     near = rays._replace(start=start, **along)
-    share = np.empty(counts.size * LANES, np.float32)
-    share_into(
+    norm = np.empty(counts.size * LANES, np.float32)
+    norms_into(
         starts,
         np.ascontiguousarray(near.column[:, :constituents]).reshape(-1),
         near.amount,
         np.ascontiguousarray(rays.total[..., :constituents]).reshape(-1),
         air.extinction,
-        share,
+        norm,
     )
-    return near, share
+    return near, norm
 
 
 @inlined
 def emitted(tau):
-    """1 - exp(-τ) of eight wavelengths, to the same relative precision where τ is small. [1]"""
+    """1 - exp(-τ) of eight wavelengths, accurate also for small τ. [1]"""
     thin = minimum(tau, 0.05)
     # The series' next term is at most 5e-8 of the first.
     series = thin * (1.0 - thin * (0.5 - thin * (0.16666667 - thin * 0.041666667)))
@@ -77,8 +77,8 @@ def emitted(tau):
 
 
 @inlined
-def ray_share(first, points, columns, amounts, total, extinction, constituents):
-    """Factor with which a ray's sum is exact for a constant source function. [1]
+def ray_norm(first, points, columns, amounts, total, extinction, constituents):
+    """Normalisation factor that makes a ray's sum exact for a constant source function. [1]
 
     Parameters
     ----------
@@ -101,18 +101,18 @@ def ray_share(first, points, columns, amounts, total, extinction, constituents):
         for c in range(constituents):
             step = step + load(extinction, LANES * c) * np.float32(amounts[first + k, c])
         light = light + exponential(0.0 - before) * step
-    share = emitted(total) / maximum(light, 1e-30)
-    return minimum(maximum(share, 1.0 - MOST), 1.0 + MOST)
+    norm = emitted(total) / maximum(light, 1e-30)
+    return minimum(maximum(norm, 1.0 - MOST), 1.0 + MOST)
 
 
 @compiled_loop
-def share_into(starts, columns, amounts, totals, extinction, out):
-    """Fill ``out`` with the shares of all rays."""
+def norms_into(starts, columns, amounts, totals, extinction, out):
+    """Fill ``out`` with ``ray_norm`` of all rays."""
     constituents = extinction.size // LANES
     for ray in range(starts.size - 1):
         first = starts[ray]
         total = optical_depth(totals, ray * constituents, extinction, constituents)
-        share = ray_share(
+        norm = ray_norm(
             first,
             starts[ray + 1] - first,
             columns,
@@ -121,4 +121,4 @@ def share_into(starts, columns, amounts, totals, extinction, out):
             extinction,
             constituents,
         )
-        store(out, LANES * ray, share)
+        store(out, LANES * ray, norm)

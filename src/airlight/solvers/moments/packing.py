@@ -1,4 +1,4 @@
-"""Packed arrays of the kernels: flat float32, wavelengths in whole groups of eight lanes."""
+"""Packed arrays of the kernels: flat float32, wavelengths in groups of eight lanes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, kernel, vectorized
-from airlight.kernel.lanes import FEW, LANES
+from airlight.kernel.lanes import HALF_LANES, LANES
 from airlight.kernel.threads import run_blocks
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, moment_count
 from airlight.solvers.moments.levels import THICK, fill_levels, refine
@@ -18,34 +18,34 @@ from airlight.solvers.moments.levels import THICK, fill_levels, refine
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Lower limit of the mean radiance, over its largest value, so that its root exists.
+#: Lower limit of the mean radiance over its maximum, so that its root exists.
 _FLOOR: Final = 1e-20
 #: Lower limit of the mean radiance itself. [1]
 _DARKEST: Final = 1e-30
-#: Width of dusk in sun elevation, over the horizon's dip.
+#: Width of dusk in sun elevation, over the dip of the horizon.
 _DUSK: Final = 0.3
 
 
 def filled(values: NDArray[Any]) -> NDArray[Any]:
-    """Wavelengths (..., w) in whole groups of eight lanes.
+    """Wavelengths (..., w) padded to groups of eight lanes.
 
-    Lanes without a wavelength repeat the last, so that they compute nothing exceptional; where only
-    four are used the others repeat these.
+    Padding repeats the last wavelength, so that no lane raises floating-point exceptions; with at
+    most four wavelengths the upper half repeats the lower.
     """
-    missing = -values.shape[-1] % FEW
+    missing = -values.shape[-1] % HALF_LANES
     values = np.concatenate([values, np.repeat(values[..., -1:], missing, axis=-1)], axis=-1)
     if values.shape[-1] % LANES:
-        values = np.concatenate([values, values[..., -FEW:]], axis=-1)
+        values = np.concatenate([values, values[..., -HALF_LANES:]], axis=-1)
     return values
 
 
 def pack(values: FloatArray) -> Float32Array:
-    """Pack wavelengths on the last axis as flat float32 in whole groups of eight lanes."""
+    """Wavelengths on the last axis as flat float32 in groups of eight lanes."""
     return np.ascontiguousarray(filled(values), dtype=np.float32).reshape(-1)
 
 
-def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
-    """Pack (..., k, 8) values for interpolation as ratios: (s, value·s) with s = 1/sqrt(scale).
+def pack_rational(values: Float32Array, scale_from: Float32Array) -> Float32Array:
+    """Values (..., k, 8) packed for rational interpolation: (s, value·s) with s = 1/sqrt(scale).
 
     See the head of ``sweep``; ``scale_from`` has shape (..., 8) and is positive.
     """
@@ -55,28 +55,28 @@ def as_ratios(values: Float32Array, scale_from: Float32Array) -> Float32Array:
 
 
 @kernel
-def ratio_scale(mean, highest, level):
-    """Factor s of a node, by which its moments are multiplied for interpolation.
+def rational_scale(mean, highest, level):
+    """Factor s of a node in rational interpolation.
 
     Parameters
     ----------
     mean, highest : float
-        Mean radiance at the node, positive, and the largest at any radius under the same sun.
+        Mean radiance at the node, positive, and the largest at any radius for the same sun angle.
     level : float
-        From ``level_weights``: 0 for 1/sqrt(mean), 1 for the same at all radii. [1]
+        From ``level_weights``: 0 for s = 1/sqrt(mean), 1 for the same s at all radii. [1]
     """
     return 1.0 / sqrt(mean * (highest / mean) ** level)
 
 
 def positive(values: Float32Array) -> Float32Array:
-    """Values (..., 8) with a floor far below the visible."""
+    """Values (..., 8) with a positive floor, by ``floor_below``."""
     floor = vectorized(floor_below)(values.max(axis=tuple(range(values.ndim - 1))))
     return np.asarray(np.maximum(values, floor), np.float32)
 
 
 @kernel
 def floor_below(brightest):
-    """Positive floor of values whose largest is ``brightest``. [1]"""
+    """Positive floor of values whose maximum is ``brightest``. [1]"""
     return max(_FLOOR * brightest, _DARKEST)
 
 
@@ -84,62 +84,62 @@ def pack_light(
     field: Float32Array,
     sky: Float32Array,
     level: Float32Array,
-    parts: int,
+    refinement: int,
     *,
-    few: bool = False,
+    narrow: bool = False,
     out: Float32Array | None = None,
 ) -> tuple[Float32Array, Float32Array]:
-    """Pack moments (r, s, k, w) and irradiances (r, s, w) for the kernels.
+    """Moments (r, s, k, w) and irradiances (r, s, w) packed for the kernels.
 
     Parameters
     ----------
     field, sky : array
-        Values at the radii that gather light.
+        Values at the radii of the sweep.
     level : array, shape (s, w)
-        From ``level_weights``: where 1, s is the same at all radii, so that the moments are linear
-        between two of them; where 0 they are interpolated as ratios.
-    parts : int
-        See ``levels.refine``. Irradiances of only one radius stay as they are.
-    few : bool
-        Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_of_few``.
+        From ``level_weights``: 1 for linear interpolation between radii (s independent of radius),
+        0 for rational interpolation.
+    refinement : int
+        See ``levels.refine``. Irradiances of a single radius are not refined.
+    narrow : bool
+        Whether moments of four wavelengths are packed in pairs, for ``sweep_radius_narrow``.
     out : array, optional
-        Earlier result for moments of the same shape, which receives them.
+        Earlier result for moments of the same shape, to be overwritten.
     """
     mean = positive(field[:, :, 0])
     received = positive(sky)
     if received.shape[0] > 1:
-        received = refine(received[:, :, None], received, level, parts)[:, :, 0]
-    radii, suns, terms, lanes = field.shape
+        received = refine(received[:, :, None], received, level, refinement)[:, :, 0]
+    radii, sun_angles, terms, lanes = field.shape
     # One moment of eight wavelengths is a register, or two of four: see ``first_register``.
     order = np.arange(1 + terms)
-    if few:
-        order, lanes = pair_order(terms), FEW
-    shape = ((radii - 1) * parts + 1, suns, order.size, lanes)
+    if narrow:
+        order, lanes = pair_order(terms), HALF_LANES
+    shape = ((radii - 1) * refinement + 1, sun_angles, order.size, lanes)
     packed = np.empty(shape, np.float32) if out is None else out.reshape(shape)
 
     def under(sun: int) -> None:
-        _pack_sun(field[:, sun], mean[:, sun], level[sun], parts, order, packed[:, sun])
+        _pack_sun(field[:, sun], mean[:, sun], level[sun], refinement, order, packed[:, sun])
 
-    run_blocks(under, suns)
-    return packed.reshape(-1), as_ratios(received[..., None, :], received)
+    run_blocks(under, sun_angles)
+    return packed.reshape(-1), pack_rational(received[..., None, :], received)
 
 
 @compiled_loop
-def _pack_sun(field, mean, level, parts, order, out):
-    """Pack the moments under one sun, for all levels.
+def _pack_sun(field, mean, level, refinement, order, out):
+    """Packed moments of one sun angle, for all levels.
 
     Parameters
     ----------
     field : array, shape (r, k, w)
-        Moments at the radii that gather light.
+        Moments at the radii of the sweep.
     mean : array, shape (r, w)
-        Those of degree 0, positive.
-    level, parts :
-        Of this sun, as in ``pack_light``.
+        Moments of degree 0, positive.
+    level, refinement :
+        For this sun angle, as in ``pack_light``.
     order : array, shape (n,)
-        What stands at each place of a node: 0 for s, 1 + k for M·s of moment k, more for nothing.
+        Content of each element of a node: 0 for s, 1 + k for M·s of moment k, more for padding.
     out : array, shape (levels, n, w)
-        Receives them.
+        Receives the packed moments.
     """
     radii, terms, width = field.shape
     levels, lanes = out.shape[0], out.shape[2]
@@ -148,10 +148,10 @@ def _pack_sun(field, mean, level, parts, order, out):
         given[i] = field[i]
         given[i, 0] = mean[i]
     whole = given
-    if parts > 1:
+    if refinement > 1:
         whole = np.empty((levels, terms, width), np.float32)
         # A copy: the loop takes contiguous arrays.
-        fill_levels(given, mean.copy(), level, parts, whole)
+        fill_levels(given, mean.copy(), level, refinement, whole)
     scale = np.empty(width, np.float32)
     highest = np.zeros(width, np.float32)
     for i in range(levels):
@@ -159,7 +159,7 @@ def _pack_sun(field, mean, level, parts, order, out):
             highest[w] = max(highest[w], whole[i, 0, w])
     for i in range(levels):
         for w in range(width):
-            scale[w] = ratio_scale(whole[i, 0, w], highest[w], level[w])
+            scale[w] = rational_scale(whole[i, 0, w], highest[w], level[w])
         for n in range(order.size):
             moment = order[n] - 1
             if moment < 0:
@@ -175,9 +175,9 @@ def _pack_sun(field, mean, level, parts, order, out):
 
 @cache
 def pair_order(count: int) -> NDArray[np.int64]:
-    """Indices of what the halves of the registers hold, of a node with ``count`` moments.
+    """Order of the half registers of a node with ``count`` moments.
 
-    Index 0 is that of the factor s, count + 1 that of an empty half.
+    0 is the factor s, count + 1 an empty half.
     """
     degree = next(n for n in range(count) if moment_count(n) == count)
     order = [0, 0]
@@ -190,11 +190,11 @@ def pair_order(count: int) -> NDArray[np.int64]:
 
 
 def level_weights(sun_cosines: FloatArray, dip: float, depth: FloatArray) -> Float32Array:
-    """Weight of interpolation linear between radii: 1 where thick air is in full light.
+    """Weight of linear interpolation between radii: 1 in optically thick media by day.
 
-    By day the light inside thick air is a linear function of depth, and its slope is the flux: as
-    ratios it would be underestimated between radii, as if some were absorbed in each step. At night
-    it falls e-fold from one radius to the next, and only ratios keep it positive and smooth.
+    There radiance is linear in depth, with the flux as its slope, and rational interpolation would
+    underestimate it between radii, equivalent to spurious absorption. At night radiance falls
+    e-fold between radii, and only rational interpolation keeps it positive and smooth.
 
     Parameters
     ----------
@@ -230,7 +230,7 @@ def day_weight(sun_cosines: FloatArray, dip: float) -> FloatArray:
 
 @kernel
 def level_weight(day, depth):
-    """``level_weights`` of one sun elevation and wavelength. [1]
+    """``level_weights`` for one sun elevation and wavelength. [1]
 
     Parameters
     ----------
@@ -244,10 +244,10 @@ def level_weight(day, depth):
 
 @kernel
 def optically_thick_weight(depth):
-    """Weight of optically thick air by its vertical scattering depth: 0 clear, 1 thick. [1]"""
+    """Weight of optically thick media, 0 to 1, from the vertical scattering depth. [1]"""
     return -expm1(-((depth / THICK) ** 4))
 
 
 def optically_thick_weights(depth: FloatArray) -> FloatArray:
-    """``optically_thick_weight`` of several depths. [1]"""
+    """``optically_thick_weight`` of an array of depths. [1]"""
     return np.asarray(vectorized(optically_thick_weight)(depth))

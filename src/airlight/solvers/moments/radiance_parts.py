@@ -1,6 +1,6 @@
-"""Radiance split into parts: by order of scattering, by constituent, by the ground.
+"""Components of radiance: single scattering by constituent, multiple scattering, ground.
 
-Each part is marched separately; none is the difference of others.
+Each component is marched separately; none is a difference.
 """
 
 from __future__ import annotations
@@ -10,25 +10,25 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight
 
 FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Parts:
-    """Parts of the radiance along n lines of sight, per irradiance of the star.
+    """Components of the radiance along n lines of sight, per irradiance of the star.
 
     Attributes
     ----------
     scattered_once : array, shape (n, nc, nl)
-        Light of the star scattered once, by each constituent. [sr⁻¹]
+        Single scattering by each constituent. [sr⁻¹]
     scattered_more : array, shape (n, nl)
-        Light scattered by the air that had been scattered or reflected before. [sr⁻¹]
+        Multiple scattering, including scattered light from the ground. [sr⁻¹]
     ground_star, ground_sky : array, shape (n, nl)
-        Light that the ground reflects, seen through the air: of the star, and of the sky. [sr⁻¹]
+        Attenuated radiance of the ground by direct and by diffuse irradiance. [sr⁻¹]
     """
 
     scattered_once: FloatArray
@@ -38,41 +38,41 @@ class Parts:
 
     @property
     def total(self) -> FloatArray:
-        """Sum of all parts, shape (n, nl). [sr⁻¹]"""
+        """Sum of all components, shape (n, nl). [sr⁻¹]"""
         air = self.scattered_once.sum(axis=1) + self.scattered_more
         return np.asarray(air + self.ground_star + self.ground_sky)
 
 
-def radiance_parts(solution: MomentsSolution, sight: Sight) -> Parts:
-    """Compute the parts of the radiance along lines of sight.
+def radiance_parts(solution: MomentsSolution, lines: LinesOfSight) -> Parts:
+    """Components of the radiance along lines of sight.
 
     Parameters
     ----------
     solution : MomentsSolution
-    sight : Sight
+    lines : LinesOfSight
         n lines of sight.
 
     Returns
     -------
     Parts
     """
-    light = solution.light
-    dark_air = light._replace(field=_without_source(light.field, solution))
+    tables = solution.tables
+    dark_air = tables._replace(field=_without_source(tables.field, solution))
     single = [
-        solution.radiance_per_irradiance(sight, 1, scatterers=[c], ground=False)
+        solution.radiance_per_irradiance(lines, 1, scatterers=[c], ground=False)
         for c in range(len(solution.medium.names))
     ]
     return Parts(
         scattered_once=np.stack(single, axis=1),
-        scattered_more=solution.radiance_per_irradiance(sight, 0, ground=False),
-        ground_star=solution.radiance_per_irradiance(sight, 1, scatterers=()),
-        ground_sky=solution.radiance_per_irradiance(sight, 0, light=dark_air),
+        scattered_more=solution.radiance_per_irradiance(lines, 0, ground=False),
+        ground_star=solution.radiance_per_irradiance(lines, 1, scatterers=()),
+        ground_sky=solution.radiance_per_irradiance(lines, 0, tables=dark_air),
     )
 
 
 def _without_source(field: NDArray[np.float32], solution: MomentsSolution) -> NDArray[np.float32]:
-    """Moments of a field without light: each node keeps its scale, (s, 0)."""
-    lanes = solution.light.lanes
+    """Field with vanishing moments: each node keeps its scale, (s, 0)."""
+    lanes = solution.tables.lanes
     nodes = field.reshape(-1, 1 + moment_count(solution.moments.degree), lanes).copy()
     nodes[:, 1:] = 0.0
     return nodes.reshape(field.shape)

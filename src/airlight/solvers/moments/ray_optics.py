@@ -1,4 +1,4 @@
-"""Optics of eight wavelengths along a ray, and the projection of its radiance onto moments."""
+"""Optics of eight wavelengths along a ray, and projection of its radiance onto moments."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Float32Array = NDArray[np.float32]
 
 
 class ScaledOptics(NamedTuple):
-    """Delta-M scaled optics of eight wavelengths, flat, wavelengths in the lanes.
+    """Delta-M scaled optics of eight wavelengths, flat, one wavelength per lane.
 
     Attributes
     ----------
@@ -29,16 +29,16 @@ class ScaledOptics(NamedTuple):
         Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
-    polarised_phase : array, shape (nc·4·8,)
-        Scattering coefficient times the elements β₁, α₂ and α₃ of degree 2; extinction of I less
-        that of Q and U; see ``delta_m.delta_m_scaling``. [m⁻¹]
+    polarised_moments : array, shape (nc·4·8,)
+        Scattering coefficient times the coefficients β₁, α₂ and α₃ of degree 2; extinction of I
+        less that of Q and U; see ``delta_m.delta_m_scaling``. [m⁻¹]
     """
 
     extinction: Float32Array
     moments: Float32Array
     ground: Reflection
     star_radius: float
-    polarised_phase: Float32Array
+    polarised_moments: Float32Array
 
 
 class Azimuths(NamedTuple):
@@ -69,7 +69,7 @@ def sun_index(mu_s, place):
 
 @inlined
 def optical_depth(columns, first, extinction, constituents):
-    """Σ extinction·column of eight wavelengths; ``columns[first:]`` holds one row. [1]"""
+    """Optical depth Σ extinction·column of eight wavelengths, from ``columns[first:]``. [1]"""
     tau = splat(0.0)
     for c in range(constituents):
         tau = tau + load(extinction, LANES * c) * np.float32(columns[first + c])
@@ -77,14 +77,14 @@ def optical_depth(columns, first, extinction, constituents):
 
 
 @inlined
-def polarised_transmittance_ratio(columns, first, polarised_phase, constituents):
+def polarised_transmittance_ratio(columns, first, polarised_moments, constituents):
     """Transmittance of Q and U over that of I, of eight wavelengths. [1]
 
-    ``columns[first:]`` holds one row of columns; ``polarised_phase`` of ``ScaledOptics``.
+    The columns are the row ``columns[first:]``; ``polarised_moments`` as in ``ScaledOptics``.
     """
     more = splat(0.0)
     for c in range(constituents):
-        more = more + load(polarised_phase, LANES * (ELEMENTS * c + 3)) * np.float32(
+        more = more + load(polarised_moments, LANES * (ELEMENTS * c + 3)) * np.float32(
             columns[first + c]
         )
     return exponential(more)
@@ -92,7 +92,7 @@ def polarised_transmittance_ratio(columns, first, polarised_phase, constituents)
 
 @inlined
 def strength_of(moments, amounts, point, l, degree, constituents):
-    """Scattering by a point in one degree: Σ moments·amount of eight wavelengths. [1]"""
+    """Scattering strength of a point in one degree: Σ moments·amount of eight wavelengths. [1]"""
     strength = splat(0.0)
     for c in range(constituents):
         strength = strength + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
@@ -108,11 +108,10 @@ def transmittance_ray(extinction, totals, first, constituents):
 
 
 @inlined
-def leaving_at_end(ends, i, a, mu):
-    """Cosine of the zenith angle at which a ray's light leaves the ground. [1]
+def mu_r_at_end(ends, i, a, mu):
+    """Cosine of the zenith angle of reflection at the ground end of a ray; ``ends`` of ``Rays``.
 
-    ``ends`` of ``Rays``. A star in the direction of the ray would be seen there at the opposite
-    angle.
+    It is minus the zenith cosine, there, of a star in the direction of the ray. [1]
     """
     return max(0.0 - star_at_end(ends, i, a, mu, 1.0), 0.0)
 
@@ -124,10 +123,10 @@ def star_at_end(ends, i, a, mu_s, nu):
 
 
 @inlined
-def sky_at(ground, mu_s, places, suns):
-    """Irradiance of the ground by the light so far, from (s, E·s) per node. [1]"""
+def sky_at(ground, mu_s, places, sun_angles):
+    """Diffuse irradiance of the ground, interpolated from (s, E·s) per node. [1]"""
     x = sun_index(mu_s, places)
-    column = min(int(x), suns - 2)
+    column = min(int(x), sun_angles - 2)
     f = np.float32(x - column)
     g = np.float32(1.0) - f
     low = column * 2 * LANES
@@ -138,7 +137,7 @@ def sky_at(ground, mu_s, places, suns):
 
 @inlined
 def star_from_ray(mu, mu_s, cosine):
-    """Cosine between a ray and the star, from that of the azimuth between them. [1]"""
+    """Cosine between a ray and the star, from the cosine of their relative azimuth. [1]"""
     sines = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) * sqrt(max((1.0 - mu_s) * (1.0 + mu_s), 0.0))
     return min(max(mu * mu_s + sines * cosine, -1.0), 1.0)
 
@@ -147,7 +146,7 @@ def star_from_ray(mu, mu_s, cosine):
 def project(moments_m, functions, weight, degree, orders, base, out):
     """Add a ray's azimuth moments, times its Legendre functions, to the moments of a point.
 
-    Of ``orders`` from 0 on; the others are 0.
+    The moments are those of the first ``orders`` azimuthal orders; the others vanish.
     """
     for l in range(degree + 1):
         for m in range(min(l + 1, orders)):

@@ -1,9 +1,8 @@
 """Source function at the points of a ray, for each sun elevation.
 
-It depends on the ray's zenith cosine at the point and on the moments between two radii, not on the
-azimuth. So the factors of a point, strengths times Legendre functions, are computed once, and
-contracted with the moments for four sun elevations at a time: each factor and each moment is loaded
-as seldom as the registers allow.
+It depends on the ray's zenith cosine at the point and on the moments at two radii, not on the
+azimuth. The factors of a point, strengths times Legendre functions, are therefore computed once and
+contracted with the moments for four sun elevations at a time, to minimise loads.
 """
 
 from __future__ import annotations
@@ -26,63 +25,64 @@ from airlight.solvers.moments.ray_optics import (
 )
 from airlight.solvers.moments.source_function import coupled_moments, first_register, odd_moment
 
-#: Numbers of a point that couple the moments of one order, in registers.
+#: Coupling coefficients of a point per order, in registers.
 _COUPLINGS = 7
 
 
 @inlined
-def order_registers(degree, paired):
-    """Registers of a point's orders m of I, of the moments that couple, and of its Q and U.
+def order_registers(degree, narrow):
+    """Numbers of registers of a point: orders m of I, coupled moments, and Q and U.
 
     Returns
     -------
     wide, orders, sent : int
     """
     wide, orders, sent = degree + 1, EVEN, POLARISED
-    if paired:
+    if narrow:
         wide, orders, sent = degree // 2 + 1, 2, 3
     return wide, orders, sent
 
 
 @inlined
-def registers_of(orders, paired):
-    """Registers that hold a number of orders m, from 0 on."""
-    if paired:
+def registers_of(orders, narrow):
+    """Number of registers of the first ``orders`` orders m."""
+    if narrow:
         return (orders + 1) // 2
     return orders
 
 
 @inlined
-def factor_count(degree, paired):
-    """Registers that ``fill_factors`` fills for a point."""
-    _, orders, _ = order_registers(degree, paired)
-    return first_register(degree + 1, paired) + _COUPLINGS * orders
+def factor_count(degree, narrow):
+    """Number of registers of the factors of a point."""
+    _, orders, _ = order_registers(degree, narrow)
+    return first_register(degree + 1, narrow) + _COUPLINGS * orders
 
 
 @inlined
 def fill_factors(
-    point, rays, air, expansion, degree, highest, functions, first, factors, paired
+    point, rays, air, expansion, degree, highest, functions, first, factors, narrow
 ):  # fmt: skip
-    """Factors by which the moments at a point of a ray are multiplied.
+    """Factors of the moments in the source function at a point of a ray.
 
     Parameters
     ----------
     point : int
         Index of the point among all.
-    rays, air, expansion : arrays and tuples of ``sweep_radius``, borrowed
+    rays, air, expansion :
+        Arrays of ``sweep_radius``, without reference counts.
     degree, highest : int
-        Highest degree, and the highest that counts at this point.
+        Highest degree, and highest active degree at this point.
     functions : array
         Workspace for the Legendre functions.
     first : int
         Index of the first factor in ``factors``, in lanes.
     factors : array
-        Receives strengths times Legendre functions in the order of ``first_register``, and for each
-        order that couples seven factors of the moments of degree 2.
-    paired : bool
+        Receives strengths times Legendre functions in the order of ``first_register``, and seven
+        factors of the moments of degree 2 for each coupled order.
+    narrow : bool
         See ``first_register``; a constant.
     """
-    extinction, moments, polarised_phase = air
+    extinction, moments, polarised_moments = air
     mu_along, amounts, depths = rays
     constituents = amounts.shape[1]
     legendre_functions(mu_along[point], expansion, functions)
@@ -90,8 +90,8 @@ def fill_factors(
     for l in range(highest + 1):
         strength = strength_of(moments, amounts, point, l, degree, constituents) * transmittance
         index = l * (l + 1) // 2
-        at = first + LANES * first_register(l, paired)
-        if paired:
+        at = first + LANES * first_register(l, narrow)
+        if narrow:
             for m in range(0, l, 2):
                 both = pair(np.float32(functions[index + m]), np.float32(functions[index + m + 1]))
                 store(factors, at + LANES // 2 * m, strength * both)
@@ -102,29 +102,31 @@ def fill_factors(
             for m in range(l + 1):
                 store(factors, at + LANES * m, strength * np.float32(functions[index + m]))
     last = ELEMENTS - 1
-    beta_1 = transmittance * strength_of(polarised_phase, amounts, point, 0, last, constituents)
-    polarised_ratio = polarised_transmittance_ratio(depths[point], 0, polarised_phase, constituents)
+    beta_1 = transmittance * strength_of(polarised_moments, amounts, point, 0, last, constituents)
+    polarised_ratio = polarised_transmittance_ratio(
+        depths[point], 0, polarised_moments, constituents
+    )
     alpha_2 = (
         polarised_ratio
         * transmittance
-        * strength_of(polarised_phase, amounts, point, 1, last, constituents)
+        * strength_of(polarised_moments, amounts, point, 1, last, constituents)
     )
     alpha_3 = (
         polarised_ratio
         * transmittance
-        * strength_of(polarised_phase, amounts, point, 2, last, constituents)
+        * strength_of(polarised_moments, amounts, point, 2, last, constituents)
     )
     turned = polarised_ratio * beta_1
     # The Legendre functions of degree 2.
     second_0, second_1, second_2 = functions[3], functions[4], functions[5]
     a0, a1, a2, b1, b2 = polarised_functions(mu_along[point])
-    at = first + LANES * first_register(degree + 1, paired)
-    _, orders, _ = order_registers(degree, paired)
+    at = first + LANES * first_register(degree + 1, narrow)
+    _, orders, _ = order_registers(degree, narrow)
     for m in range(orders):
         second = pair(np.float32(second_0), np.float32(second_1))
         even = pair(np.float32(a0), np.float32(a1))
         odd = pair(np.float32(0.0), np.float32(b1))
-        if paired:
+        if narrow:
             if m == 1:
                 second = pair(np.float32(second_2), np.float32(0.0))
                 even = pair(np.float32(a2), np.float32(0.0))
@@ -147,9 +149,9 @@ def fill_factors(
 
 @inlined
 def source_four_suns(
-    k, row, f, first, factors, suns, field, start, wide, highest, degree, rows, paired
+    k, row, f, first, factors, sun_angles, field, start, wide, highest, degree, rows, narrow
 ):  # fmt: skip
-    """Source function at a point of a ray, for four sun elevations.
+    """Source function at a point of a ray, for four sun angles.
 
     Parameters
     ----------
@@ -161,44 +163,44 @@ def source_four_suns(
         Index of its first factor in ``factors``, in lanes.
     factors : array
         Factors from ``fill_factors``.
-    suns : int
-        Number of suns.
+    sun_angles : int
+        Number of sun angles.
     field : array
         As in ``sweep_radius``.
     start : int
-        Index of the first sun; the last sun stands for those beyond it.
+        Index of the first sun angle; indices beyond the last are clamped.
     wide : int
-        Number of registers of orders m that are found.
+        Number of registers of orders m to be computed.
     highest, degree : int
-        Highest degree that counts at this point, and highest degree of the moments.
+        Highest active degree at this point, and highest degree of the moments.
     rows : array
-        Receives for each sun a node of ``source_at_point``.
-    paired : bool
+        Receives a node of ``source_at_point`` for each sun angle.
+    narrow : bool
         See ``first_register``; a constant.
     """
-    all_wide, orders, sent = order_registers(degree, paired)
-    registers = first_register(degree + 1, paired)
+    all_wide, orders, sent = order_registers(degree, narrow)
+    registers = first_register(degree + 1, narrow)
     terms = registers + POLARISED
-    if paired:
+    if narrow:
         terms = registers + 4
     block = (1 + all_wide + sent) * LANES
     node = (1 + terms) * LANES
     g = np.float32(1.0) - f
-    last = suns - 1
+    last = sun_angles - 1
     second, third, fourth = min(start + 1, last), min(start + 2, last), min(start + 3, last)
-    low = (row * suns + start) * node
-    up = suns * node
+    low = (row * sun_angles + start) * node
+    up = sun_angles * node
     to_second, to_third = (second - start) * node, (third - start) * node
     to_fourth = (fourth - start) * node
-    target = (k * suns + start) * block
+    target = (k * sun_angles + start) * block
     for m in range(wide):
         one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
         above_1, above_2, above_3, above_4 = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
         lowest = m
-        if paired:
+        if narrow:
             lowest = 2 * m
         for l in range(lowest, highest + 1):
-            index = LANES * (first_register(l, paired) + m)
+            index = LANES * (first_register(l, narrow) + m)
             at = low + LANES + index
             factor = load(factors, first + index)
             one = one + factor * load(field, at)
@@ -216,25 +218,27 @@ def source_four_suns(
         store(rows, at + (third - start) * block, g * three + f * above_3)
         store(rows, at + (fourth - start) * block, g * four + f * above_4)
     for j in range(start, fourth + 1):
-        low = (row * suns + j) * node
+        low = (row * sun_angles + j) * node
         high = low + up
-        target = (k * suns + j) * block
+        target = (k * sun_angles + j) * block
         store(rows, target, g * load(field, low) + f * load(field, high))
         for m in range(orders):
-            moment, here = coupled_moments(field, low, high, f, m, degree, paired)
+            moment, coupled = coupled_moments(field, low, high, f, m, degree, narrow)
             by = first + LANES * (registers + _COUPLINGS * m)
             if m < wide:
                 at = target + LANES * (1 + m)
-                store(rows, at, load(rows, at) + load(factors, by) * here)
-            point_q = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * here
-            point_u = load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * here
-            if paired or m > 0:
-                turned = odd_moment(field, low, high, f, m, degree, paired)
+                store(rows, at, load(rows, at) + load(factors, by) * coupled)
+            point_q = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * coupled
+            point_u = (
+                load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * coupled
+            )
+            if narrow or m > 0:
+                turned = odd_moment(field, low, high, f, m, degree, narrow)
                 point_q = point_q + load(factors, by + 3 * LANES) * turned
                 point_u = point_u + load(factors, by + 6 * LANES) * turned
             at = target + LANES * (1 + all_wide)
             store(rows, at + LANES * m, point_q)
-            if paired:  # U_1 in the second half, U_2 in the first
+            if narrow:  # U_1 in the second half, U_2 in the first
                 if m == 1:
                     point_u = point_u + load(rows, at + 2 * LANES)
                 store(rows, at + 2 * LANES, point_u)
@@ -244,7 +248,7 @@ def source_four_suns(
 
 @inlined
 def by_level(levels, count, most, order):
-    """Indices of points in the order of the radius below them, by counting.
+    """Counting sort of points by the index of the radius below them.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Rays along which one sweep gathers light: the same for every wavelength and sun."""
+"""Rays of a sweep, common to all wavelengths and sun angles."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, turned
 from airlight.geometry.path import MAX_EDGES, place_edges, ray_length
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
@@ -20,19 +20,19 @@ from airlight.tables.columns import density_table, new_path, split_at_profile_ed
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-#: Ends of panels in clear air whose scatterers are all densest at the ground.
+#: Panel ends of a medium without layers aloft.
 NO_ENDS: Final[FloatArray] = np.zeros(0)
 
 
 class Rays(NamedTuple):
-    """Rays from every radius of a grid in every zenith angle of a quadrature.
+    """Rays from all radii of a grid at all zenith angles of a quadrature.
 
     Attributes
     ----------
     mu, weight : array, shape (r, a)
         Zenith cosine and its weight in ∫ dmu; the first half of a row points below the horizon. [1]
     flux : array, shape (r, a)
-        Weight in ∫ mu dmu over the upper half of the sphere. [1]
+        Weight in ∫ mu dmu over the upper hemisphere. [1]
     length : array, shape (r, a)
         Distance to the ground or to the top. [m]
     start : array, shape (r, a + 1)
@@ -40,15 +40,15 @@ class Rays(NamedTuple):
     total : array, shape (r, a, nc)
         Columns over the whole ray. [m]
     end : array, shape (r, a, 2)
-        Coefficients of the cosine of the star's zenith angle at the ray's end: of that cosine at
-        its start, and of the cosine between star and ray. [1]
+        Cosine of the star's zenith angle at the end of the ray, as coefficients of that cosine at
+        the start and of the cosine between star and ray. [1]
     radius, mu_along : array, shape (p,)
-        Distance of the points from the planet's centre [m], and zenith cosine of the ray there [1].
+        Radius of the points [m], and zenith cosine of the ray there [1].
     turn : array, shape (p, 4)
-        Coefficients, as in ``end``, of the cosine of the star's zenith angle at the point; then of
-        the cosine between star and ray there. [1]
+        Cosines of the star's zenith angle, and between star and ray, at the point; coefficients as
+        in ``end``. [1]
     amount : array, shape (p, nc)
-        Density times the length that a point represents. [m]
+        Density times quadrature weight. [m]
     column : array, shape (p, nc)
         Column from the start of the ray to the point. [m]
     """
@@ -69,7 +69,7 @@ class Rays(NamedTuple):
 
 @compiled_loop
 def _turn(r, mu, distance, radius, angle, out):
-    """Fill ``Rays.turn`` for a point of a ray that is bent by an angle up to there."""
+    """Fill ``Rays.turn`` at a point of a ray, whose refraction up to there is ``angle``."""
     mu_along = min(max((r * mu + distance) / radius, -1.0), 1.0)
     out[0], out[2] = turned(mu_along, r / radius, 0.0, angle)
     out[1], out[3] = turned(mu_along, distance / radius, 1.0, angle)
@@ -77,10 +77,12 @@ def _turn(r, mu, distance, radius, angle, out):
 
 
 @compiled_loop
-def trace_into(grid, mu, panels, rule, nodes, strongest, bend, ends, edges, path, rays):
-    """Trace all rays of the quadratures into ``rays``, see ``trace_rays``; their points' count."""
+def trace_into(
+    grid, mu, panels, rule, nodes, strongest, refraction_strength, ends, edges, path, rays
+):
+    """Fill ``rays``, see ``trace_rays``; returns the number of points."""
     count = 0
-    here = np.empty(4)
+    end = np.empty(4)
     constituents = nodes[1].shape[1]
     last = constituents - 1
     for i in range(mu.shape[0]):
@@ -89,7 +91,7 @@ def trace_into(grid, mu, panels, rule, nodes, strongest, bend, ends, edges, path
             rays.start[i, a] = count
             below = a < mu.shape[1] // 2
             length = ray_length(r, mu[i, a], grid.bottom_radius, grid.top_radius)
-            # The first half of the quadrature meets the ground whatever the rounding.
+            # The first half of the quadrature meets the ground, regardless of rounding.
             if below and mu[i, a] >= horizon_cosine(r, grid.bottom_radius):
                 length = max(-r * mu[i, a], 0.0)
             rays.length[i, a] = length
@@ -112,14 +114,14 @@ def trace_into(grid, mu, panels, rule, nodes, strongest, bend, ends, edges, path
             for c in range(constituents):
                 rays.total[i, a, c] = path[5][c] if points > 0 else 0.0
             if below:
-                bent = bend_angle(r, mu[i, a], bend, rays.total[i, a, last])
-                _turn(r, mu[i, a], length, grid.bottom_radius, bent, here)
-                rays.end[i, a, 0], rays.end[i, a, 1] = here[0], here[1]
+                angle = refraction_angle(r, mu[i, a], refraction_strength, rays.total[i, a, last])
+                _turn(r, mu[i, a], length, grid.bottom_radius, angle, end)
+                rays.end[i, a, 0], rays.end[i, a, 1] = end[0], end[1]
             for k in range(points):
                 q = min(max(path[1][k], grid.bottom_radius), grid.top_radius)
                 rays.radius[count] = q
-                bent = bend_angle(r, mu[i, a], bend, path[4][last, k])
-                rays.mu_along[count] = _turn(r, mu[i, a], path[0][k], q, bent, rays.turn[count])
+                angle = refraction_angle(r, mu[i, a], refraction_strength, path[4][last, k])
+                rays.mu_along[count] = _turn(r, mu[i, a], path[0][k], q, angle, rays.turn[count])
                 for c in range(constituents):
                     rays.amount[count, c] = path[3][c, k] * path[2][k]
                     rays.column[count, c] = path[4][c, k]
@@ -136,26 +138,25 @@ def trace_rays(
     nodes: int,
     panels: int = 1,
     *,
-    bend: float = 0.0,
+    refraction_strength: float = 0.0,
     ends: FloatArray = NO_ENDS,
 ) -> Rays:
-    """Trace all rays of a sweep.
+    """Rays of a sweep.
 
     Parameters
     ----------
     grid : Grid
         Grid whose radii the rays start from.
     density : DensitySegments
-        Profiles of the air.
+        Density profiles.
     strongest : array, shape (nc,)
         Largest extinction of each constituent at any wavelength. [m⁻¹]
     angles : tuple of int
         Numbers of zenith angles, see ``directions``.
     nodes, panels : int
-        Points a panel, and panels a leg.
-    bend : float
-        Bending over impact parameter and column of the last constituent; 0 for straight rays.
-        [m⁻²]
+        Points per panel, and panels per leg.
+    refraction_strength : float
+        See ``RefractedGeometry``; 0 for straight rays. [m⁻²]
     ends : array, shape (n,)
         Altitudes at which panels end, from ``panel_ends``. [m]
     """
@@ -184,7 +185,7 @@ def trace_rays(
         gauss_legendre(nodes).as_tuple(),
         (density.first_nodes, density_table(density)),
         strongest,
-        bend,
+        refraction_strength,
         ends,
         np.empty(MAX_EDGES),
         new_path(per_ray, constituents),

@@ -1,4 +1,4 @@
-"""Quality levels of the moments solver: how fine its grids are and when it stops."""
+"""Settings and quality levels of the moments solver: grid sizes and tolerances."""
 
 from __future__ import annotations
 
@@ -10,51 +10,50 @@ from airlight.solvers.quality import settings_by_name
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """Sizes of the moments solver's grids.
+    """Grid sizes and tolerances of the moments solver.
 
     Attributes
     ----------
     degree : int
-        Highest degree of the harmonics for air with thin aerosol.
+        Highest degree of the harmonics for optically thin aerosol.
     thick_degree : int
-        Highest degree where forward peaks are scattered many times (dust, haze).
-    radii, suns : int
+        Highest degree for multiple scattering by forward peaks (dust, haze).
+    radii, sun_angles : int
         Nodes in radius and in sun elevation.
     zenith_angles : int
-        Directions on each side of the local horizon in thick air.
+        Directions on each side of the local horizon in optically thick media.
     horizon_angles, high_angles : int
-        Directions next to the local horizon and farther from it, on each side, in clear air; of the
-        latter as many more as the degree needs.
+        Directions next to the local horizon and farther from it, on each side, in optically thin
+        media; the latter are increased with the degree.
     azimuths : int
-        Directions over half a turn; three quarters of the degree where that is more.
+        Directions over half a turn; at least three quarters of the degree.
     nodes : int
-        Points on each leg of a ray of a sweep.
+        Points per leg of a ray of a sweep.
     tolerance : float
-        Largest change by one more order, relative to the sum, that ends the iteration. [1]
+        Largest remaining relative change of a converged iteration. [1]
     max_sweeps : int
-        Largest number of sweeps before the iteration gives up.
+        Largest number of sweeps.
     column_radii, column_directions : int
-        Shape of the table of columns towards the star.
+        Shape of the table of columns to the star.
     march_nodes, march_panels : int
-        Points a panel and panels a leg when radiance is computed.
+        Points per panel and panels per leg of a ray march.
     cut_nodes : tuple of int
-        Points a panel where the end of a layer cuts lines in the middle of the air: on steep lines
-        by day, on most lines, and on those that graze the ground.
+        Points per panel with layers aloft: on steep lines by day, on most lines, and on those that
+        graze the ground.
     cut_panels : int
-        Panels a leg there, before these cuts.
+        Panels per leg there, before those of the layers.
     layer_degree : int
-        Highest degree where a layer is thin: light is scattered twice along it.
+        Highest degree with thin layers, along which double scattering matters.
     energy_tolerance : float
-        Largest light that a solution may make or lose, over the light incident, without a
-        warning. [1]
+        Largest energy balance error without a warning, over the incident energy. [1]
     polarisation : bool
-        Whether light is polarised; without, it is that of scalar transfer.
+        Whether transfer is polarised rather than scalar.
     """
 
     degree: int
     thick_degree: int
     radii: int
-    suns: int
+    sun_angles: int
     zenith_angles: int
     horizon_angles: int
     high_angles: int
@@ -73,7 +72,7 @@ class Settings:
     polarisation: bool = True
 
     def as_text(self) -> str:
-        """All settings on one line, for reports and fingerprints."""
+        """Settings on one line, for reports and fingerprints."""
         return " ".join(f"{name}={value}" for name, value in asdict(self).items())
 
 
@@ -83,7 +82,7 @@ QUALITIES: Final = {
         thick_degree=6,
         layer_degree=12,
         radii=14,
-        suns=36,
+        sun_angles=36,
         zenith_angles=6,
         horizon_angles=3,
         high_angles=4,  # as many as its thick degree needs: a fit crosses from one to the other
@@ -103,7 +102,7 @@ QUALITIES: Final = {
         degree=9,
         thick_degree=16,
         radii=24,
-        suns=58,
+        sun_angles=58,
         zenith_angles=12,
         horizon_angles=6,
         high_angles=5,
@@ -123,7 +122,7 @@ QUALITIES: Final = {
         thick_degree=24,
         layer_degree=24,
         radii=40,
-        suns=104,
+        sun_angles=104,
         zenith_angles=20,
         horizon_angles=10,
         high_angles=10,

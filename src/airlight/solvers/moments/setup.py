@@ -1,8 +1,6 @@
-"""Quantities that a solve derives from a medium beforehand: once, for every processor.
+"""Grid, rays and optics that a solve derives from a medium, shared by CPU, GPU and browser.
 
-``Setup`` is shared by all wavelengths, ``Block`` adds the wavelengths that run together. The sweeps
-of the CPU, the passes of the GPU, the plan of a page and the march of a solution read them, so that
-none of them derives its own grid, rays or depths.
+``Setup`` is shared by all wavelengths; ``WavelengthBatch`` adds those that are solved together.
 """
 
 from __future__ import annotations
@@ -17,7 +15,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel.lanes import FEW
+from airlight.kernel.lanes import HALF_LANES
 from airlight.optics.density_profile import DensitySegments
 from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii
@@ -37,30 +35,30 @@ from airlight.solvers.moments.ray_optics import Azimuths, ScaledOptics
 from airlight.solvers.moments.rays import Rays, trace_rays
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.tables.column_ratios import column_rows, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, rational_mean_density
 from airlight.tables.columns import ColumnTable
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Fraction of the largest mean radiance below which lateral transport dominates: at small and at
-#: large transport depth; and the transport depth above which it increases. [1]
+#: Fraction of the largest mean radiance below which lateral transport dominates, at small and at
+#: large transport optical depth; and the depth above which it increases. [1]
 LATERAL_THRESHOLD: Final = (1e-4, 2e-2)
 TRANSPORT_DEPTH_SCALE: Final = 5.0
-#: Transport depth above which air is optically deep: numerical diffusion between sun elevations
-#: exceeds the physical one. Titan has 13 in the blue, Venus 12 to 100. [1]
+#: Transport optical depth above which numerical diffusion between sun elevations exceeds physical
+#: diffusion. Titan has 13 in the blue, Venus 12 to 100. [1]
 OPTICALLY_DEEP: Final = 20.0
-#: Length of the numerical diffusion by interpolation between sun elevations, over the lateral
-#: diffusion length and the transport depth. [1]
+#: Length of numerical diffusion by interpolation between sun elevations, over the lateral diffusion
+#: length and the transport optical depth. [1]
 NUMERICAL_DIFFUSION: Final = 6.0 / pi**2
-#: Largest fraction that a scattering may keep of moments of an order m aliased by the azimuths: the
-#: eigenvalue of an aliased pair is twice that fraction. [1]
+#: Largest scattering eigenvalue of moments aliased by the azimuthal quadrature; that of an aliased
+#: pair is twice as large. [1]
 _ALIASED: Final = 0.4
-#: Distance of a thin layer from the top, over the thickness of the shell, below which the table of
-#: columns has more directions, and their factor.
+#: Distance of a thin layer from the top, over the thickness of the shell, below which the column
+#: table has more directions, and their factor.
 _CLOSE_TO_TOP: Final = 0.05
 _MORE_DIRECTIONS: Final = 8
-#: Number of tables of columns that are kept: edits of coefficients do not change them.
+#: Number of column tables in the cache: edits of coefficients do not change them.
 _CACHE_SIZE: Final = 4
 
 _tables: OrderedDict[tuple[Any, ...], tuple[ColumnTable, FloatArray]] = OrderedDict()
@@ -69,31 +67,31 @@ _lock = threading.Lock()
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Setup:
-    """Degree, nodes, rays and tables of a solve; each is made at its first use.
+    """Degree, grid, rays and tables of a solve, evaluated lazily.
 
     Parameters
     ----------
-    paths : RefractedGeometry
-        Light paths of a medium with any number of wavelengths and constituents.
+    geometry : RefractedGeometry
+        Refracted geometry of a medium with any number of wavelengths and constituents.
     settings : Settings
         Grid sizes and tolerance.
     extinction_headroom : float
-        Factor of the extinction for which nodes and rays are placed: above 1 where later edits
-        that increase it reuse them. [1]
+        Factor of the extinction for which grid and rays are made: above 1 if later edits that
+        increase extinction reuse them. [1]
     """
 
-    paths: RefractedGeometry
+    geometry: RefractedGeometry
     settings: Settings
     extinction_headroom: float = 1.0
 
     @property
     def medium(self) -> Medium:
-        """Medium in which rays are straight."""
-        return self.paths.medium
+        """Medium in the optical radius."""
+        return self.geometry.medium
 
     @cached_property
     def optics(self) -> Optics:
-        """Optics of the medium, with the degree of the harmonics."""
+        """Optics of the medium, truncated at the degree of the harmonics."""
         return Optics.chosen(self.medium, self.settings)
 
     @property
@@ -113,7 +111,7 @@ class Setup:
             medium.bottom_radius,
             medium.top_radius,
             settings.radii,
-            settings.suns,
+            settings.sun_angles,
             depths._replace(scattering=self.extinction_headroom * depths.scattering),
             medium.density.first_nodes,
         )
@@ -124,14 +122,14 @@ class Setup:
         return self._nodes[0]
 
     @property
-    def parts(self) -> int:
-        """Number of radii of the grid for each radius at which light is gathered."""
+    def refinement(self) -> int:
+        """Number of levels of the grid per radius of the sweep."""
         return self._nodes[1]
 
     @cached_property
     def gathering(self) -> Grid:
-        """Grid with only the radii at which light is gathered."""
-        return self.grid._replace(radii=self.grid.radii[:: self.parts])
+        """Grid with only the radii of the sweep."""
+        return self.grid._replace(radii=self.grid.radii[:: self.refinement])
 
     @cached_property
     def dip(self) -> float:
@@ -141,29 +139,29 @@ class Setup:
     @cached_property
     def ends(self) -> FloatArray:
         """Altitudes at which panels of a sweep's rays end. [m]"""
-        return panel_ends(self.medium, self.grid, self.parts, sweeps=True)
+        return panel_ends(self.medium, self.grid, self.refinement, sweeps=True)
 
     @cached_property
     def march_ends(self) -> FloatArray:
         """Altitudes at which panels of lines of sight end. [m]"""
-        return panel_ends(self.medium, self.grid, self.parts)
+        return panel_ends(self.medium, self.grid, self.refinement)
 
     @property
     def zenith_angles(self) -> tuple[int, ...]:
         """Numbers of directions on each side of the horizon, as for ``directions``."""
         settings = self.settings
-        if self.parts > 1:
+        if self.refinement > 1:
             return (settings.zenith_angles,)
         # n points integrate polynomials of degree 2n - 1, so all harmonics of isotropic light.
         return settings.horizon_angles, max(settings.high_angles, (self.degree + 2) // 2)
 
     @property
     def ray_nodes(self) -> int:
-        """Points in a panel of a sweep's ray."""
-        if self.parts > 1:
+        """Points per panel of a sweep's ray."""
+        if self.refinement > 1:
             return min(self.settings.nodes, FEW_NODES)
         if self.ends.size and not self.optics.depths.layers:
-            # Several panels a leg need fewer points each.
+            # Several panels per leg need fewer points each.
             return max(FEW_NODES, 3 * self.settings.nodes // 5)
         return self.settings.nodes
 
@@ -176,18 +174,17 @@ class Setup:
             self.extinction_headroom * self.medium.extinction.max(axis=1),
             self.zenith_angles,
             self.ray_nodes,
-            bend=self.paths.bend,
+            refraction_strength=self.geometry.refraction_strength,
             ends=self.ends,
         )
 
     @cached_property
     def azimuths(self) -> Azimuths:
-        """Azimuths of a sweep: no fewer than the harmonics need.
+        """Azimuthal quadrature of a sweep.
 
-        On B midpoints cos mφ is aliased with -cos (2B - m)φ, so that light of order m is counted
-        twice. Where scattering keeps little of the orders above B, as without its forward peak,
-        three quarters of the degree suffice; where it keeps more, as backward peaks do, the
-        iteration would diverge.
+        On B midpoints cos mφ is aliased with -cos (2B - m)φ, so that order m is counted twice. If
+        the phase moments above B are small, as without forward peaks, three quarters of the degree
+        suffice; with large ones, as of backward peaks, the iteration would diverge.
         """
         count = max(self.settings.azimuths, 3 * self.degree // 4)
         if self.optics.kept_beyond(count) > _ALIASED:
@@ -201,14 +198,14 @@ class Setup:
 
     @cached_property
     def column_radii(self) -> FloatArray:
-        """Radii of the rows of the table of columns towards the star. [m]"""
+        """Radii of the rows of the table of columns to the star. [m]"""
         return column_radii(self.medium, self.settings.column_radii)
 
     @property
     def column_directions(self) -> int:
-        """Number of directions of that table: more where a thin layer lies close to the top.
+        """Number of directions of that table; more if a thin layer lies close to the top.
 
-        There the directions, even in the distance to the top, are farther apart than the layer is.
+        There directions even in the distance to the top would not resolve the layer.
         """
         highest = max((layer.bottom for layer in self.optics.depths.layers), default=0.0)
         close = highest > (1.0 - _CLOSE_TO_TOP) * self.medium.thickness
@@ -230,36 +227,36 @@ class Setup:
 
     @property
     def table(self) -> ColumnTable:
-        """Columns towards the star."""
+        """Table of columns to the star."""
         return self._columns[0]
 
     @cached_property
     def column_rows(self) -> FloatArray:
-        """Rows of that table at the altitude nodes, shape (n,). [1]"""
+        """Fractional rows of that table at the altitude nodes, shape (n,). [1]"""
         return column_rows(self.table, self.medium.density)
 
     @property
     def ratios(self) -> FloatArray:
-        """``mean_density_ratios`` of that table. [1]"""
+        """Column table for rational interpolation. [1]"""
         return self._columns[1]
 
     @cached_property
     def star_ratios(self) -> Float32Array:
-        """These by direction, for vectors of eight, shape (radii, nc, 2, directions). [1]"""
+        """``ratios`` with directions last, for lanes, shape (radii, nc, 2, directions). [1]"""
         return np.ascontiguousarray(self.ratios.transpose(0, 2, 3, 1), np.float32)
 
     @property
     def day_weight(self) -> FloatArray:
-        """Level weights of infinitely thick air, shape (s,): 0 at night, 1 by day. [1]"""
+        """Level weights in the thick limit, shape (s,): 0 at night, 1 by day. [1]"""
         return day_weight(self.grid.sun_cosines, self.dip)
 
     def level(self, which: slice) -> Float32Array:
-        """Level weights of some wavelengths in whole groups of eight, shape (s, 8). [1]"""
+        """Level weights of some wavelengths in groups of eight, shape (s, 8). [1]"""
         depth = self.optics.scattering_depth[which]
         return np.asarray(filled(level_weights(self.grid.sun_cosines, self.dip, depth)))
 
-    def block(self, which: slice) -> Block:
-        """Set-up of wavelengths that run together.
+    def batch(self, which: slice) -> WavelengthBatch:
+        """Batch of wavelengths.
 
         Parameters
         ----------
@@ -267,24 +264,28 @@ class Setup:
             Indices of at most eight wavelengths.
         """
         air = self.optics.air(which)
-        rays = adaptive_quadrature(self.rays, air, self.ray_nodes) if self.parts > 1 else self.rays
-        rays, share = cull_opaque(rays, air)
+        rays = (
+            adaptive_quadrature(self.rays, air, self.ray_nodes)
+            if self.refinement > 1
+            else self.rays
+        )
+        rays, norm = cull_opaque(rays, air)
         transport = self.optics.transport_depth[which]
         thick = filled(optically_thick_weights(self.optics.scattering_depth[which]))
         depth_ratio = np.maximum(filled(transport) / TRANSPORT_DEPTH_SCALE, 1.0)
         length = self.optics.depths.diffusion_length
         radius = self.medium.bottom_radius
-        return Block(
+        return WavelengthBatch(
             setup=self,
             which=which,
             air=air,
             rays=rays,
-            share=share,
+            norm=norm,
             level=self.level(which),
             thick=thick,
             lateral_threshold=thick
             * np.minimum(LATERAL_THRESHOLD[0] * depth_ratio**3, LATERAL_THRESHOLD[1]),
-            # Diffusion: a layer of transport depth τ loses π²/(3τ²) of its light per scattering.
+            # Diffusion: a layer of transport depth τ loses π²/(3τ²) of its energy per scattering.
             diffusion_length=length / radius,
             grid_diffusion=NUMERICAL_DIFFUSION * length / radius * float(transport.max()),
             deep=bool(transport.max() > OPTICALLY_DEEP),
@@ -292,8 +293,8 @@ class Setup:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Block:
-    """Wavelengths that run together, in whole groups of eight lanes.
+class WavelengthBatch:
+    """Wavelengths that are solved together, one per lane.
 
     Attributes
     ----------
@@ -304,9 +305,9 @@ class Block:
     air : ScaledOptics
         Optics of these wavelengths.
     rays : Rays
-        Rays with the points that any of these wavelengths sees.
-    share : array, shape (r·a·8,)
-        Factors from ``cull_opaque``. [1]
+        Rays without points that are opaque at all of these wavelengths.
+    norm : array, shape (r·a·8,)
+        Normalisation factors from ``cull_opaque``. [1]
     level : array, shape (s, 8)
         Weights from ``level_weights``. [1]
     thick : array, shape (8,)
@@ -317,14 +318,14 @@ class Block:
         Lateral diffusion length, and the length of the numerical diffusion by interpolation
         between sun elevations, see ``lateral_diffusion_matrix``. [rad]
     deep : bool
-        Whether the transport depth of any of these wavelengths is above ``OPTICALLY_DEEP``.
+        Whether the transport optical depth at any of these wavelengths exceeds ``OPTICALLY_DEEP``.
     """
 
     setup: Setup
     which: slice
     air: ScaledOptics
     rays: Rays
-    share: Float32Array
+    norm: Float32Array
     level: Float32Array
     thick: FloatArray
     lateral_threshold: FloatArray
@@ -334,18 +335,18 @@ class Block:
 
     @property
     def used(self) -> int:
-        """Number of lanes that have their own wavelength."""
+        """Number of wavelengths; further lanes are padding."""
         return len(range(*self.which.indices(self.setup.medium.wavelengths.size)))
 
     @property
     def all_degrees(self) -> NDArray[np.int64]:
-        """Highest degree of the moments at each radius of the grid: the same everywhere."""
+        """Untruncated degree at each radius of the grid."""
         return np.full(self.setup.grid.radii.size, self.setup.degree)
 
     @property
-    def few(self) -> bool:
-        """Whether either half of the lanes has all the wavelengths."""
-        return self.used <= FEW
+    def narrow(self) -> bool:
+        """Whether half of the lanes holds all wavelengths, so that a register has two moments."""
+        return self.used <= HALF_LANES
 
 
 def even_azimuths(degree: int, count: int) -> Azimuths:
@@ -359,7 +360,7 @@ def even_azimuths(degree: int, count: int) -> Azimuths:
 def _columns(
     bottom: float, top: float, density: DensitySegments, radii: FloatArray, directions: int
 ) -> tuple[ColumnTable, FloatArray]:
-    """Table of columns and its ratios, from the last few that were made."""
+    """Column table and its form for rational interpolation, from a cache."""
     profiles = density.edges.tobytes(), density.coefficients.tobytes()
     key = (bottom, top, directions, radii.tobytes(), *profiles)
     with _lock:
@@ -367,7 +368,7 @@ def _columns(
             _tables.move_to_end(key)
             return _tables[key]
     table = ColumnTable.build(bottom, top, density, (radii.size, directions), radii)
-    made = table, mean_density_ratios(table)
+    made = table, rational_mean_density(table)
     with _lock:
         _tables[key] = made
         while len(_tables) > _CACHE_SIZE:

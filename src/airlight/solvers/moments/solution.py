@@ -1,4 +1,4 @@
-"""Solution of the moments solver: marches lines of sight through the moments."""
+"""Solution of the moments solver: radiance by ray marches through the moments."""
 
 from __future__ import annotations
 
@@ -10,14 +10,15 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import bend_angle, turned
+from airlight.geometry.refraction import refraction_angle, turned
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
-from airlight.optics.reflection import leaving_cosine
+from airlight.optics.reflection import cos_reflected
 from airlight.planets.light_source import LightSource
 from airlight.planets.medium import Medium
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.energy_balance import imbalance
 from airlight.solvers.moments.forward_peak import inverse_peak_fraction, peak_broadening
 from airlight.solvers.moments.irradiance import (
@@ -33,18 +34,16 @@ from airlight.solvers.moments.packing import filled, pack, pack_light
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.refracted_geometry import RefractedGeometry
-from airlight.solvers.sight import Sight
 from airlight.solvers.solution import Report, Solution
-from airlight.tables.column_ratios import column_rows, mean_density_ratios
+from airlight.tables.column_ratios import column_rows, rational_mean_density
 from airlight.tables.columns import ColumnTable, density_table
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Altitudes between which the end of a layer divides the air, over the shell's thickness. [1]
+#: Range of altitudes in which a layer boundary needs ``cut_nodes``, over the shell's thickness. [1]
 _MIDDLE = (0.05, 0.5)
-#: Lines of sight in one block of work: an equal share of all, for all threads to have some, within
-#: these limits.
+#: Number of blocks of work, for load balancing, and limits of the lines of sight in a block.
 _SHARES, _FEWEST, _MOST = 8, 256, 2048
 
 
@@ -60,9 +59,9 @@ class MomentsSolution(Solution):
     moments : Moments
         Result of the iteration.
     seconds : float
-        Time of the solve; 0 from the cache. [s]
-    paths : RefractedGeometry, optional
-        Light paths of the medium, if already known.
+        Wall time of the solve; 0 from the cache. [s]
+    geometry : RefractedGeometry, optional
+        Refracted geometry of the medium, if known.
     """
 
     def __init__(
@@ -71,10 +70,10 @@ class MomentsSolution(Solution):
         settings: Settings,
         moments: Moments,
         seconds: float,
-        paths: RefractedGeometry | None = None,
+        geometry: RefractedGeometry | None = None,
     ) -> None:
         self.medium = medium
-        self.paths = RefractedGeometry.of(medium) if paths is None else paths
+        self.geometry = RefractedGeometry.of(medium) if geometry is None else geometry
         self.settings = settings
         self.moments = moments
         unbalanced = imbalance(moments.energy, medium.wavelengths, settings.energy_tolerance)
@@ -92,29 +91,31 @@ class MomentsSolution(Solution):
 
     @cached_property
     def setup(self) -> Setup:
-        """Quantities that the solve derived from the medium, made again when asked for."""
-        return Setup(paths=self.paths, settings=self.settings)
+        """Grid, rays and optics derived from the medium, evaluated lazily."""
+        return Setup(geometry=self.geometry, settings=self.settings)
 
-    def lit_by(self, source: LightSource, *, beside: bool = False) -> Self:
+    def with_light(self, source: LightSource, *, secondary: bool = False) -> Self:
         """See ``Solution``."""
-        tables = self.light._replace(
+        tables = self.tables._replace(
             star_radius=source.angular_radius, darkening=pack(source.darkenings.T)
         )
-        other = super().lit_by(source, beside=beside)
-        other.paths = replace(self.paths, medium=self.paths.medium.lit_by(source))
-        vars(other)["light"] = tables  # all else is that of any light
+        other = super().with_light(source, secondary=secondary)
+        other.geometry = replace(self.geometry, medium=self.geometry.medium.with_light(source))
+        vars(other)["tables"] = tables  # all else is independent of the source
         return other
 
     @cached_property
-    def light(self) -> MarchTables:
-        """Tables of the march, for all wavelengths, with the points and panels of queries."""
-        moments, medium, settings = self.moments, self.paths.medium, self.settings
+    def tables(self) -> MarchTables:
+        """Tables of the ray march, for all wavelengths, with the quadrature of queries."""
+        moments, medium, settings = self.moments, self.geometry.medium, self.settings
         level, expansion, grid = self.setup.level(slice(None)), self.setup.expansion, moments.grid
-        field, sky = pack_light(filled(moments.field), filled(moments.sky), level, moments.parts)
+        field, sky = pack_light(
+            filled(moments.field), filled(moments.sky), level, moments.refinement
+        )
         shell = medium.bottom_radius, medium.top_radius
         table = ColumnTable(*shell, self.setup.column_radii, moments.columns)
         optics = self.setup.optics
-        air, widening = optics.air(slice(None)), peak_broadening(optics)
+        air, broadening = optics.air(slice(None)), peak_broadening(optics)
         ends = self.setup.march_ends
         low, high = (part * medium.thickness for part in _MIDDLE)
         cut = bool(((ends > low) & (ends < high)).any())
@@ -122,25 +123,25 @@ class MomentsSolution(Solution):
             bottom=grid.bottom_radius,
             top=grid.top_radius,
             star_radius=self.lights[0].angular_radius,
-            bend=self.paths.bend,
+            refraction_strength=self.geometry.refraction_strength,
             lanes=air.ground.albedo.size,
             panels=settings.cut_panels if cut else settings.march_panels,
-            hides=1,
+            culls_opaque=1,
             constituents=len(medium.names),
             degree=expansion.degree,
             radii=grid.radii.size,
-            suns=grid.sun_cosines.size,
+            sun_angles=grid.sun_cosines.size,
             phase_nodes=medium.phase_table.shape[2],
             separated_1=-1,
             separated_2=-1,
-            widened=widening is not None,
+            broadened=broadening is not None,
             first_nodes=medium.density.first_nodes,
             column_rows=column_rows(table, medium.density),
-            columns=mean_density_ratios(table),
+            columns=rational_mean_density(table),
             density=density_table(medium.density),
             strongest=medium.extinction.max(axis=1),
             brightest=medium.scattering.max(axis=1),
-            lift=self.paths.lift,
+            refraction_table=self.geometry.refraction_table,
             ends=ends,
             row=grid.row,
             place=grid.place,
@@ -152,11 +153,13 @@ class MomentsSolution(Solution):
             extinction=pack(medium.extinction),
             scattering=pack(medium.scattering),
             moments=air.moments,
-            polarised_phase=air.polarised_phase,
+            polarised_moments=air.polarised_moments,
             phase=pack(np.moveaxis(medium.phase_table, 2, 0)),
             phase_f12=pack(self._phase_f12(medium)),
             inverse_peak_fraction=pack(inverse_peak_fraction(optics)),
-            widening=pack(np.zeros((1, self.wavelengths.size)) if widening is None else widening),
+            broadening=pack(
+                np.zeros((1, self.wavelengths.size)) if broadening is None else broadening
+            ),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
             field=field,
@@ -173,61 +176,65 @@ class MomentsSolution(Solution):
         )
         if not self.polarised:
             return np.zeros((nodes, constituents, count.size))
-        return medium.polarising(1.0 - 2.0 * np.linspace(0.0, 1.0, nodes) ** 2)
+        return medium.phase_f12(1.0 - 2.0 * np.linspace(0.0, 1.0, nodes) ** 2)
 
     @property
     def polarised(self) -> bool:
         """See ``Solution``."""
         return self.settings.polarisation
 
-    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
         orders = 2 if order is None else 1
-        return self._lines(self.paths.sight(sight), orders, self.light, None, True, stokes=True)[2]
+        return self._lines(
+            self.geometry.optical_lines(lines), orders, self.tables, None, True, stokes=True
+        )[2]
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
         """See ``Solution``; all orders, or only the first."""
-        return self.radiance_per_irradiance(sight, 2 if order is None else 1)
+        return self.radiance_per_irradiance(lines, 2 if order is None else 1)
 
     def radiance_per_irradiance(
         self,
-        sight: Sight,
+        lines: LinesOfSight,
         orders: int,
         *,
-        light: MarchTables | None = None,
+        tables: MarchTables | None = None,
         scatterers: Sequence[int] | None = None,
         ground: bool = True,
     ) -> FloatArray:
-        """Radiance per irradiance of the star along lines of sight, or parts of it.
+        """Radiance, or a component of it, per irradiance of the star along lines of sight.
 
         Parameters
         ----------
-        sight : Sight
+        lines : LinesOfSight
             n lines of sight.
         orders : int
-            1: the star's light scattered or reflected once; 0: all the rest; 2: both together.
-        light : MarchTables, optional
-            Replaces ``self.light``, with some of it left out.
+            1: first order of scattering and reflection; 0: all higher orders; 2: both.
+        tables : MarchTables, optional
+            Modified tables, instead of ``self.tables``.
         scatterers : sequence of int, optional
-            Constituents that scatter the star's light; all by default.
+            Constituents of single scattering; default: all.
         ground : bool
-            Whether the ground is seen behind the air.
+            Whether to include the radiance of the ground.
 
         Returns
         -------
         array, shape (n, nl)
             Radiance. [sr⁻¹]
         """
-        sight = self.paths.sight(sight)
-        chosen = self.light if light is None else light
-        return self._lines(sight, orders, chosen, scatterers, ground)[0]
+        lines = self.geometry.optical_lines(lines)
+        chosen = self.tables if tables is None else tables
+        return self._lines(lines, orders, chosen, scatterers, ground)[0]
 
-    def before_the_ground(self, sight: Sight, orders: int) -> tuple[FloatArray, FloatArray]:
-        """Radiance of the air alone along lines of sight, and that of all, the ground included.
+    def path_and_total_radiance(
+        self, lines: LinesOfSight, orders: int
+    ) -> tuple[FloatArray, FloatArray]:
+        """Path radiance, and total radiance with that of the ground.
 
         Parameters
         ----------
-        sight : Sight
+        lines : LinesOfSight
             n lines of sight.
         orders : int
             As for ``radiance_per_irradiance``.
@@ -237,36 +244,39 @@ class MomentsSolution(Solution):
         air, whole : array, shape (n, nl)
             Radiance per irradiance of the star. [sr⁻¹]
         """
-        whole, _, _, air = self._lines(self.paths.sight(sight), orders, self.light, None, True)
+        whole, _, _, air = self._lines(
+            self.geometry.optical_lines(lines), orders, self.tables, None, True
+        )
         return air, whole
 
-    def stretches(
-        self, sight: Sight, length: FloatArray, *, light: MarchTables | None = None
+    def segments(
+        self, lines: LinesOfSight, length: FloatArray, *, tables: MarchTables | None = None
     ) -> tuple[FloatArray, FloatArray]:
-        """Light of the air between points and what lies at a distance from them.
+        """Path radiance and transmittance of segments of lines of sight.
 
         Parameters
         ----------
-        sight : Sight
-            n lines of sight, from ``paths.sight``.
+        lines : LinesOfSight
+            n lines of sight, from ``geometry.optical_lines``.
         length : array, shape (n,)
-            Lengths, not beyond those of the lines, as ``paths.optical_length`` gives them. [m]
-        light : MarchTables, optional
-            Replaces ``self.light``.
+            Lengths in the optical radius, from ``geometry.optical_length``, at most those of the
+            lines. [m]
+        tables : MarchTables, optional
+            Modified tables, instead of ``self.tables``.
 
         Returns
         -------
         radiance : array, shape (n, nl)
-            Radiance of the air per irradiance of the star, all orders. [sr⁻¹]
+            Path radiance per irradiance of the star, all orders. [sr⁻¹]
         transmittance : array, shape (n, nl)
-            Transmittance, with light scattered into removed forward peaks as transmitted. [1]
+            Delta-M scaled transmittance. [1]
         """
-        part = replace(sight, length=length)
-        return self._lines(part, 2, self.light if light is None else light, None, False)[:2]
+        part = replace(lines, length=length)
+        return self._lines(part, 2, self.tables if tables is None else tables, None, False)[:2]
 
     def _lines(
         self,
-        sight: Sight,
+        lines: LinesOfSight,
         orders: int,
         chosen: MarchTables,
         scatterers: Sequence[int] | None,
@@ -274,21 +284,21 @@ class MomentsSolution(Solution):
         *,
         stokes: bool = False,
     ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Light of lines from ``paths.sight``.
+        """March of lines from ``geometry.optical_lines``.
 
-        Radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0 without
-        ``stokes`` [sr⁻¹]; radiance of the air alone, (n, nl). [sr⁻¹]
+        Results: radiance [sr⁻¹] and transmittance [1], each (n, nl); I, Q and U, (n, 3, nl), 0
+        without ``stokes`` [sr⁻¹]; path radiance, (n, nl) [sr⁻¹].
         """
-        seen = self.paths.apparent_nu(sight)
-        n, count = sight.r.size, self.wavelengths.size
+        seen = self.geometry.apparent_nu(lines)
+        n, count = lines.r.size, self.wavelengths.size
         out, transmittance, air = (np.empty((n, count)) for _ in range(3))
         polarised = np.zeros((n, 3, count))
-        ends = sight.to_ground if ground else np.zeros_like(sight.to_ground)
+        ends = lines.to_ground if ground else np.zeros_like(lines.to_ground)
         block = min(max(-(-n // _SHARES), _FEWEST), _MOST)
 
         def run(index: int) -> None:
             rows = slice(index * block, min((index + 1) * block, n))
-            phases = self.paths.medium.phase_function(seen[rows])
+            phases = self.geometry.medium.phase_function(seen[rows])
             if scatterers is not None:
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
@@ -296,15 +306,15 @@ class MomentsSolution(Solution):
             half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
             phase_f12 = phase[:, :0]
             if stokes:
-                phase_f12 = pack(self.paths.medium.polarising(seen[rows])).reshape(phase.shape)
+                phase_f12 = pack(self.geometry.medium.phase_f12(seen[rows])).reshape(phase.shape)
             result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
             _march_all(
-                sight.r[rows],
-                sight.mu[rows],
-                sight.mu_s[rows],
-                sight.nu[rows],
+                lines.r[rows],
+                lines.mu[rows],
+                lines.mu_s[rows],
+                lines.nu[rows],
                 half_sine,
-                sight.length[rows],
+                lines.length[rows],
                 ends[rows],
                 orders,
                 stokes,
@@ -326,64 +336,67 @@ class MomentsSolution(Solution):
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        work = new_workspace(self.light)
-        x = self.paths.optical_radius(r)
-        return self._received(x, lambda light, out: direct_irradiance(x, mu_s, light, work, out))
+        work = new_workspace(self.tables)
+        x = self.geometry.optical_radius(r)
+        return self._received(x, lambda tables, out: direct_irradiance(x, mu_s, tables, work, out))
 
-    def relative_facing_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """Irradiance by the star of surfaces that face it, relative to that without air, (n, nl).
+    def relative_normal_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
+        """Direct normal irradiance per that outside the atmosphere, shape (n, nl). [1]
 
         Parameters
         ----------
         r, mu_s : array, shape (n,)
             Radii [m] and cosines of the star's zenith angle [1].
         """
-        work = new_workspace(self.light)
-        x = self.paths.optical_radius(r)
+        work = new_workspace(self.tables)
+        x = self.geometry.optical_radius(r)
         return self._received(
-            x, lambda light, out: direct_normal_irradiance(x, mu_s, light, work, out)
+            x, lambda tables, out: direct_normal_irradiance(x, mu_s, tables, work, out)
         )
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``."""
-        x = self.paths.optical_radius(r)
+        x = self.geometry.optical_radius(r)
         radii = self.moments.grid.radii
-        return self._received(x, lambda light, out: sky_irradiance(x, mu_s, radii, light, out))
+        return self._received(x, lambda tables, out: sky_irradiance(x, mu_s, radii, tables, out))
 
     def _received(
         self, r: FloatArray, fill: Callable[[MarchTables, Float32Array], None]
     ) -> FloatArray:
-        result = np.empty((r.size, self.light.lanes), np.float32)
-        fill(self.light, result)
+        result = np.empty((r.size, self.tables.lanes), np.float32)
+        fill(self.tables, result)
         return result[:, : self.wavelengths.size].astype(float)
 
 
 @compiled_loop
 def _march_all(
-    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, light, work,
+    r, mu, mu_s, nu, half_sine, length, to_ground, orders, stokes, phase, phase_f12, tables, work,
     out,
 ):  # fmt: skip
-    light, work = without_refcount((light, work))
-    lanes, bottom = light.lanes, light.bottom
-    found, ground = work.found, np.empty(lanes, np.float32)
+    tables, work = without_refcount((tables, work))
+    lanes, bottom = tables.lanes, tables.bottom
+    found, ground = work.radiance, np.empty(lanes, np.float32)
     for k in range(r.size):
         march(
             r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
-            phase[k], phase_f12[k], light, work, found,
+            phase[k], phase_f12[k], tables, work, found,
         )  # fmt: skip
         for at in range(0, lanes, LANES):  # in the place of the peaks
             store(found, 2 * lanes + at, load(found, at))
         if to_ground[k]:
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
-            if light.bend > 0.0:
+            if tables.refraction_strength > 0.0:
                 mu_ground = (r[k] * mu[k] + length[k]) / bottom
-                angle = bend_angle(
-                    r[k], mu[k], light.bend, work.columns_total[light.constituents - 1]
+                angle = refraction_angle(
+                    r[k],
+                    mu[k],
+                    tables.refraction_strength,
+                    work.columns_total[tables.constituents - 1],
                 )
                 mu_s_ground, _ = turned(mu_ground, mu_s_ground, nu[k], angle)
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
-            leaving = leaving_cosine(r[k], mu[k], bottom)
-            ground_radiance(mu_s_ground, leaving, nu[k], orders, light, work, ground)
+            mu_r = cos_reflected(r[k], mu[k], bottom)
+            ground_radiance(mu_s_ground, mu_r, nu[k], orders, tables, work, ground)
             for at in range(0, lanes, LANES):
                 behind = load(found, lanes + at) * load(ground, at)
                 store(found, at, load(found, at) + behind)

@@ -1,4 +1,4 @@
-"""Solve of a medium by the moments: solution from the disk or computed, with a check of energy."""
+"""Solve of a medium by the moments solver, with the cache on disk and the energy balance check."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MomentsSolution:
-    """Solve a medium, or read its solution from the cache.
+    """Solution of a medium, computed or from the cache.
 
-    Where the solution makes light or does not converge, and a layer aloft is wider than a thin one,
-    the medium is solved once more with grids that follow all layers.
+    If energy is created or the iteration does not converge, and there are layers aloft that do not
+    count as thin, the medium is solved again with grids that resolve all layers.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def solve(
     settings : Settings
         Grid sizes and tolerance.
     cache : bool
-        Whether to look for the solution on disk and to store it there.
+        Whether to read the solution from the cache on disk and to write it there.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
@@ -81,22 +81,22 @@ def solve(
 def _computed(
     medium: Medium, settings: Settings, *, progress: Progress | None, cancel: Cancel | None
 ) -> MomentsSolution:
-    paths = RefractedGeometry.of(medium)
+    geometry = RefractedGeometry.of(medium)
     started = perf_counter()
     count = medium.wavelengths.size
-    with timed("solve", solve_work(settings, count), f"solving the light of {count} wavelengths"):
-        moments = solve_moments(paths, settings, progress=progress, cancel=cancel)
-    return MomentsSolution(medium, settings, moments, perf_counter() - started, paths)
+    with timed("solve", solve_work(settings, count), f"solving {count} wavelengths"):
+        moments = solve_moments(geometry, settings, progress=progress, cancel=cancel)
+    return MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
 
 
 def _stored(key: str, medium: Medium, settings: Settings) -> MomentsSolution | None:
-    """Solution from the disk, or None."""
+    """Solution from the cache, or None."""
     stored = disk.load(key)
     if stored is None:
         return None
-    paths = RefractedGeometry.of(medium)
-    moments = _from_arrays(Setup(paths=paths, settings=settings), stored)
-    return None if moments is None else MomentsSolution(medium, settings, moments, 0.0, paths)
+    geometry = RefractedGeometry.of(medium)
+    moments = _from_arrays(Setup(geometry=geometry, settings=settings), stored)
+    return None if moments is None else MomentsSolution(medium, settings, moments, 0.0, geometry)
 
 
 def _keep(key: str, moments: Moments) -> None:
@@ -118,7 +118,7 @@ def _largest_imbalance(solution: MomentsSolution) -> float:
 
 
 def _warned(solution: MomentsSolution) -> MomentsSolution:
-    """Solution, after a warning if it makes or loses light."""
+    """Solution, after a warning if its energy balance error exceeds the tolerance."""
     moments, settings = solution.moments, solution.settings
     line = imbalance(moments.energy, solution.wavelengths, settings.energy_tolerance)
     if line:
@@ -127,9 +127,10 @@ def _warned(solution: MomentsSolution) -> MomentsSolution:
 
 
 def solve_work(quality: str | Settings, wavelengths: int) -> float:
-    """Amount of work of five sweeps of dusty air: moments times points of rays. [1]
+    """Estimated work of a solve: five sweeps of a dusty atmosphere, moments times ray points. [1]
 
-    Without the degree and the points that a planet needs, which take as long as a preview.
+    The degree and the number of points are typical, since those of a planet take as long as a
+    preview to determine.
 
     Parameters
     ----------
@@ -141,7 +142,7 @@ def solve_work(quality: str | Settings, wavelengths: int) -> float:
     settings = settings_for(quality)
     degree = settings.thick_degree
     rays = 2.0 * settings.zenith_angles * max(settings.azimuths, 3 * degree // 4)
-    points = settings.radii * settings.suns * rays * settings.nodes
+    points = settings.radii * settings.sun_angles * rays * settings.nodes
     return 5.0 * -(-wavelengths // LANES) * points * moment_count(degree)
 
 
@@ -151,21 +152,21 @@ def _key(medium: Medium, settings: Settings) -> str:
 
 
 def _resolved_key(key: str) -> str:
-    """Key of the solution whose grids follow all layers."""
+    """Cache key of the solution whose grids resolve all layers."""
     return hashlib.sha256(f"{key} resolve_layers".encode()).hexdigest()[:40]
 
 
 def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | None:
-    """Moments in a cache file, or None if it holds something else."""
+    """Moments from the arrays of a cache file; None if they do not fit."""
     try:
         degree, sweeps, scheme = (int(x) for x in arrays["counts"])
-        medium, suns = setup.medium, setup.settings.suns
+        medium, sun_angles = setup.medium, setup.settings.sun_angles
         count, radii = medium.wavelengths.size, setup.gathering.radii.size
-        shape = (radii, suns, moment_count(degree), count)
+        shape = (radii, sun_angles, moment_count(degree), count)
         sound = (
             arrays["field"].shape == shape
             and arrays["field"].dtype == np.float32
-            and arrays["sky"].shape == (radii, suns, count)
+            and arrays["sky"].shape == (radii, sun_angles, count)
             and arrays["residual"].shape == arrays["energy"].shape == (count,)
             and arrays["columns"].shape == setup.table_shape
             and bool(np.isfinite(arrays["field"]).all())
@@ -175,7 +176,7 @@ def _from_arrays(setup: Setup, arrays: dict[str, NDArray[Any]]) -> Moments | Non
         return Moments(
             degree=degree,
             grid=setup.grid,
-            parts=setup.parts,
+            refinement=setup.refinement,
             field=arrays["field"],
             sky=arrays["sky"],
             columns=arrays["columns"],

@@ -24,14 +24,14 @@ def transmittance_columns(columns, extinction, constituents, lanes, at):
 
 
 @inlined
-def polarised_ratio_columns(columns, polarised_phase, constituents, lanes, at):
+def polarised_ratio_columns(columns, polarised_moments, constituents, lanes, at):
     """Transmittance of Q and U over that of I through columns (nc,). [1]
 
-    ``polarised_phase`` as in ``ScaledOptics``; other arguments as in ``transmittance_columns``.
+    ``polarised_moments`` as in ``ScaledOptics``; other arguments as in ``transmittance_columns``.
     """
     more = splat(0.0)
     for c in range(constituents):
-        more = more + load(polarised_phase, lanes * (ELEMENTS * c + 3) + at) * np.float32(
+        more = more + load(polarised_moments, lanes * (ELEMENTS * c + 3) + at) * np.float32(
             columns[c]
         )
     return exponential(more)
@@ -39,7 +39,7 @@ def polarised_ratio_columns(columns, polarised_phase, constituents, lanes, at):
 
 @inlined
 def direct_beam(seen, low_columns, high_columns, spread, extinction, constituents, lanes, at):
-    """Direct irradiance at a point, normal to the beam, per that outside the air. [1]
+    """Direct normal irradiance at a point, per that outside the atmosphere. [1]
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def direct_beam(seen, low_columns, high_columns, spread, extinction, constituent
 
 @inlined
 def single_scattering_source(density, scattering, phase, constituents, lanes, at):
-    """Source of single scattering: Σ scattering coefficient · phase function. [m⁻¹ sr⁻¹]
+    """Single-scattering source: Σ scattering coefficient · phase function. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
@@ -95,10 +95,10 @@ def between(field, near, far, block, w00, w01, w10, w11):
 
 @inlined
 def multiple_scattering_source(
-    density, moments, polarised_phase, field, functions, near, far, block, w00, w01, w10, w11,
+    density, moments, polarised_moments, field, functions, near, far, block, w00, w01, w10, w11,
     degree, constituents, lanes, at,
 ):  # fmt: skip
-    """Source of multiple scattering, from the moments of the radiance. [m⁻¹ sr⁻¹]
+    """Multiple-scattering source, from the moments of the radiance. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
@@ -106,10 +106,10 @@ def multiple_scattering_source(
         Relative densities. [1]
     moments : array, shape (nc·(N + 1)·w,)
         Moments of ``ScaledOptics``. [m⁻¹]
-    polarised_phase : array, shape (nc·4·w,)
-        Elements of the phase matrix, of ``ScaledOptics``. [m⁻¹]
+    polarised_moments : array, shape (nc·4·w,)
+        Expansion coefficients of the phase matrix, of ``ScaledOptics``. [m⁻¹]
     field : array
-        Field of ``Light``.
+        Field of ``MarchTables``.
     functions : array, shape (k,)
         Harmonics of the line of sight: K_lm P_lm cos mφ. [1]
     near, far, block : int
@@ -126,39 +126,39 @@ def multiple_scattering_source(
             strength = strength + load(moments, lanes * (c * (degree + 1) + l) + at) * density[c]
         part = splat(0.0)
         for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
-            here = lanes * (1 + index) + at
+            element = lanes * (1 + index) + at
             part = part + functions[index] * between(
-                field, near + here, far + here, block, w00, w01, w10, w11
+                field, near + element, far + element, block, w00, w01, w10, w11
             )
         source = source + strength * part
     beta_1 = splat(0.0)
     for c in range(constituents):
-        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
+        beta_1 = beta_1 + load(polarised_moments, lanes * ELEMENTS * c + at) * density[c]
     part = splat(0.0)
     for m in range(EVEN):
-        here = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
+        element = lanes * (1 + (degree + 1) * (degree + 2) // 2 + m) + at
         part = part + functions[3 + m] * between(
-            field, near + here, far + here, block, w00, w01, w10, w11
+            field, near + element, far + element, block, w00, w01, w10, w11
         )
     source = source + beta_1 * part
     scale = between(field, near + at, far + at, block, w00, w01, w10, w11)
-    # A sum of few harmonics may be negative where there is almost no light.
+    # The truncated expansion may be negative where radiance nearly vanishes.
     return maximum(source / scale, 0.0)
 
 
 @inlined
 def polarised_scattering_source(
-    density, polarised_phase, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
+    density, polarised_moments, field, mu, cosine, near, far, block, w00, w01, w10, w11, degree,
     constituents, lanes, at,
 ):  # fmt: skip
-    """Q and U of the source of multiple scattering.
+    """Q and U of the multiple-scattering source.
 
     Parameters
     ----------
     mu, cosine : float
         Cosines of the line's zenith angle and of its azimuth. [1]
-    density, polarising, field, near, far, block, w00, w01, w10, w11, degree, constituents, lanes, \
-    at :
+    density, polarised_moments, field, near, far, block, w00, w01, w10, w11, degree, constituents, \
+    lanes, at :
         As in ``multiple_scattering_source``.
 
     Returns
@@ -168,9 +168,9 @@ def polarised_scattering_source(
     """
     beta_1, alpha_2, alpha_3 = splat(0.0), splat(0.0), splat(0.0)
     for c in range(constituents):
-        beta_1 = beta_1 + load(polarised_phase, lanes * ELEMENTS * c + at) * density[c]
-        alpha_2 = alpha_2 + load(polarised_phase, lanes * (ELEMENTS * c + 1) + at) * density[c]
-        alpha_3 = alpha_3 + load(polarised_phase, lanes * (ELEMENTS * c + 2) + at) * density[c]
+        beta_1 = beta_1 + load(polarised_moments, lanes * ELEMENTS * c + at) * density[c]
+        alpha_2 = alpha_2 + load(polarised_moments, lanes * (ELEMENTS * c + 1) + at) * density[c]
+        alpha_3 = alpha_3 + load(polarised_moments, lanes * (ELEMENTS * c + 2) + at) * density[c]
     sine = sqrt(max((1.0 - cosine) * (1.0 + cosine), 0.0))
     first = lanes * (1 + (degree + 1) * (degree + 2) // 2) + at  # E_20; M_20 has index 3
     stokes_q, stokes_u = splat(0.0), splat(0.0)
@@ -198,7 +198,7 @@ def polarised_scattering_source(
 
 @inlined
 def read_phase(half_sine, table, nodes, width, out):
-    """Phase functions of all constituents and wavelengths between the table's nodes. [sr⁻¹]
+    """Phase functions of all constituents and wavelengths, interpolated in their table. [sr⁻¹]
 
     Parameters
     ----------
@@ -222,7 +222,7 @@ def read_phase(half_sine, table, nodes, width, out):
 
 @inlined
 def direct_horizontal(below, above, from_low, from_high, extinction, constituents, lanes, at):
-    """Direct horizontal irradiance, per that outside the air. [1]
+    """Direct horizontal irradiance, per normal irradiance outside the atmosphere. [1]
 
     Parameters
     ----------
@@ -245,9 +245,9 @@ def diffuse_horizontal(sky, place, share, lanes, at):
     Parameters
     ----------
     sky : array
-        Irradiances of ``Light``.
+        Field ``sky`` of ``MarchTables``.
     place, share : int, float
-        Index of the sun before, and share of the way to the next.
+        Index of the sun angle below, and fraction of the step to the next.
     lanes, at :
         As in ``transmittance_columns``.
     """

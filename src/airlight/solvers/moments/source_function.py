@@ -10,21 +10,21 @@ from airlight.solvers.moments.harmonics import EVEN
 
 
 @inlined
-def first_register(l, paired):
+def first_register(l, narrow):
     """Index of the first register with moments of degree l. [1]
 
-    A register has one moment of eight wavelengths, or if ``paired`` two of four wavelengths: those
+    A register has one moment of eight wavelengths, or if ``narrow`` two of four wavelengths: those
     of m = 0 and 1, of 2 and 3, and so on; the last of an even degree has one.
     """
     index = l * (l + 1) // 2
-    if paired:
+    if narrow:
         index = ((l + 1) // 2) * ((l + 2) // 2)
     return index
 
 
 @inlined
-def contracted(factors, first, field, low, high, f, m, degree, paired):
-    """Moments of one m, times the scattering by a point in each degree, between two radii.
+def contracted(factors, first, field, low, high, f, m, degree, narrow):
+    """Moments of order m times scattering strengths, summed over degrees, between two radii.
 
     Parameters
     ----------
@@ -40,16 +40,16 @@ def contracted(factors, first, field, low, high, f, m, degree, paired):
     f : float32
         Weight of the upper radius. [1]
     m, degree : int
-        Order of these moments, or number of their pair; and highest degree.
-    paired : bool
+        Order of these moments, or index of their pair; and highest degree.
+    narrow : bool
         See ``first_register``; a constant.
     """
     below, above = splat(0.0), splat(0.0)
     lowest = m
-    if paired:
+    if narrow:
         lowest = 2 * m
     for l in range(lowest, degree + 1):
-        index = first_register(l, paired) + m
+        index = first_register(l, narrow) + m
         at = LANES * (1 + index)
         factor = load(factors, first + LANES * index)
         below = below + factor * load(field, low + at)
@@ -58,14 +58,14 @@ def contracted(factors, first, field, low, high, f, m, degree, paired):
 
 
 @inlined
-def coupled_moments(field, low, high, f, m, degree, paired):
-    """Moments of degree 2 and order m that scattering couples, times s, between two radii.
+def coupled_moments(field, low, high, f, m, degree, narrow):
+    """Coupled moments of degree 2 and order m, times s: of I, and even polarised one.
 
-    Results are that of the radiance and the even polarised one; arguments as for ``contracted``.
+    Arguments as for ``contracted``.
     """
     g = np.float32(1.0) - f
-    bright = LANES * (1 + first_register(2, paired) + m)
-    at = LANES * (1 + first_register(degree + 1, paired) + m)
+    bright = LANES * (1 + first_register(2, narrow) + m)
+    at = LANES * (1 + first_register(degree + 1, narrow) + m)
     return (
         g * load(field, low + bright) + f * load(field, high + bright),
         g * load(field, low + at) + f * load(field, high + at),
@@ -73,46 +73,45 @@ def coupled_moments(field, low, high, f, m, degree, paired):
 
 
 @inlined
-def odd_moment(field, low, high, f, m, degree, paired):
+def odd_moment(field, low, high, f, m, degree, narrow):
     """Odd polarised moment of degree 2 and order m, times s; arguments as for ``contracted``.
 
-    Its order is 1 or 2; or if ``paired`` 0 for that of 1, in the second half, and 1 for that of 2,
-    in the first.
+    m is 1 or 2; if ``narrow``, 0 for order 1, in the second half, and 1 for order 2, in the first.
     """
-    place = first_register(degree + 1, paired) + EVEN - 1 + m
-    if paired:
-        place = first_register(degree + 1, paired) + 2 + m
+    place = first_register(degree + 1, narrow) + EVEN - 1 + m
+    if narrow:
+        place = first_register(degree + 1, narrow) + 2 + m
     at = LANES * (1 + place)
     return (np.float32(1.0) - f) * load(field, low + at) + f * load(field, high + at)
 
 
 @inlined
 def source_at_point(
-    rows, low, high, f, step, sine, wide, degree, bright, polarised, paired
+    rows, low, high, f, step, sine, wide, degree, bright, polarised, narrow
 ):  # fmt: skip
-    """Contribution of a point to I, Q and U of its ray, by multiple scattering. [1]
+    """Contribution of multiple scattering at a point to I, Q and U of its ray. [1]
 
     Parameters
     ----------
     rows : array
         For each node the factor s; then A_m s from ``contracted``, in the order of
-        ``first_register``; then Q_0 s, Q_1 s, Q_2 s, U_1 s and U_2 s, the polarised light of the
-        point. If ``paired`` the latter are in three registers: Q_0 and Q_1, Q_2, U_2 and U_1.
+        ``first_register``; then the azimuthal components Q_0 s, Q_1 s, Q_2 s, U_1 s and U_2 s; if
+        ``narrow`` in three registers: Q_0 and Q_1, Q_2, U_2 and U_1.
     low, high : int
-        Index of the nodes of the lower and the higher sun, in lanes.
+        Index of the nodes of the lower and the higher sun angle, in lanes.
     f : float32
-        Weight of the higher sun. [1]
+        Weight of the higher sun angle. [1]
     step, sine : float32
         Cosine and sine of the azimuth between ray and star. [1]
     wide : int
-        Number of registers of A_m that count, from the first on: of a steep ray the others are 0.
+        Number of registers of A_m to be summed; for a steep ray the others vanish.
     degree : int
         Highest degree.
     bright, polarised : bool
-        Whether I, and whether Q and U are found; constants. The others are 0.
-    paired : bool
-        See ``first_register``; a constant. The results are then sums over the four lanes of each
-        wavelength's two parts: see ``folded``.
+        Whether to compute I, and Q and U; constants. The others are 0.
+    narrow : bool
+        See ``first_register``; a constant. The halves of the results are then to be added, see
+        ``folded``.
     """
     g = np.float32(1.0) - f
     one, two = np.float32(1.0), np.float32(2.0)
@@ -120,11 +119,11 @@ def source_at_point(
     radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
     double = two * step * step - one
     last = degree + 1
-    if paired:
+    if narrow:
         last = degree // 2 + 1
     if bright:
         below, above = splat(0.0), splat(0.0)
-        if paired:
+        if narrow:
             # cos mφ and cos (m + 1)φ, by steps of two
             cosines, earlier, by = pair(one, step), pair(double, step), splat(two * double)
             for m in range(wide):
@@ -152,7 +151,7 @@ def source_at_point(
         once = g * load(rows, low + at) + f * load(rows, high + at)
         at = at + LANES
         twice = g * load(rows, low + at) + f * load(rows, high + at)
-        if paired:
+        if narrow:
             stokes_q = even * pair(one, step) + once * double
             stokes_u = twice * pair(two * sine * step, sine)
         else:

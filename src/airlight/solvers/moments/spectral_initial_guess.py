@@ -1,12 +1,12 @@
 """Batches of wavelengths, and initial guesses interpolated between wavelengths.
 
-Synthetic acceleration of the first order is the initial guess. The correction that the sweeps then
-add, relative to the mean radiance, is a smooth function of wavelength: with the correction
-interpolated between two solved wavelengths, a wavelength needs one sweep or none where others need
-three or four. A batch has blocks of eight wavelengths; each block is a comb with wavelengths all
-over the batch. Its first and its last comb are solved before those between them. The change by a
-sweep after an interpolated guess measures the curvature of the correction over wavelength; where
-the predicted change is below the tolerance, no sweep is made.
+Synthetic acceleration of the first order is the initial guess. Its correction by the sweeps,
+relative to the mean radiance, is a smooth function of wavelength: interpolated between two solved
+wavelengths, it reduces three or four sweeps to one or none. A group consists of batches of eight
+wavelengths; each batch is a comb over the whole group. The first and the last comb are solved
+before those between. The change by the first sweep after an interpolated guess measures the
+curvature of the correction over wavelength; where the predicted change is below the tolerance, no
+sweep is needed.
 """
 
 from __future__ import annotations
@@ -24,31 +24,31 @@ from airlight.solvers.moments.convergence import DARK, Light
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Largest number of blocks in a batch.
+#: Largest number of batches in a group.
 _LARGEST: Final = 8
-#: Smallest number of blocks for which guesses are interpolated.
+#: Smallest number of batches for which guesses are interpolated.
 _FEWEST: Final = 2
-#: Longest step between wavelengths of one block over the wavelength. [1]
+#: Longest step between wavelengths of one batch over the wavelength. [1]
 _WIDE: Final = 0.1
 
 
 def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[list[slice]]:
-    """Blocks of at most eight wavelengths in the order in which they are solved, by batch.
+    """Batches of at most eight wavelengths, by group, in order of solution.
 
     Parameters
     ----------
     wavelengths : array, shape (nl,)
         Wavelengths in any order. [nm]
     clear : bool
-        Whether the air is clear: in thick air dusk converges last, where errors within the
-        tolerance are not a smooth function of wavelength.
+        Whether the medium is optically thin: in thick media dusk converges last, and errors within
+        the tolerance are not a smooth function of wavelength there.
 
     Returns
     -------
     list of list of slice
-        Indices of the wavelengths of each block. Guesses are interpolated between blocks of a
-        batch; where wavelengths are few, far apart or not monotonic, or the air is thick, each
-        batch is one block.
+        Indices of the wavelengths of each batch. Guesses are interpolated between batches of a
+        group; if wavelengths are few, far apart or not monotonic, or the medium is optically thick,
+        each group is one batch.
 
     Examples
     --------
@@ -60,17 +60,17 @@ def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[l
     count = wavelengths.size
     steps = np.diff(wavelengths)
     whole = -(-count // LANES)
-    batches = -(-whole // _LARGEST)
-    blocks = -(-whole // batches)
-    helped = clear and blocks >= _FEWEST and bool(np.all(steps > 0.0) or np.all(steps < 0.0))
+    groups = -(-whole // _LARGEST)
+    batches = -(-whole // groups)
+    helped = clear and batches >= _FEWEST and bool(np.all(steps > 0.0) or np.all(steps < 0.0))
     if helped:
-        comb = np.abs(wavelengths[blocks:] - wavelengths[:-blocks]) / wavelengths[blocks:]
+        comb = np.abs(wavelengths[batches:] - wavelengths[:-batches]) / wavelengths[batches:]
         helped = bool(np.median(comb) < _WIDE)
     if not helped:
         return [
             [slice(first, min(first + LANES, count), 1)] for first in range(0, count, LANES)
         ]  # fmt: skip
-    edges = [min(LANES * (whole * k // batches), count) for k in range(batches + 1)]
+    edges = [min(LANES * (whole * k // groups), count) for k in range(groups + 1)]
     found = []
     for first, last in itertools.pairwise(edges):
         combs = -(-(last - first) // LANES)
@@ -79,7 +79,7 @@ def wavelength_batches(wavelengths: FloatArray, *, clear: bool = True) -> list[l
 
 
 def _from_the_ends(count: int) -> list[int]:
-    """Numbers from 0 to ``count`` - 1: the ends, then the middle of each gap, wide ones first."""
+    """Indices 0 to ``count`` - 1 by bisection: both ends, then the middle of each gap."""
     order, gaps = [0, count - 1][:count], [(0, count - 1)]
     while gaps:
         low, high = gaps.pop(0)
@@ -91,7 +91,7 @@ def _from_the_ends(count: int) -> list[int]:
 
 
 class SpectralGuess:
-    """Initial guesses between the solved wavelengths of a batch, corrected by interpolation."""
+    """Initial guesses with corrections interpolated between the solved wavelengths of a group."""
 
     def __init__(self) -> None:
         self._wavelengths: list[float] = []
@@ -105,7 +105,7 @@ class SpectralGuess:
         Parameters
         ----------
         wavelengths : array, shape (w,)
-            Their wavelengths. [nm]
+            Wavelengths. [nm]
         guess, light : Light
             Guess by synthetic acceleration, and the solution, both with at least w lanes.
         """
@@ -120,14 +120,14 @@ class SpectralGuess:
             self._logs.insert(at, np.log(_mean(guess[0][..., lane])[:, :, 0]))
 
     def check(self, wavelengths: FloatArray, change: FloatArray) -> None:
-        """Add the change of an interpolated guess by its first sweep; call before ``add``.
+        """Add the change of an interpolated guess by sweeps; call before ``add``.
 
         Parameters
         ----------
         wavelengths : array, shape (w,)
-            Its wavelengths. [nm]
+            Wavelengths. [nm]
         change : array, shape (w,)
-            Largest relative change of the mean radiance by this sweep and all further ones. [1]
+            Largest relative change of the mean radiance by all sweeps. [1]
         """
         if len(self._wavelengths) < 2:
             return
@@ -139,10 +139,10 @@ class SpectralGuess:
     def expected(self, wavelengths: FloatArray, guess: Light) -> FloatArray:
         """Predicted largest relative change of the corrected guess by sweeps, shape (w,). [1]
 
-        Between solved wavelengths a and b linear interpolation errs by (x - a)(b - x) times half
-        the curvature, which comes from the two nearest wavelengths given to ``check``. Added to it,
-        for absorption lines: the correction times the difference of the guess's logarithm from its
-        interpolation. Infinite beyond the solved wavelengths, and before any ``check``.
+        Between solved wavelengths a and b the interpolation error is (x - a)(b - x) times half the
+        curvature, from the two nearest wavelengths of ``check``; plus, for absorption lines, the
+        correction times the deviation of the guess's logarithm from its interpolation. Infinite
+        outside the solved wavelengths, and before any ``check``.
 
         Parameters
         ----------
@@ -164,7 +164,7 @@ class SpectralGuess:
         return found
 
     def _between(self, nm: float) -> tuple[int, float]:
-        """Index of the solved wavelength below one [nm], and fraction of the step above it. [1]"""
+        """Index of the solved wavelength below ``nm``, and fraction of the step to the next. [1]"""
         high = min(max(bisect(self._wavelengths, nm), 1), len(self._wavelengths) - 1)
         start, end = self._wavelengths[high - 1], self._wavelengths[high]
         return high - 1, (nm - start) / (end - start)
@@ -180,14 +180,14 @@ class SpectralGuess:
         Parameters
         ----------
         wavelengths : array, shape (w,)
-            Wavelengths that are to be solved. [nm]
+            Wavelengths to be solved. [nm]
         guess : Light
-            Their guess by synthetic acceleration.
+            Initial guess by synthetic acceleration.
 
         Returns
         -------
         Light or None
-            None as long as fewer than two wavelengths are solved.
+            None with fewer than two solved wavelengths.
         """
         if len(self._wavelengths) < 2:
             return None
@@ -205,6 +205,6 @@ class SpectralGuess:
 
 
 def _mean(light: Float32Array) -> Float32Array:
-    """Mean radiance of moments (r, s, k), or irradiance (r, s), positive, in the shape of both."""
+    """Positive mean radiance of moments (r, s, k), or positive irradiance (r, s)."""
     whole = light[:, :, :1] if light.ndim == 3 else light
     return np.asarray(np.maximum(whole, np.float32(1e-30)))

@@ -1,4 +1,4 @@
-"""Places of the star as seen from the points of a ray, for eight azimuths in the lanes."""
+"""Direction and visibility of the star at the points of a ray, for eight azimuths in the lanes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import HIGH
+from airlight.geometry.refraction import HIGH
 from airlight.geometry.shell import horizon_cosine
 from airlight.geometry.sun_disc import visible_fraction, visible_spread
 from airlight.kernel import inlined
@@ -25,19 +25,19 @@ from airlight.kernel.lanes import (
 )
 from airlight.mappings.transmittance import altitude_coordinate
 
-#: Nodes of the table of a star's visible part.
+#: Nodes of the table of the visible part of the star's disc.
 DISC_NODES: Final = 256
 
 
 @inlined
 def place_stars(
-    turned, first_point, points, azimuths, first, sine_s, mu_s, places, suns, columns, shares,
+    turned, first_point, points, azimuths, first, sine_s, mu_s, places, sun_angles, columns, shares,
     steps, sines,
 ):  # fmt: skip
     """Directions of the star at the points of a ray, for eight azimuths in the lanes.
 
-    The star's component across the plane of the ray is the same everywhere; the other two turn by
-    the angle at the planet's centre, and by that of the bending.
+    The component of the star's direction normal to the plane of the ray is constant; the others
+    rotate by the angle at the planet's centre and by the refraction angle.
 
     Parameters
     ----------
@@ -46,31 +46,31 @@ def place_stars(
     first_point, points : int
         Index of the ray's first point in ``turned``, and number of its points.
     azimuths : array, shape (2·c,)
-        Cosines, then sines of the azimuths in whole groups of eight. [1]
+        Cosines, then sines of the azimuths in groups of eight. [1]
     first : int
         Index of the first azimuth.
     sine_s, mu_s : float32
         Sine and cosine of the star's zenith angle at the start of the ray. [1]
     places : array
         ``Grid.place`` in single precision.
-    suns : int
+    sun_angles : int
         Number of sun elevations.
     columns, shares, steps, sines : array, shape (points·8,)
-        Receive the node of the lower sun, the weight of the higher, and cosine and sine of the
-        azimuth between ray and star. [1]
+        Receive the index of the lower sun angle, the weight of the higher, and cosine and sine of
+        the azimuth between ray and star. [1]
     """
     ahead = load(azimuths, first) * sine_s
     aside = load(azimuths, azimuths.size // 2 + first) * sine_s
     half = np.float32(0.5 * (places.size - 1))
     for k in range(points):
         keep, turn = turned[2 * (first_point + k)], turned[2 * (first_point + k) + 1]
-        here = ahead * turn + keep * mu_s
+        cos_star = ahead * turn + keep * mu_s
         along = ahead * keep - turn * mu_s
-        x = minimum(maximum((here + np.float32(1.0)) * half, 0.0), np.float32(2.0) * half)
+        x = minimum(maximum((cos_star + np.float32(1.0)) * half, 0.0), np.float32(2.0) * half)
         node = minimum(floored(x), np.float32(places.size - 2))
         low = looked_up(places, node)
         index = low + (looked_up(places, node + np.float32(1.0)) - low) * (x - node)
-        node = minimum(floored(index), np.float32(suns - 2))
+        node = minimum(floored(index), np.float32(sun_angles - 2))
         store(columns, LANES * k, node)
         store(shares, LANES * k, index - node)
         scale = splat(1.0) / square_root(along * along + aside * aside + np.float32(1e-30))
@@ -80,7 +80,7 @@ def place_stars(
 
 @inlined
 def fill_disc(out):
-    """Visible part of a star by its elevation over its radius, from -1 to 1.
+    """Visible part of the star's disc as a function of elevation over radius, -1 to 1.
 
     ``out``, shape (3·n,), receives ``visible_fraction``, and the mean elevation of the visible part
     above the centre and its deviation, over the star's radius. [1]
@@ -95,26 +95,28 @@ def fill_disc(out):
 
 
 @inlined
-def fill_lift(lift, q, bottom, top, first, out):
-    """Row of the table ``lift`` at a radius, and the true horizon's cosine there. [1]
+def fill_lift(refraction_table, q, bottom, top, first, out):
+    """Row of the refraction table at a radius, and the true horizon's cosine there. [1]
 
-    ``out`` receives from ``first`` on the raise, and then the flattening, at its columns; 0 and 1
-    where light goes straight.
+    ``out`` receives, from ``first`` on, apparent less true cosine, then the flattening, at the
+    table's columns; 0 and 1 without refraction.
     """
-    columns = max(lift.shape[1], 2)
+    columns = max(refraction_table.shape[1], 2)
     horizon = horizon_cosine(q, bottom)
-    if lift.shape[0] == 0:
+    if refraction_table.shape[0] == 0:
         for k in range(columns):
             out[first + k], out[first + columns + k] = np.float32(0.0), np.float32(1.0)
         return horizon
-    x = altitude_coordinate(q, bottom, top) * (lift.shape[0] - 1)
-    row = min(int(x), lift.shape[0] - 2)
+    x = altitude_coordinate(q, bottom, top) * (refraction_table.shape[0] - 1)
+    row = min(int(x), refraction_table.shape[0] - 2)
     f = x - row
     for k in range(columns):
         for part in range(2):
-            between = lift[row, k, part] * (1.0 - f) + lift[row + 1, k, part] * f
+            between = (
+                refraction_table[row, k, part] * (1.0 - f) + refraction_table[row + 1, k, part] * f
+            )
             out[first + part * columns + k] = np.float32(between)
-    return horizon - (lift[row, 0, 0] * (1.0 - f) + lift[row + 1, 0, 0] * f)
+    return horizon - (refraction_table[row, 0, 0] * (1.0 - f) + refraction_table[row + 1, 0, 0] * f)
 
 
 @inlined
@@ -122,7 +124,7 @@ def place_lights(
     turned, places, points, ahead, mu_s, star_radius, lifts, columns, disc, directions, seen,
     low_at, high_at, kinds,
 ):  # fmt: skip
-    """Star as seen from the points of a ray, for eight azimuths in the lanes: ``star_points``.
+    """``star_points`` at the points of a ray, for eight azimuths in the lanes.
 
     Parameters
     ----------
@@ -130,8 +132,8 @@ def place_lights(
         As in ``place_stars``.
     places : array, shape (points·7,)
         Radius [m], (top - radius)(top + radius) [m²], shortest distance to the top [m], steps of
-        the tabled directions over their distance [m⁻¹], cosine of the true horizon, that of the
-        geometric one, and sine of its zenith angle. [1]
+        the tabulated directions per distance [m⁻¹]; cosines of the horizon's true and geometric
+        zenith angles, and sine of the latter [1].
     points : int
     ahead : lanes
         Component of the star along the ray's plane, at its start. [1]
@@ -145,18 +147,18 @@ def place_lights(
     disc : array
         Table from ``fill_disc``.
     directions : int
-        Number of tabled directions.
+        Number of tabulated directions.
     seen : array, shape (points·8,)
         Receives the visible part of the star. [1]
     low_at, high_at : array, shape (points·8,)
         Receive the fractional indices of the two directions that represent it. [1]
     kinds : array, shape (points,)
-        Receives 0 where the star is not seen, 1 where one direction suffices, else 2.
+        Receives the number of directions: 0 where the star is hidden, 1 where one suffices, or 2.
 
     Returns
     -------
     bool
-        Whether the star is seen from any point.
+        Whether the star is visible from any point.
     """
     one = np.float32(1.0)
     nodes = disc.size // 3
@@ -164,11 +166,11 @@ def place_lights(
     last = np.float32(directions - 1)
     lit = False
     for k in range(points):
-        here = ahead * turned[2 * k + 1] + turned[2 * k] * mu_s
+        cos_star = ahead * turned[2 * k + 1] + turned[2 * k] * mu_s
         q, across = places[7 * k], places[7 * k + 1]
         shortest, scale = places[7 * k + 2], places[7 * k + 3]
         horizon, lowest, sine = places[7 * k + 4], places[7 * k + 5], places[7 * k + 6]
-        above = here - horizon
+        above = cos_star - horizon
         highest = largest(above)
         kinds[k] = 0
         if highest <= -star_radius * sine:
@@ -184,7 +186,7 @@ def place_lights(
         node = node + np.float32(columns)
         low = looked_up(lifts, node)
         refraction_jacobian = low + (looked_up(lifts, node + one) - low) * e
-        middle = minimum(here + raised, 1.0)
+        middle = minimum(cos_star + raised, 1.0)
         least = 0.0 - largest(0.0 - above)
         kinds[k] = 1
         part = refraction_jacobian
@@ -218,7 +220,7 @@ def place_lights(
 
 @inlined
 def way_to_top(upwards, across):
-    """``distance_to_top`` in single precision, from q·mu and (top - q)(top + q): no difference."""
+    """``distance_to_top`` in single precision, from q·mu and (top - q)(top + q)."""
     away = maximum(upwards, 0.0 - upwards)
     far = away + square_root(away * away + across)
     return where_positive(upwards, across / maximum(far, np.float32(1e-30)), far)

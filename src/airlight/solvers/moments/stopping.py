@@ -1,8 +1,8 @@
-"""Convergence of the orders of scattering: one rule for sweeps, passes and pages.
+"""Stopping rule of the iteration, shared by CPU, GPU and browser.
 
 After each order the mean radiances at the nodes are compared with the previous ones
-(``convergence.counted_changes``); the sum of all further orders is estimated from how
-the changes shrink (``estimated_tail``); where that is below the tolerance the iteration ends.
+(``convergence.counted_changes``), and the sum of all further orders is estimated from the
+convergence rate (``estimated_tail``); the iteration ends where that is below the tolerance.
 """
 
 from __future__ import annotations
@@ -27,42 +27,41 @@ from airlight.solvers.moments.settings import Settings
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Number of iterates that Anderson acceleration combines: of the CPU's sweeps, and of GPU passes,
-#: where each is a texture that the shader reads.
+#: Number of iterates in Anderson acceleration: on the CPU, and on the GPU, where each is a texture.
 SWEEP_ITERATES: Final = 7
 PASS_ITERATES: Final = 5
-#: An iteration diverges when so many orders in succession have not brought the largest change
-#: below this fraction of its smallest so far.
+#: An iteration diverges if the largest change has not fallen below this fraction of its minimum for
+#: so many orders.
 PATIENCE: Final = 4
 BETTER: Final = 0.8
-#: Number of orders over which the ratio of successive ones is measured before it is given up.
+#: Number of orders over which the convergence rate is measured before the iteration is abandoned.
 PROSPECT: Final = 10
-#: Largest ratio of successive orders that is taken for one that shrinks. [1]
+#: Largest ratio of successive orders that counts as converging. [1]
 SLOWEST: Final = 0.999
-#: Number of orders after which passes give up: such air is left to the CPU.
+#: Largest number of orders on the GPU; thicker media are left to the CPU.
 MOST_PASSES: Final = 60
 
 
 @dataclass(frozen=True, kw_only=True)
 class Stopping:
-    """Parameters of the stopping rule, with their values for sweeps and for passes.
+    """Parameters of the stopping rule.
 
     Attributes
     ----------
     tolerance : float
-        Largest remaining change, relative to the light. [1]
+        Largest remaining relative change. [1]
     most_sweeps : int
-        Number of sweeps after which the iteration gives up.
+        Largest number of sweeps.
     iterates : int
-        Number of iterates that are combined into the next guess.
+        Number of iterates in Anderson acceleration.
     stricter : float
-        Fraction by which the tolerance is smaller in thick air. With synthetic acceleration the
-        last change is nearly the whole error: 0. GPU passes are not accelerated; there many small
-        orders follow. [1]
+        Relative reduction of the tolerance in optically thick media: 0 with synthetic acceleration,
+        where the last change is nearly the whole error; larger without, where many small orders
+        follow. [1]
     night : float
-        Fraction of the thickness by which a change in the night counts less when the rule decides
-        to stop. The error that acceleration leaves in the night of thick air is not visible: 1. In
-        GPU passes only more orders bring light there: less. [1]
+        Factor of the exponent of ``count_at`` in the stopping decision: 1 with synthetic
+        acceleration, whose error on the night side of thick media is not visible; less without,
+        where only further orders illuminate it. [1]
     """
 
     tolerance: float
@@ -73,7 +72,7 @@ class Stopping:
 
     @classmethod
     def of_sweeps(cls, settings: Settings) -> Stopping:
-        """Rule of the CPU, whose sweeps have synthetic acceleration."""
+        """Rule for the CPU, with synthetic acceleration."""
         return cls(
             tolerance=settings.tolerance,
             most_sweeps=settings.max_sweeps,
@@ -84,7 +83,7 @@ class Stopping:
 
     @classmethod
     def of_passes(cls, settings: Settings) -> Stopping:
-        """Rule of a GPU, in Python and in a page: orders alone, in float32."""
+        """Rule for the GPU, in Python and in the browser: plain successive orders in float32."""
         return cls(
             tolerance=settings.tolerance,
             most_sweeps=min(settings.max_sweeps, MOST_PASSES),
@@ -94,23 +93,23 @@ class Stopping:
         )
 
     def tolerance_in(self, thick: FloatArray) -> float:
-        """Tolerance in air as thick as its thickest lane. [1]"""
+        """Tolerance for the thickest lane. [1]"""
         return self.tolerance * (1.0 - self.stricter * float(thick.max()))
 
 
 class Iteration:
-    """State of the iteration: remaining error and weights of the next guess.
+    """State of the iteration: remaining error and Anderson weights.
 
     Parameters
     ----------
     stopping : Stopping
         Stopping rule.
     thick : array, shape (w,)
-        Exponent of ``count_at``, from ``Block``: where the tolerance becomes absolute. [1]
+        Exponent of ``count_at``, from ``WavelengthBatch``: 1 where the tolerance is absolute. [1]
     used : int
-        Number of lanes that have their own wavelength; the others follow and do not count.
+        Number of wavelengths; further lanes are padding.
     least : int
-        Least number of orders: one where the light of near wavelengths was the first guess.
+        Smallest number of orders.
 
     Attributes
     ----------
@@ -119,7 +118,7 @@ class Iteration:
     remaining_error : array, shape (used,)
         Estimated largest relative change by all further sweeps. [1]
     accelerated : bool
-        Whether iterates are combined; otherwise the latest is the next guess.
+        Whether Anderson acceleration is used.
     """
 
     def __init__(self, stopping: Stopping, thick: FloatArray, used: int, *, least: int = 2) -> None:
@@ -135,7 +134,7 @@ class Iteration:
         self._least, self._since = inf, 0
 
     def set_prediction(self, change: FloatArray) -> None:
-        """Set a predicted remaining error; if it is within the tolerance, no sweep is needed.
+        """Set a predicted remaining error; within the tolerance, no sweep is needed.
 
         Parameters
         ----------
@@ -151,8 +150,7 @@ class Iteration:
         Raises
         ------
         ConvergenceError
-            If another is needed after the rule's largest number, or if the orders shrink so slowly
-            that more than that number would be.
+            If more than the largest number of sweeps is needed, or predicted to be.
         """
         if self.sweeps >= self._fewest and self.remaining_error.max() <= self.tolerance:
             return False
@@ -165,13 +163,12 @@ class Iteration:
         return True
 
     def update(self, before: Float32Array, after: Float32Array) -> None:
-        """Update the remaining error by one more sweep.
+        """Update the remaining error after a sweep.
 
         Parameters
         ----------
         before, after : array, shape (r, n, w)
-            Values at each radius, of the guess and of its iterate, whose changes count relative to
-            the iterate: mean radiances, at least. [1]
+            Quantities of the guess and of its iterate, from ``convergence_quantities``. [1]
         """
         lanes = self.thick.size
         changes, largest = np.empty((after.size // lanes, lanes)), np.empty(lanes)
@@ -183,8 +180,8 @@ class Iteration:
         size = float(largest[: self.used].max())
         if not isfinite(size) or not np.isfinite(after[..., : self.used]).all():
             raise ConvergenceError(
-                f"the light of order {self.sweeps} is not a finite number: the air's numbers are "
-                "beyond single precision"
+                f"radiance of order {self.sweeps} is not a finite number: the optical properties "
+                "exceed the range of single precision"
             )
         self._changes.append(size)
         if not self.accelerated:
@@ -198,16 +195,16 @@ class Iteration:
 
     @property
     def improved(self) -> bool:
-        """Whether the last sweep changed the light by less than all before."""
+        """Whether the last change is the smallest so far."""
         return self._since == 0
 
     @property
     def diverging(self) -> bool:
-        """Whether the changes have ceased to shrink."""
+        """Whether the changes no longer decrease."""
         return self._since >= PATIENCE
 
     def restart(self, *, accelerated: bool) -> None:
-        """Discard the iterates: the iteration restarts from another guess, or by another scheme."""
+        """Discard the iterates, for another guess or scheme."""
         self._residuals.clear()
         self._changes.clear()
         self._ahead.clear()
@@ -221,10 +218,10 @@ class Iteration:
         return min(ratio, SLOWEST)
 
     def _look_ahead(self) -> None:
-        """Raise if plain successive orders stall or need more than the largest number of sweeps.
+        """Raise an error if successive orders stall or need more than the largest number of sweeps.
 
-        Where the changes shrink but the remaining error does not, their ratio approaches 1: the
-        number of sweeps predicted from the ratio so far would be too small.
+        If the changes decrease but the remaining error does not, their ratio approaches 1, and the
+        number of sweeps predicted from it would be too small.
         """
         if self.accelerated or len(self._changes) <= PROSPECT:
             return
@@ -240,7 +237,7 @@ class Iteration:
             )
 
     def weights(self) -> FloatArray:
-        """Anderson weights of the last iterates, the latest last, shape (iterates, w). [1]"""
+        """Anderson weights of the iterates, the latest last, shape (iterates, w). [1]"""
         residuals = np.stack(self._residuals)
         weights = np.zeros((residuals.shape[0], self.thick.size))
         weights[-1] = 1.0
@@ -251,7 +248,7 @@ class Iteration:
         return weights
 
     @property
-    def share(self) -> float:
+    def progress(self) -> float:
         """Logarithmic progress: 0 at a remaining error of 1, 1 at the tolerance."""
         largest = float(self.remaining_error.max())
         if largest <= self.tolerance:

@@ -1,14 +1,14 @@
-"""One sweep: from the moments of the light to those of the light scattered once more.
+"""Sweep: moments of the next order of scattering from those of the previous ones.
 
-For each radius and each direction the radiance is a sum over the points of a ray, and the point's
-source is a sum over the moments there. The factors of the ray alone, the Legendre functions and
-the interpolation in radius, are contracted first, so that the inner loop over sun elevations and
-azimuths only adds up N + 1 cosines. Eight wavelengths run in the lanes of one register.
+For each radius and direction the radiance is a quadrature along a ray, and the source function at a
+point is a sum over the moments. Factors that depend on the ray alone, Legendre functions and
+interpolation in radius, are contracted first, so that the inner loop over sun angles and azimuths
+sums only N + 1 cosines. Eight wavelengths run in the lanes of a register.
 
-Between grid nodes the moments are interpolated as ratios: with s = 1/sqrt(M_00) at each node, the
-value is lerp(M·s)/lerp(s). It is exact at the nodes and, for M falling exponentially, at the
-middle between them, and M_00 stays positive, which linear interpolation does not ensure in the
-twilight, where M falls e-fold within a degree.
+Between grid nodes rational interpolation is used: with s = 1/sqrt(M_00) at each node, the value is
+lerp(M·s)/lerp(s). It is exact at the nodes and, for exponential M, half-way between them, and keeps
+M_00 positive, which linear interpolation does not in twilight, where M falls e-fold within a
+degree.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ import numpy as np
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, folded, load, splat, store
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor
+from airlight.optics.reflection import diffuse_reflectance
 from airlight.solvers.moments.harmonics import POLARISED, legendre_functions
 from airlight.solvers.moments.ray_optics import (
     add_polarised,
-    leaving_at_end,
+    mu_r_at_end,
     project,
     project_polarised,
     sky_at,
@@ -43,19 +43,19 @@ from airlight.solvers.moments.ray_source import (
 from airlight.solvers.moments.source_function import source_at_point
 from airlight.solvers.moments.star_places import place_stars
 
-#: Legendre functions below this along a whole ray count as 0: of high orders in steep rays. [1]
+#: Legendre functions below this along a whole ray are neglected: high orders on steep rays. [1]
 _STEEP = 1e-4
-#: Rays whose points are taken together where the moments are more numbers than a cache holds.
+#: Number of rays whose points are processed together if the moments exceed the cache.
 _TOGETHER = 6
 _CACHED = 1_000_000
 
 
 @inlined
 def _sweep(
-    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, paired
+    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, narrow
 ):  # fmt: skip
-    """``sweep_radius``, or ``sweep_radius_of_few`` if ``paired``, a constant."""
-    # Arrays are unpacked from their tuples once: in the loop each access would count references.
+    """``sweep_radius``, or ``sweep_radius_narrow`` if ``narrow``, a constant."""
+    # Unpacked once: in the loop each access of a tuple would count references.
     bottom, top, radii, sun_cosines, first_nodes, rows_at, places = grid
     (
         all_mu,
@@ -72,17 +72,17 @@ def _sweep(
         depths,
     ) = rays
     cosines, multiples, sines = azimuths
-    extinction, moments, surface, _, polarised_phase = air
-    suns = sun_cosines.size
+    extinction, moments, surface, _, polarised_moments = air
+    sun_angles = sun_cosines.size
     degree = multiples.shape[0] - 1
     turns = cosines.size
     harmonics = (degree + 1) * (degree + 2) // 2
     terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
-    all_wide, _, sent = order_registers(degree, paired)
+    all_wide, _, sent = order_registers(degree, narrow)
     block = (1 + all_wide + sent) * LANES
-    registers = factor_count(degree, paired)
+    registers = factor_count(degree, narrow)
     together = 1
     if field.size > _CACHED:
         together = _TOGETHER
@@ -92,7 +92,7 @@ def _sweep(
         most = max(most, starts[i, after] - starts[i, first_ray])
     for a in range(angles):
         longest = max(longest, starts[i, a + 1] - starts[i, a])
-    rows = np.empty(most * suns * block, np.float32)
+    rows = np.empty(most * sun_angles * block, np.float32)
     factors = np.empty(most * registers * LANES, np.float32)
     levels = np.empty(most, np.int64)
     fractions = np.empty(most, np.float32)
@@ -119,7 +119,7 @@ def _sweep(
     star_cosines = np.empty(longest * LANES, np.float32)
     star_sines = np.empty(longest * LANES, np.float32)
     along_rays = (mu_along, amounts, depths)
-    optics = (extinction, moments, polarised_phase)
+    optics = (extinction, moments, polarised_moments)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -138,7 +138,7 @@ def _sweep(
                     degrees_at[k] = max(degrees[row], degrees[row + 1])
                     fill_factors(
                         point, along_rays, optics, expansion, degree, degrees_at[k], functions,
-                        k * registers * LANES, factors, paired,
+                        k * registers * LANES, factors, narrow,
                     )  # fmt: skip
                     for l in range(degree + 1):
                         for m in range(l + 1):
@@ -149,15 +149,15 @@ def _sweep(
                         orders_of[ray] = m + 1
                 for point in range(starts[i, ray], starts[i, ray + 1]):
                     k = point - head
-                    wide_at[k] = registers_of(min(orders_of[ray], degrees_at[k] + 1), paired)
+                    wide_at[k] = registers_of(min(orders_of[ray], degrees_at[k] + 1), narrow)
             count = starts[i, min(a + together, angles)] - head
             by_level(levels, count, radii.size, order)
-            for start in range(0, suns, 4):
+            for start in range(0, sun_angles, 4):
                 for index in range(count):
                     k = order[index]
                     source_four_suns(
-                        k, levels[k], fractions[k], k * registers * LANES, factors, suns, field,
-                        start, wide_at[k], degrees_at[k], degree, rows, paired,
+                        k, levels[k], fractions[k], k * registers * LANES, factors, sun_angles,
+                        field, start, wide_at[k], degrees_at[k], degree, rows, narrow,
                     )  # fmt: skip
         first = starts[i, a] - head
         points = starts[i, a + 1] - starts[i, a]
@@ -169,11 +169,11 @@ def _sweep(
         reflected = splat(0.0)
         if below:
             transmittance = transmittance_ray(extinction, totals[i, a], 0, constituents)
-            factor = sky_factor(surface, 0, leaving_at_end(ends, i, a, mu))
+            factor = diffuse_reflectance(surface, 0, mu_r_at_end(ends, i, a, mu))
             reflected = factor * INVERSE_PI * transmittance
         legendre_functions(mu, expansion, functions)
-        exact = load(share, LANES * (i * angles + a))
-        for j in range(suns):
+        exact = load(norm, LANES * (i * angles + a))
+        for j in range(sun_angles):
             mu_s = sun_cosines[j]
             sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
             azimuthal[:] = 0.0
@@ -182,21 +182,21 @@ def _sweep(
                 lane = b % LANES
                 if lane == 0:
                     place_stars(
-                        turned, first, points, around, b, sine_s, np.float32(mu_s), table, suns,
-                        columns, shares, star_cosines, star_sines,
+                        turned, first, points, around, b, sine_s, np.float32(mu_s), table,
+                        sun_angles, columns, shares, star_cosines, star_sines,
                     )  # fmt: skip
                 radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
                 for k in range(points):
                     at = LANES * k + lane
-                    low = ((first + k) * suns + int(columns[at])) * block
+                    low = ((first + k) * sun_angles + int(columns[at])) * block
                     light, point_q, point_u = source_at_point(
                         rows, low, low + block, shares[at], star_cosines[at], star_sines[at],
-                        wide_at[first + k], degree, True, True, paired,
+                        wide_at[first + k], degree, True, True, narrow,
                     )  # fmt: skip
                     radiance = radiance + light
                     stokes_q = stokes_q + point_q
                     stokes_u = stokes_u + point_u
-                if paired:
+                if narrow:
                     radiance, stokes_q, stokes_u = (
                         folded(radiance),
                         folded(stokes_q),
@@ -207,7 +207,7 @@ def _sweep(
                 if below:
                     nu = star_from_ray(mu, mu_s, cosines[b])
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
-                    radiance = radiance + reflected * sky_at(ground, mu_sg, places, suns)
+                    radiance = radiance + reflected * sky_at(ground, mu_sg, places, sun_angles)
                 for m in range(orders):
                     at = LANES * m
                     store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)
@@ -223,9 +223,9 @@ def _sweep(
 
 @compiled_loop
 def sweep_radius(
-    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out
+    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
 ):  # fmt: skip
-    """Gather the light scattered once more at all sun elevations of one radius.
+    """Moments of the next order at one radius, for all sun angles.
 
     Parameters
     ----------
@@ -233,35 +233,35 @@ def sweep_radius(
         Index of the radius.
     grid, rays, azimuths, air : Grid, Rays, Azimuths, ScaledOptics
         Shell, its rays, and its optics.
-    share : array, shape (r·a·8,)
-        Factors from ``cull_opaque``. [1]
+    norm : array, shape (r·a·8,)
+        Normalisation factors from ``cull_opaque``. [1]
     expansion : Harmonics
         Harmonics of the moments.
     field : array, shape (r·s·(1 + k)·8,)
-        Moments so far, as (s, M·s) per node; see the head of this file.
+        Moments of the previous orders, as (s, M·s) per node; see the head of this file.
     ground : array, shape (s·2·8,)
-        Irradiance of the ground by the light so far, as (s, E·s) per node.
+        Diffuse irradiance of the ground by these, as (s, E·s) per node.
     degrees : array, shape (r,)
-        Highest degree of the moments that count at each radius, see ``active_degrees``.
+        Highest active degree at each radius, see ``active_degrees``.
     out : array, shape (s·k·8,)
         Receives the moments at this radius.
     sky_out : array, shape (s·8,)
-        Receives the irradiance of a level surface by the light from the upper half sphere.
+        Receives the diffuse horizontal irradiance from above.
     """
     _sweep(
-        i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, False
+        i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, False
     )  # fmt: skip
 
 
 @compiled_loop
-def sweep_radius_of_few(
-    i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out
+def sweep_radius_narrow(
+    i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out
 ):  # fmt: skip
     """``sweep_radius`` for at most four wavelengths, two moments in a register.
 
-    Both halves of ``share`` and of ``air`` have the same wavelengths; ``field`` has pairs of
-    moments, see ``packing.paired``.
+    Both halves of ``norm`` and of ``air`` have the same wavelengths; ``field`` has pairs of
+    moments, see ``packing.pair_order``.
     """
     _sweep(
-        i, grid, rays, share, azimuths, air, expansion, field, ground, degrees, out, sky_out, True
+        i, grid, rays, norm, azimuths, air, expansion, field, ground, degrees, out, sky_out, True
     )  # fmt: skip

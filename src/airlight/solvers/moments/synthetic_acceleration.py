@@ -1,13 +1,12 @@
-"""Synthetic acceleration: the plane-parallel sweep as a matrix, and its inverse.
+"""Synthetic acceleration with the plane-parallel sweep as low-order operator.
 
-In thick air light travels up and down many times before it leaves, and each order of scattering
-differs little from the last. Along the vertical, however, a sweep is a small matrix: if the star
-stood at the same height everywhere, the moments of each sun elevation and of each m would couple
-over radius and degree alone. With K that matrix and r the light that one more sweep adds,
-(1 - K)⁻¹ r is what all further sweeps add, except for the light that travels laterally. So the
-iteration, which alone is exact, ends after a few sweeps however thick the air is. This is the
-synthetic method (Kopp 1963, Nucl. Sci. Eng. 17, 65; Larsen 1982, Nucl. Sci. Eng. 82, 47) with the
-sweep's own operator in place of diffusion.
+In optically thick media successive orders of scattering converge slowly. In the plane-parallel
+approximation, with the star at the same elevation everywhere, a sweep couples moments over radius
+and degree only, for each sun elevation and order m: a small matrix K. With r the residual of a
+sweep, (1 - K)⁻¹ r is the sum of all further sweeps, except for lateral transport. The iteration,
+which converges to the exact solution, then needs only a few sweeps at any optical thickness. This
+is the synthetic method (Kopp 1963, Nucl. Sci. Eng. 17, 65; Larsen 1982, Nucl. Sci. Eng. 82, 47)
+with the plane-parallel sweep in place of diffusion.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import positive
-from airlight.solvers.moments.setup import Block
+from airlight.solvers.moments.setup import WavelengthBatch
 from airlight.solvers.moments.synthetic_operator import gather_levels, project_radii, synthetic_rows
 
 FloatArray = NDArray[np.float64]
@@ -33,7 +32,7 @@ Float32Array = NDArray[np.float32]
 #: Moments, or their means, and irradiances.
 Light = tuple[Float32Array, Float32Array]
 
-#: Highest degree l and order m of the moments in K; higher ones converge without acceleration.
+#: Highest degree l and order m of the moments in K; higher ones converge fast without it.
 DEGREE: Final = 8
 ORDER: Final = 3
 #: Number of sun elevations solved for together.
@@ -41,24 +40,24 @@ _SUNS: Final = 14
 
 
 class SyntheticAcceleration:
-    """Synthetic acceleration for eight wavelengths: (1 - K)⁻¹, K the plane-parallel sweep.
+    """Synthetic acceleration (1 - K)⁻¹ for eight wavelengths, K the plane-parallel sweep.
 
     Parameters
     ----------
-    block : Block
+    batch : WavelengthBatch
         Set-up of the sweeps.
     cancel : callable, optional
         See ``airlight.kernel.threads``.
     """
 
-    def __init__(self, block: Block, cancel: Cancel | None = None) -> None:
-        setup, rays, share, air = block.setup, block.rays, block.share, block.air
-        grid, expansion, parts = setup.grid, setup.expansion, setup.parts
-        self.block, self.grid = block, grid
+    def __init__(self, batch: WavelengthBatch, cancel: Cancel | None = None) -> None:
+        setup, rays, norm, air = batch.setup, batch.rays, batch.norm, batch.air
+        grid, expansion, parts = setup.grid, setup.expansion, setup.refinement
+        self.batch, self.grid = batch, grid
         self.set_lateral_scale(1.0)
         cosines = grid.sun_cosines
-        self.diffusion = lateral_diffusion_matrix(cosines, block.diffusion_length, 0.0)
-        self.grid_diffusion = lateral_diffusion_matrix(cosines, 0.0, block.grid_diffusion)
+        self.diffusion = lateral_diffusion_matrix(cosines, batch.diffusion_length, 0.0)
+        self.grid_diffusion = lateral_diffusion_matrix(cosines, 0.0, batch.grid_diffusion)
         self.degree = min(expansion.degree, DEGREE)
         self.order = min(expansion.degree, ORDER)
         self.radii = rays.mu.shape[0]
@@ -67,7 +66,7 @@ class SyntheticAcceleration:
         angles, levels = rays.mu.shape[1], grid.radii.size
         along = rays.mu_along
         cubics = finer_weights(self.radii, parts).astype(np.float32)
-        # The ground's irradiance is one more unknown beside the moments of m = 0.
+        # The irradiance of the ground is an additional unknown for m = 0.
         self.sizes = sizes = [self.radii * width + (m == 0) for m, width in enumerate(widths)]
         self.factors = [np.zeros((size, size, LANES), np.float32) for size in sizes]
         self.to_sky = np.zeros((self.radii, self.radii * widths[0], LANES), np.float32)
@@ -77,7 +76,7 @@ class SyntheticAcceleration:
             weights = np.empty(angles * levels * int(starts[-1]) * LANES, np.float32)
             bounced = np.empty(angles * LANES, np.float32)
             synthetic_rows(
-                i, grid, rays, share, along, air, expansion, self.degree, self.order,
+                i, grid, rays, norm, along, air, expansion, self.degree, self.order,
                 weights, bounced,
             )  # fmt: skip
             seen = weights
@@ -88,12 +87,12 @@ class SyntheticAcceleration:
             for m, (first, width) in enumerate(zip(starts[:-1], widths, strict=True)):
                 turn = 2.0 * pi if m == 0 else pi
                 project = turn * rays.weight[i] * functions[_indices(m, self.degree)]
-                here = slice(i * width, (i + 1) * width)
+                span = slice(i * width, (i + 1) * width)
                 project_radii(
-                    project, seen, int(first), width, self.radii, self.factors[m][here].reshape(-1)
+                    project, seen, int(first), width, self.radii, self.factors[m][span].reshape(-1)
                 )
                 if m == 0:
-                    self.factors[0][here, -1] = project @ bounced.reshape(angles, LANES)
+                    self.factors[0][span, -1] = project @ bounced.reshape(angles, LANES)
                     flux = turn * rays.flux[i : i + 1]
                     project_radii(flux, seen, 0, width, self.radii, self.to_sky[i].reshape(-1))
 
@@ -109,21 +108,21 @@ class SyntheticAcceleration:
         run_blocks(invert, self.order + 1, cancel=cancel)
 
     def set_lateral_scale(self, factor: float) -> None:
-        """Scale the lateral diffusion length of the correction by a factor. [1]"""
-        length, grid_diffusion = self.block.diffusion_length, self.block.grid_diffusion
+        """Set the factor of the lateral diffusion length. [1]"""
+        length, grid_diffusion = self.batch.diffusion_length, self.batch.grid_diffusion
         self.spread = lateral_diffusion_matrix(
             self.grid.sun_cosines, factor * length, factor**2 * grid_diffusion
         )
 
     def apply(self, field: Float32Array, sky: Float32Array, light: Light | None = None) -> Light:
-        """Residual plus the sum of all further sweeps, (1 - K)⁻¹ r, with lateral diffusion.
+        """Accelerated residual (1 - K)⁻¹ r, with lateral diffusion.
 
         The sum of further sweeps is multiplied by ``lateral_diffusion_matrix``. In optically deep
-        air its ratio to the light is diffused instead, since sweeps interpolate ratios there: light
-        that falls e-fold from one sun elevation to the next is not spread. The first order has
-        little light at dusk, where lateral transport dominates; its further orders are diffused
-        over the physical length first, then as a ratio by the numerical diffusion.
-        The result is overwritten by the next call.
+        media its ratio to the radiance is diffused instead, consistent with rational interpolation
+        in the sweeps, so that radiance which falls e-fold between sun elevations is not smeared
+        out. The first order nearly vanishes at dusk, where lateral transport dominates; its further
+        orders are diffused over the physical length first, then, as a ratio, over the numerical
+        one. The result is overwritten by the next call.
 
         Parameters
         ----------
@@ -139,32 +138,32 @@ class SyntheticAcceleration:
         two arrays, shapes (r, s, k, 8), (r, s, 8)
             Accelerated residual of moments and irradiances.
         """
-        radii, suns = field.shape[:2]
-        more = [np.empty((size, suns, LANES), np.float32) for size in self.sizes]
+        radii, sun_angles = field.shape[:2]
+        more = [np.empty((size, sun_angles, LANES), np.float32) for size in self.sizes]
         more_sky = np.empty_like(sky)
 
         def solve(index: int) -> None:
             m, first = index % (self.order + 1), index // (self.order + 1) * _SUNS
-            here = slice(first, min(first + _SUNS, suns))
-            width = here.stop - first
+            span = slice(first, min(first + _SUNS, sun_angles))
+            width = span.stop - first
             before = np.empty((self.sizes[m], width, LANES), np.float32)
             take_terms(field, sky, m, self.degree, first, before)
             after = before.copy()
             substitute(self.factors[m].reshape(-1), self.sizes[m], after.reshape(-1), width)
-            more[m][:, here] = after - before
+            more[m][:, span] = after - before
             if m == 0:
                 found = np.empty((radii, width, LANES), np.float32)
                 multiply(self.to_sky.reshape(-1), after.reshape(-1), width, found)
-                more_sky[:, here] = found
+                more_sky[:, span] = found
 
-        run_blocks(solve, (self.order + 1) * -(-suns // _SUNS))
+        run_blocks(solve, (self.order + 1) * -(-sun_angles // _SUNS))
         spread = self.spread
         mean, received = np.ones_like(sky), np.ones_like(sky)
-        if self.block.deep:
+        if self.batch.deep:
             if light is None:
                 more, more_sky = [self.diffusion @ one for one in more], self.diffusion @ more_sky
                 light, spread = (field[:, :, 0], sky), self.grid_diffusion
-            # A change cannot be larger than the light and it together.
+            # A change cannot exceed the sum of radiance and change.
             added = more[0][: radii * (self.degree + 1) : self.degree + 1]
             mean = positive(np.maximum(light[0], 0.0) + np.abs(added))
             received = positive(np.maximum(light[1], 0.0) + np.abs(more_sky))
@@ -190,7 +189,7 @@ class SyntheticAcceleration:
 
 @compiled_loop
 def take_terms(field, sky, m, degree, first, out):
-    """Take the moments of one m of some suns, and for m = 0 the ground's irradiance.
+    """Moments of one order m for some sun angles, and for m = 0 the irradiance of the ground.
 
     Parameters
     ----------
@@ -199,56 +198,56 @@ def take_terms(field, sky, m, degree, first, out):
     m, degree : int
         Order of the moments, and highest degree.
     first : int
-        Index of the first sun.
-    out : array, shape (n, suns, 8)
-        Receives them by radius and then degree.
+        Index of the first sun angle.
+    out : array, shape (n, sun_angles, 8)
+        Receives the moments by radius, then degree.
     """
-    row, suns = 0, out.shape[1]
+    row, sun_angles = 0, out.shape[1]
     given, taken = field.reshape(-1), out.reshape(-1)
     for i in range(field.shape[0]):
         for l in range(m, degree + 1):
-            for s in range(suns):
+            for s in range(sun_angles):
                 at = (i * field.shape[1] + first + s) * field.shape[2] + l * (l + 1) // 2 + m
-                store(taken, LANES * (row * suns + s), load(given, LANES * at))
+                store(taken, LANES * (row * sun_angles + s), load(given, LANES * at))
             row += 1
     if m == 0:
-        for s in range(suns):
-            store(taken, LANES * (row * suns + s), load(sky.reshape(-1), LANES * (first + s)))
+        for s in range(sun_angles):
+            store(taken, LANES * (row * sun_angles + s), load(sky.reshape(-1), LANES * (first + s)))
 
 
 @compiled_loop
 def spread_onto(matrix, values, terms, inner, scale, out):
-    """Add values at the suns, multiplied by a matrix (s, s) and by ``scale``, to some terms.
+    """Add values, multiplied by a matrix (s, s) over sun angles and by ``scale``, to some terms.
 
     Parameters
     ----------
     matrix : array, shape (s, s)
         Matrix from ``lateral_diffusion_matrix``. [1]
     values : array, shape (n·s·8,)
-        Values by term and sun.
+        Values by term and sun angle.
     terms : array, shape (n,)
-        Indices of their terms in ``out``.
+        Indices of the terms in ``out``.
     inner : int
-        1 if the first and the last sun elevation are left out, else 0.
+        1 to exclude the first and the last sun angle, else 0.
     scale : array, shape (s, 8)
-        Factors of the sums at each sun.
+        Factors of the sums at each sun angle.
     out : array, shape (s, k, 8)
         Receives the sums.
     """
-    suns = matrix.shape[0]
+    sun_angles = matrix.shape[0]
     for n in range(len(terms)):
-        for t in range(inner, suns - inner, 4):
-            # Four at a time, so that each value is loaded once for all of them.
-            second, third = min(t + 1, suns - 1), min(t + 2, suns - 1)
-            fourth = min(t + 3, suns - 1)
+        for t in range(inner, sun_angles - inner, 4):
+            # Four at a time, so that each value is loaded once.
+            second, third = min(t + 1, sun_angles - 1), min(t + 2, sun_angles - 1)
+            fourth = min(t + 3, sun_angles - 1)
             one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
-            for s in range(suns):
-                value = load(values, LANES * (n * suns + s))
+            for s in range(sun_angles):
+                value = load(values, LANES * (n * sun_angles + s))
                 one = one + matrix[t, s] * value
                 two = two + matrix[second, s] * value
                 three = three + matrix[third, s] * value
                 four = four + matrix[fourth, s] * value
-            last = suns - inner
+            last = sun_angles - inner
             add_at(out, t, terms[n], one * load(scale[t], 0))
             if t + 1 < last:
                 add_at(out, t + 1, terms[n], two * load(scale[t + 1], 0))
@@ -260,27 +259,27 @@ def spread_onto(matrix, values, terms, inner, scale, out):
 
 @inlined
 def add_at(out, sun, term, value):
-    """Add eight lanes to one term of a sun, ``out[sun, term]``."""
+    """Add eight lanes to ``out[sun, term]``."""
     row = out[sun, term]
     store(row, 0, load(row, 0) + value)
 
 
 @compiled_loop
-def multiply(matrix, values, suns, out):
-    """Multiply values (k, s, 8) by a matrix (r, k, 8) of each wavelength, into ``out`` (r, s, 8).
+def multiply(matrix, values, sun_angles, out):
+    """Product of a matrix (r, k, 8) and values (k, s, 8) per wavelength, into ``out`` (r, s, 8).
 
-    Matrix and values are flat; ``suns`` is the number s. Further values are left out.
+    Matrix and values are flat; ``sun_angles`` is s. Further values are ignored.
     """
     flat = out.reshape(-1)
     radii = out.shape[0]
     terms = matrix.size // (radii * LANES)
     for r in range(radii):
-        for s in range(suns):
+        for s in range(sun_angles):
             total = splat(0.0)
             for k in range(terms):
                 factor = load(matrix, LANES * (r * terms + k))
-                total = total + factor * load(values, LANES * (k * suns + s))
-            store(flat, LANES * (r * suns + s), total)
+                total = total + factor * load(values, LANES * (k * sun_angles + s))
+            store(flat, LANES * (r * sun_angles + s), total)
 
 
 def lateral_diffusion_matrix(
@@ -288,12 +287,12 @@ def lateral_diffusion_matrix(
 ) -> Float32Array:
     """Matrix of (1 - Λ²∇²)⁻¹ on the sphere, between sun elevations, shape (s, s). [1]
 
-    Multiple scattering in a layer diffuses light laterally, about as far as the layer is thick:
-    the diffusion length L. Without it, variations over sun elevation on a smaller scale would be
-    amplified too much, and the iteration would diverge at the terminator of a vast planet.
-    Interpolation between sun elevations h apart adds numerical diffusion: where a ray of length ℓ
-    should see δ²M (ℓ/h)²/2 it sees δ²M ℓ/(2h), so that Λ² = L² + λh/2 with λ = ℓ over the loss by
-    one scattering.
+    Multiple scattering in a layer diffuses radiation laterally over about the layer's thickness,
+    the diffusion length L. Without it, variations over sun elevation on smaller scales would be
+    overestimated by the acceleration, and the iteration would diverge at the terminator of a large
+    planet. Linear interpolation between sun elevations with the step h adds numerical diffusion: a
+    ray of length ℓ gets δ²M ℓ/(2h) instead of δ²M (ℓ/h)²/2, so that Λ² = L² + λh/2 with λ = ℓ over
+    the loss per scattering.
 
     Parameters
     ----------
@@ -302,32 +301,32 @@ def lateral_diffusion_matrix(
     diffusion_length, grid_diffusion : float
         L and λ over the planet's radius. [rad]
     """
-    suns = sun_cosines.size
-    spread, measure = np.zeros(suns * suns), np.empty(suns)
+    sun_angles = sun_cosines.size
+    spread, measure = np.zeros(sun_angles * sun_angles), np.empty(sun_angles)
     lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, spread, measure)
-    matrix = np.linalg.solve(spread.reshape(suns, suns), np.diag(measure))
+    matrix = np.linalg.solve(spread.reshape(sun_angles, sun_angles), np.diag(measure))
     return np.asarray(matrix, np.float32)
 
 
 def lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, spread, measure):
-    """Finite-volume equations of ``lateral_diffusion_matrix``, which is spread⁻¹ diag(measure).
+    """Finite-volume discretisation of ``lateral_diffusion_matrix`` = spread⁻¹ diag(measure).
 
     Parameters
     ----------
     sun_cosines, diffusion_length, grid_diffusion :
         As in ``lateral_diffusion_matrix``.
     spread : array, shape (s·s,)
-        Receives the matrix of 1 - Λ²∇² times the cells' measure; 0 before. [1]
+        Receives the matrix of 1 - Λ²∇² times the measure of the cells; 0 before. [1]
     measure : array, shape (s,)
-        Receives the interval of cosines of each elevation's cell. [1]
+        Receives the measure of each cell, its interval of cosines. [1]
     """
-    suns = sun_cosines.size
+    sun_angles = sun_cosines.size
     below = -1.0
-    for j in range(suns):
-        spread[j * suns + j] -= below
+    for j in range(sun_angles):
+        spread[j * sun_angles + j] -= below
         measure[j] = -below
         below = 1.0
-        if j < suns - 1:
+        if j < sun_angles - 1:
             angle, further = acos(sun_cosines[j]), acos(sun_cosines[j + 1])
             between, step = 0.5 * (angle + further), angle - further
             below = cos(between)
@@ -336,11 +335,11 @@ def lateral_diffusion_equations(sun_cosines, diffusion_length, grid_diffusion, s
                 * sin(between)
                 / step
             )
-            spread[j * suns + j] += flux
-            spread[j * suns + j + 1] -= flux
-            spread[(j + 1) * suns + j] -= flux
-            spread[(j + 1) * suns + j + 1] += flux
-        spread[j * suns + j] += below
+            spread[j * sun_angles + j] += flux
+            spread[j * sun_angles + j + 1] -= flux
+            spread[(j + 1) * sun_angles + j] -= flux
+            spread[(j + 1) * sun_angles + j + 1] += flux
+        spread[j * sun_angles + j] += below
         measure[j] += below
 
 

@@ -1,8 +1,8 @@
-"""Synthetic operator K: matrix of a plane-parallel sweep, one row of radii at a time.
+"""Synthetic operator K: matrix of a plane-parallel sweep, by rows of one radius.
 
 ``synthetic_acceleration`` inverts 1 - K. Weights of the moments are summed over the quadrature
-points of each ray, at the levels between which the sweep interpolates, then at the radii from whose
-moments these are interpolated, and projected onto the moments of the ray's radius.
+points of each ray at the interpolation levels of the sweep, transferred to the radii from which the
+levels are interpolated, and projected onto the moments of the ray's radius.
 """
 
 from __future__ import annotations
@@ -12,23 +12,23 @@ import numpy as np
 from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat, store
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.reflection import sky_factor
+from airlight.optics.reflection import diffuse_reflectance
 from airlight.solvers.moments.harmonics import legendre_functions
-from airlight.solvers.moments.ray_optics import leaving_at_end, optical_depth, transmittance_ray
+from airlight.solvers.moments.ray_optics import mu_r_at_end, optical_depth, transmittance_ray
 
 
 @compiled_loop
-def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order, out, bounced):
-    """Weights of the moments at all radii in the radiance of the rays from one radius.
+def synthetic_rows(i, grid, rays, norm, mu_along, air, expansion, degree, order, out, bounced):
+    """Weights of the moments at all levels in the radiance of the rays from one radius.
 
     Parameters
     ----------
-    i, grid, rays, share, air, expansion :
+    i, grid, rays, norm, air, expansion :
         As in ``sweep_radius``.
     mu_along : array, shape (p,)
         Zenith cosine of the rays at their points. [1]
     degree, order : int
-        Limits of the moments that count: l up to ``degree``, m up to ``order``.
+        Limits of the moments: l up to ``degree``, m up to ``order``.
     out : array, shape (a·r·pairs·8,)
         Receives the weight of each moment (l, m), ordered by m and then l, in each ray. [1]
     bounced : array, shape (a·8,)
@@ -47,7 +47,7 @@ def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order
     out[:] = 0.0
     bounced[:] = 0.0
     for a in range(angles):
-        exact = load(share, LANES * (i * angles + a))
+        exact = load(norm, LANES * (i * angles + a))
         for k in range(starts[i, a], starts[i, a + 1]):
             legendre_functions(mu_along[k], expansion, functions)
             depth = optical_depth(depths[k], 0, extinction, constituents)
@@ -74,13 +74,17 @@ def synthetic_rows(i, grid, rays, share, mu_along, air, expansion, degree, order
                     high += LANES
         if a < angles // 2:
             transmittance = transmittance_ray(extinction, totals[i, a], 0, constituents)
-            leaving = leaving_at_end(rays.end, i, a, rays.mu[i, a])
-            store(bounced, LANES * a, sky_factor(surface, 0, leaving) * INVERSE_PI * transmittance)
+            mu_r = mu_r_at_end(rays.end, i, a, rays.mu[i, a])
+            store(
+                bounced,
+                LANES * a,
+                diffuse_reflectance(surface, 0, mu_r) * INVERSE_PI * transmittance,
+            )
 
 
 @compiled_loop
 def gather_levels(cubics, weights, angles, out):
-    """Weights of the moments at the radii of the field from those at the levels between them.
+    """Weights of the moments at the radii of the sweep, from those at the levels.
 
     Parameters
     ----------
@@ -109,7 +113,7 @@ def gather_levels(cubics, weights, angles, out):
 
 @compiled_loop
 def project_radii(projections, weights, first, width, radii, out):
-    """Project weights of the rays, of one m, onto quantities of their radius.
+    """Projection of the weights of rays, for one m, onto quantities of their radius.
 
     Parameters
     ----------
@@ -122,7 +126,7 @@ def project_radii(projections, weights, first, width, radii, out):
         radii.
     out : array, shape (q·columns·8,)
         Receives the weights of the moments at each radius in the quantities, in the first r·width
-        columns; the others stay. [1]
+        columns; others are unchanged. [1]
     """
     quantities, angles = projections.shape
     pairs = weights.size // (angles * radii * LANES)

@@ -1,1 +1,1 @@
-"""Backward Monte Carlo in the spherical shell, without geometric approximation: the referee."""
+"""Backward Monte Carlo in spherical geometry without approximation: the reference solver."""

@@ -1,7 +1,7 @@
-"""Radiance in the shadow of a moon by histories: the judge of ``solvers.eclipsed``.
+"""Monte Carlo radiance in the shadow of a moon: reference for ``solvers.eclipsed``.
 
-Each event of a history receives the part of the star's light that the moon leaves at its own place;
-all else is as without the moon. Lines of sight have places in space here, not only angles.
+Direct irradiance at each event is multiplied by the visible fraction of the star there. Lines of
+sight have positions in space, not only angles.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
-from airlight.solvers.montecarlo.estimate import Estimate, Question
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
+from airlight.solvers.montecarlo.estimate import Estimate, Query
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
-from airlight.solvers.sight import Sight, enter_shell
 
 FloatArray = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ def eclipsed_estimate(
     points: ArrayLike,
     directions: ArrayLike | None = None,
 ) -> Estimate:
-    """Estimate radiances, or the sky's irradiance of level surfaces, per that of the whole star.
+    """Radiance, or diffuse horizontal irradiance, per irradiance of the unocculted star.
 
     Parameters
     ----------
@@ -38,12 +38,12 @@ def eclipsed_estimate(
     points : array, shape (n, 3)
         Observers in that frame, inside the shell. [m]
     directions : array, shape (n, 3), optional
-        Unit vectors; irradiances if left out. [1]
+        Unit vectors; default: irradiances. [1]
 
     Returns
     -------
     Estimate
-        With all orders sampled.
+        Estimate with all orders sampled.
 
     Raises
     ------
@@ -61,28 +61,28 @@ def eclipsed_estimate(
         np.clip(np.einsum("nk,nk->n", *pair), -1.0, 1.0)
         for pair in ((up, along), (up, towards + 0.0 * up), (along, towards + 0.0 * along))
     )
-    medium, paths = solution.medium, solution.paths
-    scale = medium.bottom_radius / paths.medium.bottom_radius
+    medium, geometry = solution.medium, solution.geometry
+    scale = medium.bottom_radius / geometry.medium.bottom_radius
     frames = [
         star.moved(_frame(up[k], along[k], towards), scale) for k in range(len(at))
     ]  # fmt: skip
     if hemisphere:
-        r = paths.optical_radius(r)
-        lengths = vectorized(distance_to_top)(r, mu, paths.medium.top_radius)
+        r = geometry.optical_radius(r)
+        lengths = vectorized(distance_to_top)(r, mu, geometry.medium.top_radius)
         starts = np.stack([r, mu, mu_s, mu_s], axis=1)
     else:
         sine = np.linalg.norm(np.cross(up, along), axis=-1)
-        sight: Sight = paths.sight(
+        lines: LinesOfSight = geometry.optical_lines(
             enter_shell(r, mu, sine, mu_s, nu, medium.bottom_radius, medium.top_radius)
         )
-        lengths = np.maximum(sight.length, np.where(sight.to_ground, 1e-3, 0.0))
-        starts = np.stack([sight.r, sight.mu, sight.mu_s, sight.nu], axis=1)
-    question = Question(starts, lengths, hemisphere, None, None, frames)
-    return solution.answer(question, started)
+        lengths = np.maximum(lines.length, np.where(lines.to_ground, 1e-3, 0.0))
+        starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
+    query = Query(starts, lengths, hemisphere, None, None, frames)
+    return solution.answer(query, started)
 
 
 def _frame(up: FloatArray, along: FloatArray, towards: FloatArray) -> FloatArray:
-    """Axes of ``events.start_vectors``: x to the star, y to the side of the line, z up. [1]"""
+    """Axes of ``events.start_vectors``: x towards the star, y sideways, z up. [1]"""
     flat = towards - (towards @ up) * up
     if np.linalg.norm(flat) < 1e-12:
         flat = np.cross(up, [0.0, 0.0, 1.0] if abs(up[2]) < 0.9 else [1.0, 0.0, 0.0])

@@ -1,9 +1,9 @@
-"""Histories in rounds, until each line of sight is known accurately enough.
+"""Rounds of Monte Carlo histories until each line of sight has the requested standard error.
 
-Every line of sight and wavelength is a task of its own, traced independently of all others. A task
-begins with two blocks of histories; their scatter determines how many more it needs, and it gets
-at most three times its previous number. The decision is made after whole rounds only, and the sums
-are added in the order of the blocks: nothing depends on the number of threads.
+Each pair of line of sight and wavelength is an independent task. A task begins with two blocks of
+histories, whose variance determines the number of further ones, at most three times the previous
+number. Decisions are made after complete rounds, and sums are added in block order, so that results
+do not depend on the number of threads.
 """
 
 from __future__ import annotations
@@ -31,31 +31,30 @@ FloatArray = NDArray[np.float64]
 BLOCK: Final = 8192
 #: Number of blocks in the first round.
 _FIRST_ROUND: Final = 2
-#: Number of blocks without light after which a task gets no more.
+#: Number of blocks without any contribution after which a task ends.
 _DARK: Final = 64
-#: Where the star is lower than this on a line of sight, half of the points are drawn in lit air;
-#: elsewhere nearly all air is lit, and the choice would only cost time. [1]
+#: Zenith cosine of the star on a line of sight below which half of the points are drawn towards
+#: sunlight; above, nearly the whole atmosphere is sunlit. [1]
 _LOW_STAR: Final = 0.0
 _SUN_SAMPLING_FRACTION: Final = 0.5
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """Estimates by histories for some lines of sight.
+    """Monte Carlo estimates for n lines of sight.
 
     Attributes
     ----------
     total, total_error : array, shape (n, nl)
-        Radiance (or irradiance) per irradiance of the star and its standard error, including the
-        orders known beforehand. [sr⁻¹] or [1]
+        Radiance (or irradiance) per irradiance of the star and its standard error, including an
+        exact first order. [sr⁻¹] or [1]
     parts, part_errors : array, shape (n, k + 1, nl)
-        Parts of each order; the last is the sum of all further ones. The parts of one line come
-        from the same histories: their errors are correlated, those of different lines or
-        wavelengths are not.
+        Contributions of each order; the last is the sum of all further ones. Errors of the orders
+        of a line are correlated, those of different lines or wavelengths are not.
     histories : array of int, shape (n, nl)
-        Number of histories followed.
+        Number of histories.
     reached : array of bool, shape (n, nl)
-        Whether the error is as small as requested.
+        Whether the requested error was reached.
     polarised, polarised_error : array, shape (n, 2, nl)
         Q and U of all orders in the frame of ``stokes``, and their standard errors; 0 without
         polarisation. [sr⁻¹]
@@ -72,7 +71,7 @@ class Estimate:
 
 
 @dataclass(frozen=True)
-class Question:
+class Query:
     """Quantities to be estimated.
 
     Attributes
@@ -82,11 +81,11 @@ class Question:
     lengths : array, shape (n,)
         Lengths of the lines of sight; no histories where it is 0. [m]
     hemisphere : bool
-        Whether to estimate the light from the upper hemisphere, rather than along a view.
+        Whether to estimate the irradiance from the upper hemisphere rather than a radiance.
     known : array, shape (n, 3, nl), or None
-        I, Q and U of the first order, if it need not be sampled.
+        I, Q and U of the first order, if it is not sampled.
     order : int or None
-        Order whose error decides; None is all orders together.
+        Order whose error decides; None: all orders together.
     occulted : sequence of OccultedStar, optional
         Moon in front of the star for each start, in its own frame (``events.start_vectors``), with
         all wavelengths.
@@ -101,7 +100,7 @@ class Question:
 
 
 def estimate(
-    question: Question,
+    query: Query,
     airs: Sequence[HistoryOptics],
     wavelengths: FloatArray,
     settings: Settings,
@@ -109,11 +108,11 @@ def estimate(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Estimate:
-    """Follow histories until all tasks are done.
+    """Monte Carlo estimates, by rounds of histories until all tasks are done.
 
     Parameters
     ----------
-    question : Question
+    query : Query
     airs : sequence of HistoryOptics, length nl
         Optical properties at each wavelength.
     wavelengths : array, shape (nl,)
@@ -127,14 +126,14 @@ def estimate(
     Cancelled
         If ``cancel`` returned True.
     """
-    n, count = question.starts.shape[0], len(airs)
+    n, count = query.starts.shape[0], len(airs)
     bins = settings.kept_orders + 1
     sums = np.zeros((n * count, 2, bins + 3))
     blocks = np.zeros(n * count, np.int64)
     most = max(1, settings.most_histories // BLOCK)
-    all_known = np.zeros((n, 3, count)) if question.known is None else question.known
+    all_known = np.zeros((n, 3, count)) if query.known is None else query.known
     known = all_known[:, 0]
-    open_ = np.repeat(question.lengths > 0.0, count)
+    open_ = np.repeat(query.lengths > 0.0, count)
     wanted = np.where(open_, min(_FIRST_ROUND, most), 0)
     done_before = 0
     while True:
@@ -153,7 +152,7 @@ def estimate(
             task, block = units[index]
             line, at = divmod(task, count)
             nm = float(wavelengths[at])
-            _run_block(question, line, at, airs[at], nm, block, settings, out[index])
+            _run_block(query, line, at, airs[at], nm, block, settings, out[index])
 
         def shown(done: int, total: int, message: str, before: int = done_before) -> None:
             if progress is not None:
@@ -164,19 +163,19 @@ def estimate(
         for (task, _), result in zip(units, results, strict=True):
             sums[task] += result
         blocks = np.maximum(blocks, wanted)
-        wanted = _more(question, sums, blocks, known, open_, settings, most)
+        wanted = _more(query, sums, blocks, known, open_, settings, most)
     histories = blocks.reshape(n, count) * BLOCK
     means, errors = _statistics(sums, blocks * BLOCK)
     parts = np.moveaxis(means[:, :bins].reshape(n, count, bins), 1, 2)
     part_errors = np.moveaxis(errors[:, :bins].reshape(n, count, bins), 1, 2)
-    if question.known is not None:
+    if query.known is not None:
         parts[:, 0] = known
     stokes, stokes_errors = (
         np.moveaxis(rows[:, bins + 1 :].reshape(n, count, 2), 1, 2) for rows in (means, errors)
     )
     total = means[:, bins].reshape(n, count) + known
     total_error = errors[:, bins].reshape(n, count)
-    judged, judged_error = _judged(question, means, errors, known)
+    judged, judged_error = _judged(query, means, errors, known)
     reached = judged_error <= settings.relative_error * judged
     reached = (reached & (judged > 0.0)) | ~open_
     return Estimate(
@@ -192,31 +191,31 @@ def estimate(
 
 
 def _run_block(
-    question: Question, line: int, at: int, air: HistoryOptics, nm: float, block: int,
+    query: Query, line: int, at: int, air: HistoryOptics, nm: float, block: int,
     settings: Settings, out: FloatArray,
 ) -> None:  # fmt: skip
     """Run one block of histories of one task."""
-    start = question.starts[line]
+    start = query.starts[line]
     r, mu, mu_s, nu = (float(one) for one in start)
-    # The stream belongs to the question itself, not to its index in a list of questions.
+    # The stream depends on the line of sight itself, not on its index.
     names = struct.unpack("<5Q", struct.pack("<5d", *(one + 0.0 for one in (r, mu, mu_s, nu, nm))))
-    state = stream(settings.seed, *names, int(question.hemisphere), block)
+    state = stream(settings.seed, *names, int(query.hemisphere), block)
     along = air.extinction
     paths = (new_trace(along), new_trace(along), new_trace(along), new_lit(along), new_lit(along))
     workspace = (
         np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1), np.zeros(2),
         np.zeros((3, 4)),
     )  # fmt: skip
-    first_order = 1 if question.known is None else 2
-    end_r = np.sqrt(max(r * r + question.lengths[line] * (question.lengths[line] + 2 * r * mu), 1))
-    end_mu_s = (r * mu_s + question.lengths[line] * nu) / end_r
-    lowest = mu_s if question.hemisphere else min(mu_s, end_mu_s)
+    first_order = 1 if query.known is None else 2
+    end_r = np.sqrt(max(r * r + query.lengths[line] * (query.lengths[line] + 2 * r * mu), 1))
+    end_mu_s = (r * mu_s + query.lengths[line] * nu) / end_r
+    lowest = mu_s if query.hemisphere else min(mu_s, end_mu_s)
     sun_sampling_fraction = _SUN_SAMPLING_FRACTION if lowest < _LOW_STAR else 0.0
     occulted = OccultedStar.whole()
-    if question.occulted is not None:
-        occulted = question.occulted[line].lane(at)
+    if query.occulted is not None:
+        occulted = query.occulted[line].lane(at)
     trace_paths(
-        BLOCK, (r, mu, mu_s, nu), question.hemisphere, first_order, sun_sampling_fraction, air,
+        BLOCK, (r, mu, mu_s, nu), query.hemisphere, first_order, sun_sampling_fraction, air,
         occulted, state, paths, workspace, out,
     )  # fmt: skip
 
@@ -230,26 +229,26 @@ def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatAr
 
 
 def _judged(
-    question: Question, means: FloatArray, errors: FloatArray, known: FloatArray
+    query: Query, means: FloatArray, errors: FloatArray, known: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Value and error of each task that decide when it is done, shape (tasks,)."""
-    if question.order is None:
+    """Value and error of each task for the stopping rule, shape (tasks,)."""
+    if query.order is None:
         return means[:, -3] + known.ravel(), errors[:, -3]
-    if question.order == 1 and question.known is not None:
+    if query.order == 1 and query.known is not None:
         return known.ravel(), np.zeros(known.size)
-    return means[:, question.order - 1], errors[:, question.order - 1]
+    return means[:, query.order - 1], errors[:, query.order - 1]
 
 
 def _more(
-    question: Question, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
+    query: Query, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
     open_: NDArray[np.bool_], settings: Settings, most: int,
 ) -> NDArray[np.int64]:  # fmt: skip
     """Number of blocks of each task after the next round, shape (tasks,)."""
     means, errors = _statistics(sums, blocks * BLOCK)
-    value, error = _judged(question, means, errors, known)
+    value, error = _judged(query, means, errors, known)
     allowed = settings.relative_error * value
     ratio = np.divide(error, allowed, out=np.full(value.size, 2.0), where=allowed > 0.0)
-    # A tenth more than estimated from the scatter, so that the next round is usually the last.
+    # A tenth more than estimated from the variance, so that the next round is usually the last.
     need = np.where(ratio > 1.0, np.ceil(1.1 * blocks * np.square(np.minimum(ratio, 1e3))), blocks)
     dark = (value <= 0.0) & (blocks >= _DARK)
     wanted = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)

@@ -1,7 +1,7 @@
-"""Events of a history: their points, contributions of direct light, and directions after them.
+"""Events of a history: sampled points, next-event estimation, and directions after scattering.
 
-Every function is inlined into ``histories.trace_paths``; random numbers are drawn in the order in
-which they are written here.
+All functions are inlined into ``histories.trace_paths``; random numbers are drawn in the order
+written here.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Final
 
 from airlight.kernel import inlined
 from airlight.optics.density_profile import relative_density
-from airlight.optics.reflection import star_factor
+from airlight.optics.reflection import direct_reflectance
 from airlight.solvers.montecarlo.lit_air import density_in_light, place_in_light
 from airlight.solvers.montecarlo.rays import place_at_depth, point_at
 from airlight.solvers.montecarlo.scattering_angles import lobe_value, random_cosine
@@ -19,15 +19,15 @@ from airlight.solvers.montecarlo.streams import uniform
 
 #: Fraction of the weight after the first event below which roulette begins. [1]
 KEEP: Final = 0.5
-#: Event from which a history ends with a probability of at least 1/1000. Light that reaches the
-#: ground of Venus has been scattered thousands of times: histories cut short by weights that grow
-#: faster than their light falls have no variance that a sample shows.
+#: Event from which a history ends with a probability of at least 1/1000. Light at the ground of
+#: Venus has been scattered thousands of times; shorter histories with weights that grow faster than
+#: radiance falls would have a variance that no sample reveals.
 LONG: Final = 10_000
 #: Largest probability of survival from that event on. [1]
 LONG_SURVIVAL: Final = 0.999
 
-#: Last event whose point is also drawn where the star shines. Each such draw doubles the weight of
-#: a point in the dark, and in deep air the light of dusk comes by many of those.
+#: Last event with sun-biased sampling. Each biased draw doubles the weight of a point in the
+#: shadow, and in thick media twilight is scattered by many of those.
 MAX_BIASED_EVENTS: Final = 6
 
 _INVERSE_PI: Final = 1.0 / pi
@@ -64,19 +64,19 @@ def start_vectors(mu, mu_s, nu):
 def draw_in_air(
     r, mu, panels, depth, collision_probability, total, sun_sampling_fraction, air, path, lit, state
 ):
-    """Draw the point of a scattering event on a traced ray.
+    """Sampled point of a scattering event on a traced ray.
 
     Parameters
     ----------
     r, mu : float
         Start of the ray. [m], [1]
     panels, depth : int, float
-        Result of ``trace``.
+        Result of ``trace_optical_depth``.
     collision_probability : float
-        Probability of a scattering or absorption on the ray, 1 - exp(-depth). [1]
+        Collision probability on the ray, 1 - exp(-depth). [1]
     total, sun_sampling_fraction : float
-        Result of ``sun_sampling_integral``, 0 without sampling towards the sun's light; and
-        fraction of the points that are sampled so. [1]
+        Result of ``sun_sampling_integral``, 0 without sun-biased sampling; and fraction of points
+        sampled with bias. [1]
     air, path, lit, state :
         See ``trace_paths``.
 
@@ -85,8 +85,8 @@ def draw_in_air(
     along, strength : float
         Distance along the ray [m] and extinction there [m⁻¹].
     mixture : float
-        Density with which the point was drawn over exponential attenuation; 0 for a point that
-        cannot be used. [1]
+        Sampling density of the mixture over that of exponential attenuation; 0 for an unusable
+        point. [1]
     """
     if total > 0.0 and uniform(state) < sun_sampling_fraction:
         at, t, wanted = place_in_light(
@@ -108,7 +108,7 @@ def draw_in_air(
 
 @inlined
 def scattering_shares(altitude, air, shares):
-    """Scattering coefficient at an altitude [m⁻¹]; write each constituent's share to ``shares``."""
+    """Scattering coefficient at an altitude [m⁻¹]; ``shares`` receives each constituent's."""
     total = 0.0
     for i in range(shares.size):
         amount = 0.0
@@ -126,7 +126,7 @@ def scattering_shares(altitude, air, shares):
 
 @inlined
 def towards_star(sun_x, sun_z, disc, state):
-    """Draw a direction to the star's disc, ``disc`` being 1 - cos of its angular radius. [1]"""
+    """Sampled direction to the star's disc, ``disc`` being 1 - cos of its angular radius. [1]"""
     a, b, c = sun_x, 0.0, sun_z
     if disc > 0.0:
         cosine = 1.0 - disc * uniform(state)
@@ -136,7 +136,7 @@ def towards_star(sun_x, sun_z, disc, state):
 
 @inlined
 def scattered_share(turn, air, shares):
-    """Share of the star's light that the air scatters back along the history. [sr⁻¹]"""
+    """Phase function of next-event estimation at a scattering event. [sr⁻¹]"""
     share = 0.0
     for i in range(shares.size):
         if shares[i] > 0.0:
@@ -145,19 +145,18 @@ def scattered_share(turn, air, shares):
 
 
 @inlined
-def reflected_share(mu_s, leaving, turn, returned, air):
-    """Share of the star's light that the ground reflects back along the history. [sr⁻¹]"""
+def reflected_share(mu_s, mu_r, turn, returned, air):
+    """BRDF factor of next-event estimation at a reflection by the ground. [sr⁻¹]"""
     share = max(mu_s, 0.0) * _INVERSE_PI
-    return share * (star_factor(air.ground, 0, max(mu_s, 0.0), leaving, turn) / returned)
+    return share * (direct_reflectance(air.ground, 0, max(mu_s, 0.0), mu_r, turn) / returned)
 
 
 @inlined
 def roulette(weight, reference, event, state):
-    """Weight of a history that goes on; 0 of one that ends.
+    """Russian roulette: weight of a surviving history, 0 of a terminated one.
 
-    Once the weight is below ``KEEP`` of ``reference``, the history survives with probability
-    weight/(KEEP reference), and with a weight raised accordingly; from event ``LONG`` on at most
-    with ``LONG_SURVIVAL``.
+    Below ``KEEP`` of ``reference`` the survival probability is weight/(KEEP reference), and the
+    weight is divided by it; from event ``LONG`` on it is at most ``LONG_SURVIVAL``.
     """
     survival = min(weight / (KEEP * reference), 1.0)
     if event >= LONG:
@@ -171,7 +170,7 @@ def roulette(weight, reference, event, state):
 
 @inlined
 def scattered_direction(u, v, w, air, shares, state):
-    """Draw a constituent by its share, and the direction after scattering by it. [1]"""
+    """Sampled direction after scattering, by a constituent drawn from ``shares``. [1]"""
     chosen = shares.size - 1
     pick = uniform(state)
     for i in range(shares.size):

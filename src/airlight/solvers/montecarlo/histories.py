@@ -1,26 +1,23 @@
-"""Histories of light, followed backwards from the observer to the star.
+"""Backward Monte Carlo histories, from the observer to the star.
 
-A history starts at the observer and is forced to end its ray in an event: it scatters before the
-ray leaves the air (weight 1 - T), or is reflected by the ground (weight A T, A the part of a beam
-from there that is sent back); which of the two is drawn in proportion to these weights. Each event
-sends its share of light from a random point of the star's disc (next-event estimation), then a new
-direction is drawn from the phase function of a constituent chosen in proportion to what it scatters
-there, or from Lambert's law, weighed by the ground's. Absorption lowers the weight.
+Collisions are forced: each ray ends in a scattering event before it leaves the atmosphere (weight
+1 - T) or in a reflection by the ground (weight A T, with the directional albedo A), drawn in
+proportion to these weights. Each event contributes direct light from a random point of the star's
+disc (next-event estimation); the new direction is drawn from the phase function of a constituent,
+chosen in proportion to its scattering coefficient, or from Lambert's law, weighted by the actual
+reflection law. Absorption lowers the weight.
 
-Histories end by Russian roulette alone: once the weight is below ``KEEP`` of what it was after the
-first event, a history goes on with probability weight/KEEP, and with a weight raised accordingly;
-from event ``LONG`` on at most with ``LONG_SURVIVAL``. The expectation is that of the infinite
-series; no order is cut off.
+Histories end only by Russian roulette (``events.roulette``), so that the expectation is that of the
+infinite series of orders.
 
-Polarised light has, beside the weight, the product of the phase matrices over the phase functions
-so far (see ``stokes``); events and directions are drawn as for unpolarised light.
+Polarised histories carry the product of phase matrices over phase functions (see ``stokes``);
+events and directions are sampled as for scalar transfer.
 
-A moon in front of the star dims each share of its light by the part that it hides from the event.
+A moon in front of the star dims each contribution by the fraction that it hides from the event.
 
 Geometry: straight rays between spheres, positions and directions as vectors; the star is at
-infinity. Every angle is the local one; nothing is expanded or looked up but the air's extinction
-over altitude (see ``rays``). Where light is bent, radii are optical ones, and point and direction
-are turned at each event (see ``bent_paths``).
+infinity. Only extinction is tabulated, over altitude (see ``rays``). With refraction, radii are
+optical ones, and point and direction are rotated at each event (see ``refracted_paths``).
 """
 
 from __future__ import annotations
@@ -30,8 +27,7 @@ from math import exp, expm1, pi, sin, sqrt
 from airlight.geometry.occulted_star import seen_part
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
-from airlight.optics.reflection import leaving_cosine, sky_factor, star_factor
-from airlight.solvers.montecarlo.bent_paths import bent_on_way, seen_direction, turned_together
+from airlight.optics.reflection import cos_reflected, diffuse_reflectance, direct_reflectance
 from airlight.solvers.montecarlo.events import (
     MAX_BIASED_EVENTS,
     draw_in_air,
@@ -45,7 +41,12 @@ from airlight.solvers.montecarlo.events import (
     turned,
 )
 from airlight.solvers.montecarlo.lit_air import sun_sampling_integral
-from airlight.solvers.montecarlo.rays import trace
+from airlight.solvers.montecarlo.rays import trace_optical_depth
+from airlight.solvers.montecarlo.refracted_paths import (
+    refraction_on_path,
+    seen_direction,
+    turned_together,
+)
 from airlight.solvers.montecarlo.stokes import (
     arriving,
     begin,
@@ -65,13 +66,13 @@ def _from_star(r, mu, air, path):
     """Transmittance from a point to space; 0 if the planet blocks the ray. [1]"""
     if meets_ground(r, mu, air.extinction.bottom):
         return 0.0
-    _, depth = trace(r, mu, False, air.extinction, path)
+    _, depth = trace_optical_depth(r, mu, False, air.extinction, path)
     return exp(-depth)
 
 
 @inlined
 def _add_history(contribution, polarised, reached, sums):
-    """Add a history's contribution of each order, and its square, to the sums; reset it."""
+    """Add a history's contributions by order, and their squares, to the sums; reset them."""
     whole = 0.0
     for k in range(2):
         value = polarised[k]
@@ -93,7 +94,7 @@ def trace_paths(
     count, start, hemisphere, first_order, sun_sampling_fraction, air, occulted, state, paths,
     workspace, sums
 ):  # fmt: skip
-    """Trace histories and add their contributions, and the squares, to the sums of each order.
+    """Trace histories; add their contributions by order, and the squares, to the sums.
 
     Parameters
     ----------
@@ -102,15 +103,15 @@ def trace_paths(
     start : tuple of float
         Radius [m], cosines of view zenith, star zenith and the angle between them [1].
     hemisphere : bool
-        Whether to start in random directions of the upper hemisphere, for the irradiance of a
-        level surface, rather than along the view.
+        Whether to start in random directions of the upper hemisphere, for horizontal irradiance,
+        rather than along the view.
     first_order : int
-        Orders below this one are followed but not counted.
+        Lowest order that is counted.
     sun_sampling_fraction : float
-        Fraction of the points that are sampled towards the star's light; see ``lit_air``. [1]
+        Fraction of sun-biased points; see ``lit_air``. [1]
     air : HistoryOptics
     occulted : OccultedStar
-        Moon in front of the star, in the frame of ``start_vectors``; without lanes if none is.
+        Moon in front of the star, in the frame of ``start_vectors``; without lanes for none.
     state : array, shape (1,)
         State of the stream of random numbers.
     paths : tuple
@@ -120,14 +121,14 @@ def trace_paths(
         Scattering by each constituent, shape (nc,); contributions of a history to each order,
         shape (k,), and to Q and U of all, shape (2,); the product of ``stokes``, shape (3, 4).
     sums : array, shape (2, k + 3)
-        Sums and sums of squares of each order, the last order gathering all further ones, then of
-        all orders together, and of their Q and U.
+        Sums and sums of squares of each order, the last including all further ones; then of all
+        orders together, and of their Q and U.
     """
     start_r, start_mu, mu_s, nu = start
     first_path, next_path, star_path, first_lit, next_lit = paths
     shares, contribution, polarised, importance = workspace
     bottom, top = air.extinction.bottom, air.extinction.top
-    bending = air.bending
+    refraction = air.refraction
     orders = contribution.size
     view_x, view_y, sun_x = start_vectors(start_mu, mu_s, nu)
     disc = 2.0 * sin(0.5 * air.star_radius) ** 2
@@ -136,7 +137,9 @@ def trace_paths(
     grounded = meets_ground(start_r, start_mu, bottom)
     first_count, first_depth, first_total = 0, 0.0, 0.0
     if not hemisphere:
-        first_count, first_depth = trace(start_r, start_mu, grounded, air.extinction, first_path)
+        first_count, first_depth = trace_optical_depth(
+            start_r, start_mu, grounded, air.extinction, first_path
+        )
         if sun_sampling_fraction > 0.0:
             first_total = sun_sampling_integral(
                 start_r, start_mu, mu_s, nu, first_count, air.extinction, air.light, first_path,
@@ -163,12 +166,12 @@ def trace_paths(
                 to_ground, panels, depth = grounded, first_count, first_depth
             else:
                 to_ground = meets_ground(r, mu, bottom)
-                panels, depth = trace(r, mu, to_ground, air.extinction, next_path)
+                panels, depth = trace_optical_depth(r, mu, to_ground, air.extinction, next_path)
             collision_probability = -expm1(-depth)
-            leaving, returned, reflected = 0.0, 0.0, 0.0
+            mu_r, returned, reflected = 0.0, 0.0, 0.0
             if to_ground:
-                leaving = leaving_cosine(r, mu, bottom)
-                returned = sky_factor(air.ground, 0, leaving)
+                mu_r = cos_reflected(r, mu, bottom)
+                returned = diffuse_reflectance(air.ground, 0, mu_r)
                 reflected = returned * exp(-depth)
             if not collision_probability + reflected > 0.0:
                 break
@@ -212,8 +215,8 @@ def trace_paths(
                 if not (strength > 0.0 and scattering > 0.0):
                     break
                 weight *= scattering / strength
-            if bending.bend > 0.0:
-                angle = bent_on_way(from_r, from_mu, along, bottom, top - bottom, bending)
+            if refraction.strength > 0.0:
+                angle = refraction_on_path(from_r, from_mu, along, bottom, top - bottom, refraction)
                 p, q, s = u, v, w
                 x, y, z, u, v, w = turned_together(x, y, z, u, v, w, angle)
                 a1, a2, a3 = carried_axis(a1, a2, a3, p, q, s, u, v, w)
@@ -222,12 +225,12 @@ def trace_paths(
             if event >= first_order:
                 a, b, c = towards_star(sun_x, mu_s, disc, state)
                 a, b, c, sun_mu, refraction_jacobian = seen_direction(
-                    x, y, z, r, a, b, c, bottom, top, bending
+                    x, y, z, r, a, b, c, bottom, top, refraction
                 )
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 first, second, third = 1.0, 0.0, 0.0
                 if on_ground:
-                    share = reflected_share(sun_mu, leaving, turn, returned, air)
+                    share = reflected_share(sun_mu, mu_r, turn, returned, air)
                 elif not air.polarised:
                     share = scattered_share(turn, air, shares)
                 else:
@@ -256,7 +259,7 @@ def trace_paths(
                 a, b, c = turned(x / r, y / r, z / r, cosine, 2.0 * pi * uniform(state))
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 # Drawn by Lambert's law; any other reflection weights the direction.
-                weight *= star_factor(air.ground, 0, cosine, leaving, turn) / returned
+                weight *= direct_reflectance(air.ground, 0, cosine, mu_r, turn) / returned
                 u, v, w = a, b, c
                 a1, a2, a3 = start_axis(u, v, w)
             else:

@@ -1,4 +1,4 @@
-"""Optical properties of a medium at one wavelength for histories, with a sufficient quadrature."""
+"""Optical properties of a medium at one wavelength for histories, and the choice of quadrature."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from airlight.optics.altitude_nodes import CELLS
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
-from airlight.solvers.montecarlo.bent_paths import Bending, bending_of
 from airlight.solvers.montecarlo.lit_air import Starlight, make_starlight
 from airlight.solvers.montecarlo.rays import (
     Extinction,
     most_panels,
     new_trace,
     point_at,
-    trace,
+    trace_optical_depth,
 )
+from airlight.solvers.montecarlo.refracted_paths import RefractionColumn, refraction_column
 from airlight.solvers.montecarlo.scattering_angles import Lobes, lobes
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
@@ -31,8 +31,8 @@ FloatArray = NDArray[np.float64]
 #: Number of steps of the extinction table: of a smooth profile, and the most.
 TABLE_STEPS: Final = 16384
 MOST_STEPS: Final = 1 << 22
-#: Points per panel, panels per leg and whether panels also end at corners, from fast to fine; the
-#: first rule of sufficient accuracy is used.
+#: Points per panel, panels per leg and whether panels also end at breakpoints, from fast to fine;
+#: the first rule of sufficient accuracy is used.
 RULES: Final = (
     (12, 1, False),
     (16, 1, False),
@@ -44,14 +44,14 @@ RULES: Final = (
     (20, 2, True),
     (24, 4, True),
 )
-#: Allowed maximum and root-mean-square error of the light lost by a ray up to each of its points,
-#: relative to the total loss, over ``_test_rays``.
+#: Largest allowed maximum and RMS error of the attenuation up to each point of a ray, relative to
+#: the total attenuation, over ``_test_rays``.
 LARGEST_ERROR: Final = 1e-3
 MEAN_ERROR: Final = 2e-4
 
 
 class HistoryOptics(NamedTuple):
-    """Optical properties of air and ground at one wavelength.
+    """Optical properties of atmosphere and ground at one wavelength.
 
     Attributes
     ----------
@@ -64,13 +64,13 @@ class HistoryOptics(NamedTuple):
     lobes : Lobes
         Phase functions.
     ground : Reflection
-        Reflection by the ground.
+        Reflectance of the ground.
     star_radius : float
         Angular radius of the star. [rad]
     light : Starlight
-        Coarse table of the star's light.
-    bending : Bending
-        How light is bent.
+        Coarse table of transmittance to the star.
+    refraction : RefractionColumn
+        Refraction.
     polarised : bool
         Whether histories carry polarisation.
     """
@@ -83,23 +83,25 @@ class HistoryOptics(NamedTuple):
     ground: Reflection
     star_radius: float
     light: Starlight
-    bending: Bending
+    refraction: RefractionColumn
     polarised: bool
 
 
-def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool) -> HistoryOptics:
-    """Prepare a medium at one of its wavelengths.
+def history_optics(
+    geometry: RefractedGeometry, wavelength: int, *, polarised: bool
+) -> HistoryOptics:
+    """Optical properties of a medium at one of its wavelengths.
 
     Parameters
     ----------
-    paths : RefractedGeometry
-        Paths of light in the medium.
+    geometry : RefractedGeometry
+        Refracted geometry of the medium.
     wavelength : int
         Index of the wavelength.
     polarised : bool
         Whether histories carry polarisation.
     """
-    medium = paths.medium
+    medium = geometry.medium
     density = medium.density
     finest = float(np.diff(density.first_nodes).max())
     steps = min(int(max(CELLS * finest, TABLE_STEPS)), MOST_STEPS)
@@ -107,7 +109,7 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
     coefficients = medium.extinction[:, wavelength]
     table = np.ascontiguousarray(coefficients @ density.at(medium.thickness * x * x))
     jumps = medium.bottom_radius + jump_altitudes(density)
-    corners = medium.bottom_radius + corner_altitudes(density)
+    breakpoints = medium.bottom_radius + breakpoint_altitudes(density)
     r, mu, length = _test_rays(medium)
     whole = columns(r, mu, length, medium.bottom_radius, density) @ coefficients
     for points, panels, cut in RULES:
@@ -116,7 +118,7 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
             medium.bottom_radius,
             medium.top_radius,
             table,
-            corners if cut else jumps,
+            breakpoints if cut else jumps,
             panels,
             rule.nodes,
             rule.weights,
@@ -143,13 +145,13 @@ def history_optics(paths: RefractedGeometry, wavelength: int, *, polarised: bool
         ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
         star_radius=medium.lights[0].angular_radius,
         light=make_starlight(chosen),
-        bending=bending_of(paths, steps + 1),
+        refraction=refraction_column(geometry, steps + 1),
         polarised=polarised,
     )
 
 
 def jump_altitudes(density: DensitySegments) -> FloatArray:
-    """Altitudes inside the shell at which a profile is not continuous. [m]"""
+    """Altitudes inside the shell at which a profile is discontinuous. [m]"""
     found: set[float] = set()
     for edges, rows in zip(density.edges, density.coefficients, strict=True):
         for k in range(1, len(rows)):
@@ -164,13 +166,13 @@ def jump_altitudes(density: DensitySegments) -> FloatArray:
     return np.array(sorted(found))
 
 
-def corner_altitudes(density: DensitySegments) -> FloatArray:
-    """Altitudes of jumps, and of the corners of profiles that have few. [m]"""
-    return np.union1d(jump_altitudes(density), density.corners)
+def breakpoint_altitudes(density: DensitySegments) -> FloatArray:
+    """Altitudes of jumps and breakpoints of the profiles. [m]"""
+    return np.union1d(jump_altitudes(density), density.breakpoints)
 
 
 def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Rays to space from the ground to high up, from the zenith to the horizon."""
+    """Rays to space from various altitudes, from the zenith to the horizon."""
     heights = np.array([0.0, 0.003, 0.01, 0.03, 0.06, 0.1, 0.2, 0.4])
     bottom, top = medium.bottom_radius, medium.top_radius
     r = (bottom + heights * medium.thickness)[:, None]
@@ -184,7 +186,7 @@ def _test_rays(medium: Medium) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @compiled_loop
 def running_depths(r, mu, extinction, path, distances, out):
-    """Compute optical depths of rays to space up to their panels' points and the panels' ends.
+    """Optical depths of rays to space up to the points and ends of their panels.
 
     Parameters
     ----------
@@ -196,7 +198,7 @@ def running_depths(r, mu, extinction, path, distances, out):
     """
     nodes, running = extinction.nodes, extinction.running
     for k in range(r.size):
-        count, _ = trace(r[k], mu[k], False, extinction, path)
+        count, _ = trace_optical_depth(r[k], mu[k], False, extinction, path)
         before, at = 0.0, 0
         for panel in range(count):
             for j in range(nodes.size + 1):

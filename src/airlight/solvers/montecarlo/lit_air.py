@@ -1,11 +1,10 @@
-"""Points along a ray drawn where the star shines: importance sampling for twilight.
+"""Sun-biased sampling of points along a ray: importance sampling for twilight.
 
-When the star is low, most of the air along a ray lies in the planet's shadow. Half of the points
-of a history's first events (``events.MAX_BIASED_EVENTS``) are then drawn from a density that
-follows single scattering, extinction times transmittance times the star's light. That light is read
-from a coarse table, which affects only the noise: the weight of each point is the ratio of the true
-density to the mixture of both (the balance heuristic of Veach & Guibas 1995,
-doi:10.1145/218380.218498), at most 2.
+With a low star most of a ray lies in the planet's shadow. Half of the points of a history's first
+events (``events.MAX_BIASED_EVENTS``) are then drawn in proportion to single scattering: extinction
+times transmittance times direct irradiance. The latter comes from a coarse table, which affects
+only the variance: the weight of a point is the ratio of the unbiased density to the mixture of both
+(the balance heuristic of Veach & Guibas 1995, doi:10.1145/218380.218498), at most 2.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ from airlight.solvers.montecarlo.rays import (
     depth_within,
     most_panels,
     new_trace,
-    trace,
+    trace_optical_depth,
 )
 
 FloatArray = NDArray[np.float64]
@@ -34,7 +33,7 @@ _ELEVATIONS: Final = 80
 
 
 class Starlight(NamedTuple):
-    """Approximate fraction of the star's light that arrives.
+    """Coarse table of the transmittance to the star.
 
     Attributes
     ----------
@@ -51,12 +50,12 @@ class Starlight(NamedTuple):
 
 
 class Lit(NamedTuple):
-    """Pieces of a ray and their shares of the light.
+    """Sampling density along a ray, piecewise around its quadrature points.
 
     Attributes
     ----------
     mass : array, shape (p, n)
-        Mass of the piece around each point of each panel.
+        Unnormalised probability of the piece around each point of each panel.
     depth : array, shape (p, n)
         Optical depth from the panel's start to each point.
     before : array, shape (p,)
@@ -75,7 +74,7 @@ def new_lit(extinction: Extinction) -> Lit:
 
 
 def make_starlight(extinction: Extinction) -> Starlight:
-    """Compute the table for one wavelength."""
+    """Table for one wavelength."""
     values = np.empty((_HEIGHTS, _ELEVATIONS))
     _fill(extinction, new_trace(extinction), values)
     return Starlight(extinction.bottom, extinction.top - extinction.bottom, values)
@@ -91,7 +90,7 @@ def _fill(extinction, path, values):
         for j in range(values.shape[1]):
             e = j / (values.shape[1] - 1.0)
             mu = min(horizon + (1.0 - horizon) * e * e, 1.0)
-            values[i, j] = exp(-trace(r, mu, False, extinction, path)[1])
+            values[i, j] = exp(-trace_optical_depth(r, mu, False, extinction, path)[1])
 
 
 @inlined
@@ -111,7 +110,7 @@ def _starlight(r, mu_s, light):
 
 @compiled_loop
 def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
-    """Integral of the sampling density towards the star's light along a traced ray, by segments.
+    """Integral of the sun-biased sampling density along a traced ray, by pieces.
 
     Parameters
     ----------
@@ -119,7 +118,7 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
         Radius of the ray's start, and cosines of its zenith angle, of the star's, and of the angle
         between them. [m], [1]
     count : int
-        Number of panels, from ``trace``.
+        Number of panels, from ``trace_optical_depth``.
     extinction, light, path : Extinction, Starlight, Trace
     lit : Lit
         Receives the pieces.
@@ -127,7 +126,7 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
     Returns
     -------
     float
-        Sum of the masses; 0 where everything is dark.
+        Sum of the masses; 0 in complete shadow.
     """
     nodes, weights, running = extinction.nodes, extinction.weights, extinction.running
     n = nodes.size
@@ -145,8 +144,8 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
             square = y * y
             away = sqrt(panel[1] * panel[1] + square * (2.0 * panel[0] + square))
             q = panel[0] + square
-            here = (r * mu_s + (-r * mu + panel[2] * away) * nu) / q
-            mass = weights[k] * values[k] * exp(-depth - within) * _starlight(q, here, light)
+            mu_s_point = (r * mu_s + (-r * mu + panel[2] * away) * nu) / q
+            mass = weights[k] * values[k] * exp(-depth - within) * _starlight(q, mu_s_point, light)
             lit.mass[at, k] = mass
             total += mass
         depth += panel[5]
@@ -155,7 +154,7 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
 
 @compiled_loop
 def place_in_light(u, v, count, total, extinction, path, lit):
-    """Draw a point from the pieces.
+    """Point sampled from the sun-biased density.
 
     Parameters
     ----------
@@ -190,7 +189,7 @@ def place_in_light(u, v, count, total, extinction, path, lit):
 
 @compiled_loop
 def density_in_light(at, t, total, extinction, lit):
-    """Density with which ``place_in_light`` draws a point, per own variable of the panel."""
+    """Sampling density of ``place_in_light``, per panel variable."""
     weights = extinction.weights
     edge = 0.0
     for k in range(weights.size):

@@ -1,13 +1,13 @@
-"""Optical depth along a ray at one wavelength, and the point where a given depth is reached.
+"""Optical depth along a ray at one wavelength, and its inverse.
 
-A ray has one or two legs, cut at its lowest point; on a leg the radius is ``r = low + y²`` and y is
-the variable of Gauss-Legendre panels, as in ``geometry.path``. The running integrals of a panel
-give the depth at its points; between two of them the depth is inverted by safeguarded Newton steps
-on a three-point rule that begins at the nearer point.
+A ray has one or two legs, separated by its tangent point; on a leg ``r = low + y²``, with y the
+variable of Gauss-Legendre panels, as in ``geometry.path``. The running integrals of a panel give
+the optical depth at its points; between them it is inverted by safeguarded Newton steps on a
+three-point rule that begins at the nearer point.
 
-Extinction comes from a table over the square root of altitude, fine enough for errors below 1e-6 of
-the ground's value; panels end where a profile jumps and, in thick air, where it has a corner.
-Columns are never looked up.
+Extinction is tabulated over the square root of altitude, with errors below 1e-6 of its value at the
+ground; panels end at discontinuities of a profile and, in thick media, at its breakpoints. Columns
+are integrated.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from airlight.kernel import compiled_loop, inlined
 
 FloatArray = NDArray[np.float64]
 
-#: Relative height of the tangent point below which a leg begins beside it; see ``geometry.path``.
+#: Relative distance from the tangent point below which a leg starts there; see ``geometry.path``.
 BESIDE: Final = 0.02
-#: Optical depth above which a panel is integrated again up to the depth found, until it is thinner.
+#: Optical depth above which a panel is bisected at the current solution, until it is thinner.
 _THICK: Final = 6.0
 #: Three-point Gauss-Legendre on [0, 1].
 _THREE: Final = (0.11270166537925831, 0.5, 0.8872983346207417)
@@ -32,12 +32,12 @@ _SHARES: Final = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
 class Extinction(NamedTuple):
-    """Extinction of the air at one wavelength, and the division of rays into panels.
+    """Extinction at one wavelength, and the division of rays into panels.
 
     Attributes
     ----------
     bottom, top : float
-        Radii of ground and top. [m]
+        Radii of the ground and of the top. [m]
     table : array, shape (m,)
         Extinction at even steps of the square root of altitude over thickness. [m⁻¹]
     cuts : array, shape (j,)
@@ -67,7 +67,7 @@ class Trace(NamedTuple):
         Lowest radius of the leg, half the chord there, -1 or 1 for descending or ascending,
         y at start and end, and optical depth.
     values : array, shape (p, n)
-        Optical depth per panel's own variable, 0 to 1, at its points.
+        Optical depth per unit of the panel variable, 0 to 1, at its points.
     again : array, shape (n,)
         Workspace.
     """
@@ -99,7 +99,7 @@ def extinction_at(altitude, table, scale):
 
 @inlined
 def per_y(y, low, beside, bottom, table, scale):
-    """Value of a table at y times ds/dy: optical depth per y, for extinction."""
+    """Tabulated value at y times ds/dy: for extinction, optical depth per y."""
     square = y * y
     away = sqrt(beside * beside + square * (2.0 * low + square))
     slope = 2.0 * y * (low + square) / away if away > 0.0 else sqrt(2.0 * low)
@@ -108,7 +108,7 @@ def per_y(y, low, beside, bottom, table, scale):
 
 @inlined
 def _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values):
-    """Fill one panel's values at its points, per own variable; return its optical depth."""
+    """Fill the values of a panel, per unit of its variable; returns its optical depth."""
     width = abs(end - start)
     total = 0.0
     for k in range(nodes.size):
@@ -124,7 +124,7 @@ def _leg(
     start_r, end_r, tangent, sign, extinction, table, nodes, weights, cuts, trace_panels,
     trace_values, count,
 ):  # fmt: skip
-    """Add the panels of one leg; return the number of panels, and the leg's optical depth."""
+    """Add the panels of a leg; returns the number of panels, and the leg's optical depth."""
     bottom = extinction.bottom
     scale = (table.size - 1) / sqrt(extinction.top - bottom)
     high, low = max(start_r, end_r), min(start_r, end_r)
@@ -166,8 +166,8 @@ def _leg(
 
 
 @compiled_loop
-def trace(r, mu, to_ground, extinction, path):
-    """Cut a ray into panels and integrate the optical depth of each.
+def trace_optical_depth(r, mu, to_ground, extinction, path):
+    """Panels of a ray, and its optical depth.
 
     Parameters
     ----------
@@ -208,23 +208,23 @@ def trace(r, mu, to_ground, extinction, path):
 
 @compiled_loop
 def place_at_depth(depth, count, extinction, path):
-    """Find the point at which a traced ray reaches an optical depth.
+    """Point at which a traced ray reaches an optical depth.
 
     Parameters
     ----------
     depth : float
-        Depth, below that of the whole ray. [1]
+        Optical depth, below that of the whole ray. [1]
     extinction : Extinction
-        Extinction of ``trace``.
+        Extinction of ``trace_optical_depth``.
     count, path : int, Trace
-        Result and output of ``trace``.
+        Result and output of ``trace_optical_depth``.
 
     Returns
     -------
     panel : int
         Index of the panel.
     t : float
-        Position on the panel's own variable, 0 to 1.
+        Panel variable, 0 to 1.
     """
     table, bottom = extinction.table, extinction.bottom
     nodes, weights, running = extinction.nodes, extinction.weights, extinction.running
@@ -256,8 +256,8 @@ def place_at_depth(depth, count, extinction, path):
             before = so_far
         if whole <= _THICK or upper >= n - 2:
             break
-        # The rule's error is a share of the total: a shorter panel is more accurate at its
-        # beginning.
+        # The quadrature error is relative to the total: a shorter panel is more accurate at its
+        # start.
         end = start + (end - start) * nodes[upper + 1]
         values = path.again
         whole = _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values)
@@ -303,9 +303,9 @@ def point_at(panel, t, r, mu, extinction):
     panel : array, shape (6,)
         Panel of a ``Trace``.
     t : float
-        Position on its own variable, 0 to 1.
+        Panel variable, 0 to 1.
     r, mu, extinction : float, float, Extinction
-        Arguments of ``trace``.
+        Arguments of ``trace_optical_depth``.
 
     Returns
     -------
@@ -314,7 +314,7 @@ def point_at(panel, t, r, mu, extinction):
     extinction : float
         Extinction at the point, as used for optical depths. [m⁻¹]
     slope : float
-        Optical depth per own variable.
+        Optical depth per unit of the panel variable.
     """
     table = extinction.table
     scale = (table.size - 1) / sqrt(extinction.top - extinction.bottom)
@@ -335,7 +335,7 @@ def depth_within(at, t, base, before, extinction, path):
     Parameters
     ----------
     at, t : int, float
-        Index of the panel, and position on its own variable.
+        Index of the panel, and panel variable.
     base : int
         Index of the rule's point just below t; -1 is the panel's start.
     before : float

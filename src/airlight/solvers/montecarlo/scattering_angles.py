@@ -1,8 +1,8 @@
-"""Random scattering angles, distributed exactly as each phase function.
+"""Exact sampling of scattering angles.
 
-Every phase function of a planet becomes a kind, three numbers and, for tables, rows; compiled loops
-draw cosines from it and evaluate it. Formulas whose distribution can be inverted have a kind of
-their own (``EXACT``); any other phase function is given by the rows of its ``sampled`` table.
+Each phase function is encoded as a kind, three numbers and, for tables, rows, from which compiled
+loops sample cosines and evaluate it. Formulas with an invertible distribution function have a kind
+of their own (``EXACT``); all others are represented by their ``sampled`` table.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ HENYEY: Final = 2
 DOUBLE_HENYEY: Final = 3
 CORNETTE: Final = 4
 TABLE: Final = 5
-#: Phase functions with a sampler of their own, by their names in planet files.
+#: Phase functions with an exact sampler, by their names in planet files.
 EXACT: Final = {
     "rayleigh": RAYLEIGH,
     "henyey-greenstein": HENYEY,
@@ -40,7 +40,7 @@ EXACT: Final = {
 _LEAST: Final = float(SMALLEST_LOGARITHMIC)
 
 
-#: Angles [rad], values [sr⁻¹], cumulative light [1] and ratios (3, m) [1] of a table.
+#: Angles [rad], values [sr⁻¹], distribution function [1] and ratios (3, m) [1] of a table.
 _Row: TypeAlias = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
 
 
@@ -52,14 +52,14 @@ class Lobes(NamedTuple):
     kinds : array of int, shape (nc,)
         Kind of each: ``RAYLEIGH``, ... ``TABLE``; ``NOTHING`` does not scatter.
     parameters : array, shape (nc, 3)
-        Depolarisation; g; g₁, g₂, α; g; or for a table: first row, number of rows (1 or 2) and the
-        first row's share of the scattered light.
+        Depolarisation; g; g₁, g₂, α; g; or for a table: first row, number of rows (1 or 2) and
+        weight of the first row.
     angles : array, shape (rows, m)
         Angles of tables, ascending from 0 to π; padded with π. [rad]
     values : array, shape (rows, m)
         Values of tables, normalised to 1. [sr⁻¹]
     cumulative : array, shape (rows, m)
-        Fraction of the light that is scattered by less than the angle. [1]
+        Distribution function of the scattering angle. [1]
     ratios : array, shape (rows, 3, m)
         F₁₂, F₃₃ and F₃₄ over the phase function of tables. [1]
     """
@@ -73,9 +73,9 @@ class Lobes(NamedTuple):
 
 
 def lobes(medium: Medium, wavelength: int) -> Lobes:
-    """Prepare the phase functions of a medium at one of its wavelengths.
+    """Phase functions of a medium at one of its wavelengths.
 
-    Tables are normalised here, as those of a planet integrate to 1 only within 0.001.
+    Tables are normalised, since those of a planet integrate to 1 only within 0.001.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def lobes(medium: Medium, wavelength: int) -> Lobes:
 
 
 def _add_rows(sampled: tuple[PhaseRow, ...], rows: list[_Row]) -> tuple[float, float, float]:
-    """Append the one or two rows that apply at a wavelength; return parameters of their mixture."""
+    """Append the one or two rows at a wavelength; returns the parameters of their mixture."""
     first = len(rows)
     light = []
     for row in sampled:
@@ -128,11 +128,11 @@ def _add_rows(sampled: tuple[PhaseRow, ...], rows: list[_Row]) -> tuple[float, f
 
 
 def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
-    r"""Light scattered into each ring between two angles of a table.
+    r"""Probability of scattering into each interval of angles of a table.
 
     .. math:: 2\pi \int p_0 e^{a(\theta - \theta_0)} \sin\theta\, d\theta
 
-    by Gauss-Legendre, and the linear law where a value is next to 0.
+    by Gauss-Legendre quadrature, with linear interpolation next to values of 0.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
     Returns
     -------
     array, shape (m - 1,)
-        Light in each ring. [1]
+        Probability of each interval. [1]
     """
     from airlight.geometry.quadrature import gauss_legendre
 
@@ -220,7 +220,7 @@ def henyey_greenstein_cosine(u, g):
 
 @inlined
 def _table_place(angles, angle):
-    """Index of the angle of a table before the one given, and share of the way to the next."""
+    """Index of the tabulated angle below, and fraction of the step to the next."""
     low, high = 0, angles.size - 1
     while high - low > 1:
         middle = (low + high) // 2
@@ -234,7 +234,7 @@ def _table_place(angles, angle):
 
 @inlined
 def _table_value(angles, values, angle):
-    """Phase function of a table: its logarithm is linear in the angle between two values."""
+    """Phase function of a table, with its logarithm linear in angle."""
     low, share = _table_place(angles, angle)
     before, after = values[low], values[low + 1]
     if before > _LEAST and after > _LEAST:
@@ -244,7 +244,7 @@ def _table_value(angles, values, angle):
 
 @inlined
 def _table_cosine(angles, values, cumulative, state):
-    """Draw a cosine from a table: the ring by inversion, within the ring by rejection."""
+    """Cosine sampled from a table: the interval by inversion, within it by rejection."""
     u = uniform(state)
     low, high = 0, cumulative.size - 1
     while high - low > 1:
@@ -271,13 +271,13 @@ def _table_cosine(angles, values, cumulative, state):
 
 @compiled_loop
 def random_cosine(lobes, i, state):
-    """Draw a cosine of the scattering angle, distributed as constituent i scatters.
+    """Sampled cosine of the scattering angle of constituent i.
 
     Parameters
     ----------
     lobes : Lobes
     i : int
-        Index of a constituent that scatters.
+        Index of a scattering constituent.
     state : array, shape (1,)
         Stream of random numbers.
 

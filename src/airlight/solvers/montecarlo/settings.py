@@ -1,4 +1,4 @@
-"""Quality levels of the Monte Carlo solver: the noise aimed at, and the bound on histories."""
+"""Settings and quality levels of the Monte Carlo solver: target error and limit of histories."""
 
 from __future__ import annotations
 
@@ -16,20 +16,18 @@ class Settings:
     Attributes
     ----------
     relative_error : float
-        Standard error over radiance, at every wavelength, at which a line of sight is done; 1e-6
-        to 1. [1]
+        Target of the standard error over radiance, at every wavelength; 1e-6 to 1. [1]
     most_histories : int
         Largest number of histories per line of sight and wavelength, 1000 to 1e12; the report
         counts the lines that did not reach the error.
     seed : int
         Seed of the random numbers, 0 to 2⁶⁴ - 1.
     kept_orders : int
-        Orders of scattering whose parts are kept apart, 1 to 64; all further ones are summed.
+        Number of orders of scattering that are recorded separately, 1 to 64.
     exact_first_order : bool
-        Whether the light scattered or reflected once is integrated rather than sampled.
+        Whether the first order is computed by quadrature rather than sampled.
     polarisation : bool
-        Whether histories carry polarisation; without, Q and U are 0 and I is that of scalar
-        transfer.
+        Whether transfer is polarised rather than scalar, with Q and U 0.
     """
 
     relative_error: float = 0.005
@@ -54,7 +52,7 @@ class Settings:
                 raise ParameterError(name, value, f"{kind}{low:g} to {high:.10g}")
 
     def as_text(self) -> str:
-        """Return all settings on one line, for reports."""
+        """Settings on one line, for reports."""
         return " ".join(f"{name}={value}" for name, value in asdict(self).items())
 
 
@@ -66,7 +64,7 @@ QUALITIES: Final = {
 
 
 def settings_for(quality: str | Settings) -> Settings:
-    """Settings of a named quality level, or the given settings.
+    """Settings of a named quality level; settings are returned unchanged.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Result of the Monte Carlo solver, which answers each question with new histories."""
+"""Solution of the Monte Carlo solver: each query traces new histories."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from airlight.geometry.shell import distance_to_top
 from airlight.kernel import vectorized
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
-from airlight.solvers.montecarlo.bent_paths import direct_irradiance_bent
-from airlight.solvers.montecarlo.estimate import Estimate, Question, estimate
+from airlight.solvers.lines_of_sight import LinesOfSight
+from airlight.solvers.montecarlo.estimate import Estimate, Query, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
+from airlight.solvers.montecarlo.refracted_paths import refracted_direct_irradiance
 from airlight.solvers.montecarlo.settings import Settings
-from airlight.solvers.sight import Sight
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.star_light import direct_irradiance
@@ -41,13 +41,13 @@ class MonteCarloReport(Report):
     Attributes
     ----------
     solver, settings, sweeps, residual, seconds, ground :
-        Fields of ``Report``; ``sweeps`` is the number of orders kept apart, ``residual`` the
-        largest standard error over radiance per wavelength, of the last result.
+        Fields of ``Report``; ``sweeps`` is the number of separate orders, ``residual`` the largest
+        standard error over radiance per wavelength, of the last result.
     histories : int
-        Number of histories followed for the last result.
+        Number of histories of the last result.
     unreached : int
-        Number of its lines of sight whose error is larger than requested, at some wavelength: the
-        bound on histories was reached, or no light was found.
+        Number of its lines of sight that did not reach the requested error at some wavelength, by
+        the limit of histories or without any contribution.
     lines : int
         Number of its lines of sight.
     """
@@ -59,10 +59,12 @@ class MonteCarloReport(Report):
     def _described(self, took: str) -> str:
         ground = f"; {self.ground}" if self.ground else ""
         if not self.lines:
-            return f"{self.solver}: nothing asked yet ({self.settings}){ground}"
+            return f"{self.solver}: no result yet ({self.settings}){ground}"
         missed = ""
         if self.unreached:
-            missed = f", {self.unreached} of {self.lines} lines of sight NOT within the error asked"
+            missed = (
+                f", {self.unreached} of {self.lines} lines of sight NOT within the requested error"
+            )
         return (
             f"{self.solver}: {self.histories:.3g} histories, largest error "
             f"{max(self.residual):.1e}{missed}{took} ({self.settings}){ground}"
@@ -70,13 +72,12 @@ class MonteCarloReport(Report):
 
 
 class MonteCarloSolution(Solution):
-    """Solution by Monte Carlo: no table of radiance, every result is traced.
+    """Monte Carlo solution: every result is traced.
 
-    The same question with the same seed gives the same histories, to the last bit, independent of
-    other questions. Errors of different lines of sight and of different wavelengths are
-    independent; those of the orders of one line are not. Order 1 is exact by quadrature unless the
-    settings say otherwise or light is bent (irradiances are always sampled whole). Nothing is kept
-    on disk.
+    Results are reproducible to the last bit for a seed, independent of other queries. Errors of
+    different lines of sight and of different wavelengths are independent; those of the orders of a
+    line are not. Order 1 is exact by quadrature, except with refraction, for irradiances, or by
+    settings. Nothing is cached on disk.
 
     Parameters
     ----------
@@ -85,7 +86,7 @@ class MonteCarloSolution(Solution):
     settings : Settings
         Stopping rule.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; used for every result.
+        See ``airlight.kernel.threads``; for every result.
     """
 
     def __init__(
@@ -102,7 +103,7 @@ class MonteCarloSolution(Solution):
         self.cancel = cancel
         self.highest_order = settings.kept_orders
         self.airs = [
-            history_optics(self.paths, k, polarised=settings.polarisation)
+            history_optics(self.geometry, k, polarised=settings.polarisation)
             for k in range(medium.wavelengths.size)
         ]
         self.report: MonteCarloReport = MonteCarloReport(
@@ -113,28 +114,28 @@ class MonteCarloSolution(Solution):
             seconds=0.0,
         )
 
-    def trace(self, sight: Sight, *, order: int | None = None) -> Estimate:
+    def trace(self, lines: LinesOfSight, *, order: int | None = None) -> Estimate:
         """All estimates for lines of sight.
 
         Parameters
         ----------
-        sight : Sight
+        lines : LinesOfSight
         order : int, optional
-            Order whose error decides when to stop; all orders together if left out.
+            Order whose error decides when to stop; default: all orders together.
         """
         started = perf_counter()
-        known = self.first_order(sight) if self._integrates_first_order else None
-        sight = self.paths.sight(sight)
-        lengths = sight.length
+        known = self.first_order(lines) if self._integrates_first_order else None
+        lines = self.geometry.optical_lines(lines)
+        lengths = lines.length
         if order == 1 and known is not None:
             lengths = np.zeros_like(lengths)
-        starts = np.stack([sight.r, sight.mu, sight.mu_s, sight.nu], axis=1)
-        return self.answer(Question(starts, lengths, False, known, order), started)
+        starts = np.stack([lines.r, lines.mu, lines.mu_s, lines.nu], axis=1)
+        return self.answer(Query(starts, lengths, False, known, order), started)
 
-    def answer(self, question: Question, started: float) -> Estimate:
-        """Answer a question that was asked at ``started``, a time of ``perf_counter``. [s]"""
+    def answer(self, query: Query, started: float) -> Estimate:
+        """Estimate of a query that began at ``started``, by ``perf_counter``. [s]"""
         got = estimate(
-            question,
+            query,
             self.airs,
             self.medium.wavelengths,
             self.settings,
@@ -155,28 +156,27 @@ class MonteCarloSolution(Solution):
         )
         return got
 
-    def first_order(self, sight: Sight) -> FloatArray:
-        """I, Q and U scattered or reflected once, by quadrature, per the star's, (n, 3, nl). [sr⁻¹]
+    def first_order(self, lines: LinesOfSight) -> FloatArray:
+        """First order of I, Q and U by quadrature, per irradiance of the star, (n, 3, nl). [sr⁻¹]
 
-        The star's light and the phase function are averaged over its disc separately: within the
-        aureole of a sun on the horizon the mean of their product differs by up to some parts in
-        1000.
+        Direct irradiance and phase function are averaged over the star's disc separately: within
+        the aureole of a sun on the horizon the mean of their product differs by some parts in 1000.
         """
-        once = single_scattering(self.medium, sight, progress=self.progress, cancel=self.cancel)
-        found = np.zeros((sight.r.size, 3, self.wavelengths.size))
-        phases = disc_mean(self.medium, self.medium.phase_function, sight.nu)
-        found[:, 0] = (once * phases).sum(axis=1) + reflected_once(self.medium, sight)
+        once = single_scattering(self.medium, lines, progress=self.progress, cancel=self.cancel)
+        found = np.zeros((lines.r.size, 3, self.wavelengths.size))
+        phases = disc_mean(self.medium, self.medium.phase_function, lines.nu)
+        found[:, 0] = (once * phases).sum(axis=1) + reflected_once(self.medium, lines)
         if self.settings.polarisation:
-            across = disc_mean(self.medium, self.medium.polarising, sight.nu)
-            cosine, sine = star_planes(sight.mu, sight.mu_s, sight.nu)
+            across = disc_mean(self.medium, self.medium.phase_f12, lines.nu)
+            cosine, sine = star_planes(lines.mu, lines.mu_s, lines.nu)
             polarised = (once * across).sum(axis=1)
             found[:, 1] = polarised * cosine[:, None]
             found[:, 2] = polarised * sine[:, None]
         return found
 
-    def relative_radiance(self, sight: Sight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; orders up to ``highest_order`` can be requested."""
-        got = self.trace(sight, order=order)
+    def relative_radiance(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
+        """See ``Solution``; orders up to ``highest_order``."""
+        got = self.trace(lines, order=order)
         return got.total if order is None else got.parts[:, order - 1]
 
     @property
@@ -184,25 +184,25 @@ class MonteCarloSolution(Solution):
         """See ``Solution``."""
         return self.settings.polarisation
 
-    def relative_stokes(self, sight: Sight, *, order: int | None = None) -> FloatArray:
-        """See ``Solution``; all orders, or only the first where that is integrated.
+    def relative_stokes(self, lines: LinesOfSight, *, order: int | None = None) -> FloatArray:
+        """See ``Solution``; all orders, or the first if computed by quadrature.
 
         Raises
         ------
         ParameterError
-            If another order is requested: Q and U are those of all orders together.
+            If another order is requested.
         """
         if order is None:
-            got = self.trace(sight)
+            got = self.trace(lines)
             return np.concatenate([got.total[:, None], got.polarised], axis=1)
         if order != 1 or not self._integrates_first_order:
             allowed = "1, or all orders together" if self._integrates_first_order else "all orders"
             raise ParameterError("order", order, f"{allowed} for polarised light")
-        return self.first_order(sight)
+        return self.first_order(lines)
 
     @property
     def _integrates_first_order(self) -> bool:
-        return self.settings.exact_first_order and self.paths.shell is None
+        return self.settings.exact_first_order and self.geometry.shell is None
 
     def radiance(
         self,
@@ -214,9 +214,9 @@ class MonteCarloSolution(Solution):
         order: int | None = None,
         stokes: bool = False,
     ) -> xarray.DataArray:
-        """See ``Solution``; the coordinate ``standard_error`` has the result's shape and unit.
+        """See ``Solution``; with a coordinate ``standard_error`` of the same shape and unit.
 
-        ``estimate`` returns the contributions of the orders too.
+        ``estimate`` also returns the contributions of the orders.
         """
         if stokes and order is not None:  # the first, by quadrature
             return super().radiance(
@@ -226,8 +226,8 @@ class MonteCarloSolution(Solution):
         if stokes:
             self.check_polarised()
         self.check_order(order)
-        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
-        got = self.trace(sight, order=order)
+        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
+        got = self.trace(lines, order=order)
         values, errors = got.total, got.total_error
         if order is not None:
             values, errors = got.parts[:, order - 1], got.part_errors[:, order - 1]
@@ -247,22 +247,24 @@ class MonteCarloSolution(Solution):
         }
 
     def relative_sky_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
-        """See ``Solution``; sampled over directions, the first order too."""
+        """See ``Solution``; all orders sampled, also in direction."""
         return self._sky(r, mu_s).total
 
     def _sky(self, r: FloatArray, mu_s: FloatArray) -> Estimate:
         up = np.ones_like(r)
-        r = self.paths.optical_radius(r)
-        lengths = vectorized(distance_to_top)(r, up, self.paths.medium.top_radius)
-        question = Question(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
-        return self.answer(question, perf_counter())
+        r = self.geometry.optical_radius(r)
+        lengths = vectorized(distance_to_top)(r, up, self.geometry.medium.top_radius)
+        query = Query(np.stack([r, up, mu_s, mu_s], axis=1), lengths, True, None, None)
+        return self.answer(query, perf_counter())
 
     def relative_direct_irradiance(self, r: FloatArray, mu_s: FloatArray) -> FloatArray:
         """See ``Solution``; by quadrature."""
-        if self.paths.shell is None:
+        if self.geometry.shell is None:
             return direct_irradiance(self.medium, r, mu_s)
         star = self.medium.lights[0].angular_radius
-        return direct_irradiance_bent(self.paths, star, self.paths.optical_radius(r), mu_s)
+        return refracted_direct_irradiance(
+            self.geometry, star, self.geometry.optical_radius(r), mu_s
+        )
 
     def estimate(
         self,
@@ -273,41 +275,41 @@ class MonteCarloSolution(Solution):
         azimuth: Measures = 0.0,
         stokes: bool = False,
     ) -> xarray.Dataset:
-        """Radiance with its standard error, and the contribution of each order of scattering.
+        """Radiance with standard error, and contribution of each order of scattering.
 
-        The settings' error is that of the radiance; those of Q and U are about as large, in the
-        same unit.
+        The target error applies to radiance; errors of Q and U are about as large, in the same
+        unit.
 
         Parameters
         ----------
         altitude, sun_zenith, view_zenith, azimuth : array
             Arguments of ``radiance``. [m], [deg]
         stokes : bool
-            Whether to return I, Q and U too, as ``radiance`` does.
+            Whether to return also I, Q and U, as ``radiance`` does.
 
         Returns
         -------
         xarray.Dataset
             ``radiance`` and ``standard_error`` [W m⁻² sr⁻¹ nm⁻¹], ``histories`` and ``reached``
-            (whether the error is as small as requested), each of shape (..., wavelength);
+            (whether the target error was reached), each of shape (..., wavelength);
             ``order_radiance`` and ``order_standard_error`` of shape (..., order, wavelength);
-            ``higher_radiance`` and ``higher_standard_error`` of all further orders together; with
+            ``higher_radiance`` and ``higher_standard_error`` of all further orders; with
             ``stokes``, ``stokes_radiance`` and ``stokes_standard_error`` of shape
-            (..., stokes, wavelength), where those of a vertical line take the errors of Q and U as
+            (..., stokes, wavelength); for a vertical line, errors of Q and U are assumed
             independent.
 
         Raises
         ------
         ParameterError
-            If a value is out of its range, the shapes do not broadcast, or polarised light is
-            requested of scalar transfer.
+            If a value is out of its range, the shapes do not broadcast, or Stokes parameters are
+            requested of a scalar solution.
         Cancelled
             If ``cancel`` returned True.
         """
         if stokes:
             self.check_polarised()
-        arrays, sight, axes = self._questions(altitude, sun_zenith, view_zenith, azimuth)
-        got = self.trace(sight)
+        arrays, lines, axes = self._rays_from_arguments(altitude, sun_zenith, view_zenith, azimuth)
+        got = self.trace(lines)
         sun = self.lights[0].irradiance
         unit = "W m-2 sr-1 nm-1"
         kept = self.settings.kept_orders
@@ -359,7 +361,7 @@ def _turned(
 
 
 def _turned_errors(got: Estimate, view_zenith: FloatArray, azimuth: FloatArray) -> FloatArray:
-    """Standard errors of I, Q and U in that frame, shape (n, 3, nl), from each one's alone."""
+    """Standard errors of I, Q and U in that frame, shape (n, 3, nl), without covariances."""
     alone = np.eye(2)[:, None, :, None] * got.polarised_error
     q, u = (_turned(got.total_error, one, view_zenith, azimuth) for one in alone)
     return np.concatenate([q[:, :1], np.hypot(q[:, 1:], u[:, 1:])], axis=1)
@@ -368,13 +370,13 @@ def _turned_errors(got: Estimate, view_zenith: FloatArray, azimuth: FloatArray) 
 def disc_mean(
     medium: Medium, element: Callable[[FloatArray], FloatArray], nu: FloatArray
 ) -> FloatArray:
-    """Element of the phase matrices averaged over the star's disc.
+    """Element of the phase matrices, averaged over the star's disc.
 
     Parameters
     ----------
     medium : Medium
     element : callable
-        Function of cosines of scattering angles: ``medium.phase_function`` or ``.polarising``.
+        Function of cosines of scattering angles: ``medium.phase_function`` or ``.phase_f12``.
     nu : array, shape (n,)
         Cosine between the view and the centre of the disc. [1]
 
@@ -406,7 +408,7 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MonteCarloSolution:
-    """Prepare a medium for histories.
+    """Monte Carlo solution of a medium.
 
     Parameters
     ----------
@@ -415,8 +417,8 @@ def solve(
     settings : Settings
         Stopping rule.
     cache : bool
-        Ignored: nothing is kept on disk.
+        Ignored: nothing is cached on disk.
     progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; kept for the results.
+        See ``airlight.kernel.threads``; for every result.
     """
     return MonteCarloSolution(medium, settings, progress=progress, cancel=cancel)

@@ -1,12 +1,11 @@
-"""Polarisation along a history: what a beam at its end contributes to the observer's Stokes vector.
+"""Polarisation along a backward history: product of its phase matrices.
 
-A history is followed from the observer to the star, so that the phase matrices of its events stand
-in a product from left to right. ``importance`` is that product so far, over the weight that the
-phase functions have had: three rows, the observer's I, Q and U, of four columns, the Stokes
-parameters of the light that arrives along the history now. These refer to two axes across the
-history's direction n, a (Q > 0 for light that swings along it) and n × a (U > 0 half-way between).
-
-At the start a is e_θ, down the meridian, and n × a is e_φ.
+A history runs from the observer to the star, so that the phase matrices of its events are
+multiplied from left to right. ``importance`` is this product over the product of phase functions:
+three rows, the observer's I, Q and U, by four columns, the Stokes parameters of light arriving
+along the current segment. The latter refer to two axes normal to the direction n of the segment: a
+(Q > 0 is polarised along a) and n × a (U > 0 half-way between). At the start a is e_θ, down the
+meridian, and n × a is e_φ.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from airlight.solvers.montecarlo.scattering_angles import lobe_ratios, lobe_valu
 
 @inlined
 def start_axis(u, v, w):
-    """Axis e_θ of a direction: across it, in its meridian plane, downwards. [1]"""
+    """Axis e_θ of a direction: normal to it, in its meridian plane, downwards. [1]"""
     flat = sqrt(u * u + v * v)
     if flat < 1e-12:
         return w, 0.0, 0.0
@@ -28,7 +27,7 @@ def start_axis(u, v, w):
 
 @inlined
 def plane_turn(ux, uy, uz, vx, vy, vz, ax, ay, az):
-    """Turn from the axis a to the plane of two directions u and v.
+    """Rotation from the axis a to the plane of two directions u and v.
 
     Returns
     -------
@@ -41,7 +40,7 @@ def plane_turn(ux, uy, uz, vx, vy, vz, ax, ay, az):
     # u × a, the second axis
     bx, by, bz = uy * az - uz * ay, uz * ax - ux * az, ux * ay - uy * ax
     length = sqrt(x * x + y * y + z * z)
-    if length < 1e-12:  # straight on or back: any plane through both
+    if length < 1e-12:  # forward or backward scattering: any plane through both
         return 1.0, 0.0, bx, by, bz
     x, y, z = x / length, y / length, z / length
     cosine, sine = x * bx + y * by + z * bz, -(x * ax + y * ay + z * az)
@@ -50,7 +49,7 @@ def plane_turn(ux, uy, uz, vx, vy, vz, ax, ay, az):
 
 @inlined
 def begin(importance, hemisphere):
-    """Start the product: the observer's I, Q and U are those of the light that arrives."""
+    """Initial product: the identity in I, Q and U."""
     for s in range(3):
         for k in range(4):
             importance[s, k] = 1.0 if s == k else 0.0
@@ -60,7 +59,7 @@ def begin(importance, hemisphere):
 
 @inlined
 def depolarise(importance):
-    """Let the ground, which sends unpolarised light, end the polarisation of the product."""
+    """Multiply the product by a depolarising reflection."""
     for s in range(3):
         for k in range(1, 4):
             importance[s, k] = 0.0
@@ -68,7 +67,7 @@ def depolarise(importance):
 
 @compiled_loop
 def mixed_matrix(turn, air, shares):
-    """Phase matrix of the air at a point: F₁₁ [sr⁻¹], and F₁₂, F₂₂, F₃₃, F₃₄, F₄₄ over it [1]."""
+    """Phase matrix of the medium at a point: F₁₁ [sr⁻¹]; F₁₂, F₂₂, F₃₃, F₃₄, F₄₄ over F₁₁ [1]."""
     whole, f12, f22, f33, f34, f44 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(shares.size):
         if shares[i] > 0.0:
@@ -87,7 +86,7 @@ def mixed_matrix(turn, air, shares):
 
 @inlined
 def scatter(importance, cosine, sine, f12, f22, f33, f34, f44):
-    """Multiply the product by a turn to the scattering plane and by a phase matrix over F₁₁.
+    """Multiply the product by the rotation to the scattering plane and a phase matrix over F₁₁.
 
     Parameters
     ----------
@@ -110,12 +109,12 @@ def scatter(importance, cosine, sine, f12, f22, f33, f34, f44):
 
 @inlined
 def arriving(importance, s, cosine, sine, f12):
-    """The star's light in the observer's Stokes parameter s, per light by the phase function. [1]
+    """Contribution of direct light to the observer's Stokes parameter s, over F₁₁. [1]
 
     Parameters
     ----------
     importance, cosine, sine, f12 :
-        As in ``scatter``; the star's light is unpolarised.
+        As in ``scatter``; direct light is unpolarised.
     s : int
         0, 1 or 2 for I, Q or U.
     """
@@ -125,7 +124,7 @@ def arriving(importance, s, cosine, sine, f12):
 
 @inlined
 def carried_axis(ax, ay, az, u, v, w, p, q, s):
-    """Axis a after its direction (u, v, w) has been bent to (p, q, s), turned as that was. [1]"""
+    """Axis a after refraction of the direction (u, v, w) to (p, q, s), by the same rotation."""
     away = (ax * p + ay * q + az * s) / (1.0 + u * p + v * q + w * s)
     return ax - away * (u + p), ay - away * (v + q), az - away * (w + s)
 

@@ -1,9 +1,9 @@
 """Streams of random numbers, one per line of sight, wavelength and block of histories.
 
-The numbers of a stream follow from the seed and the indices alone, so that a result does not depend
-on the number of threads. All streams are parts of one cycle of 2⁶⁴ states from scattered starting
-points: two of n streams of m numbers overlap with a probability of about n² m / 2⁶⁴, which is 1e-5
-for 10⁴ streams of 10⁶ numbers.
+A stream depends on the seed and its indices only, so that results do not depend on the number of
+threads. All streams are parts of one cycle of 2⁶⁴ states with random starting points: two of n
+streams of m numbers overlap with a probability of about n² m / 2⁶⁴, 1e-5 for 10⁴ streams of 10⁶
+numbers.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ def stream(seed: int, *indices: int) -> NDArray[np.uint64]:
     Parameters
     ----------
     seed : int
-        Seed of the whole run.
+        Seed of the run.
     *indices : int
         Indices that identify the stream.
 
     Returns
     -------
     array, shape (1,)
-        State for ``uniform``, which changes it.
+        State for ``uniform``, which updates it.
 
     Examples
     --------
@@ -60,7 +60,7 @@ def stream(seed: int, *indices: int) -> NDArray[np.uint64]:
 
 @inlined
 def uniform(state):
-    """Next number of a stream, uniform inside (0, 1).
+    """Next number of a stream, uniform in (0, 1).
 
     Parameters
     ----------

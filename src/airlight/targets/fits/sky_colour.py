@@ -17,7 +17,7 @@ from scipy.optimize import minimize
 from airlight.color.color_difference import color_difference
 from airlight.color.spectral import EYE, eye_rgb, irradiance_at, on_eye_grid
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.solvers.sight import Sight
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.solution import Solution
 from airlight.solvers.solve import solve
 from airlight.targets.target import FittedFormula
@@ -108,8 +108,8 @@ def fit_sky_colour(solution: Solution) -> SkyColour:
     if solution.planet is None:
         return SkyColour(sky=sky, sun=sun, fitted=())
     more = solve(solution.planet, picture_wavelengths(solution.planet, _COUNT), "preview")
-    light = solution.relative_radiance(_sights(solution)) * source.irradiance
-    colours = more.relative_radiance(_sights(more)) @ more.lights[0].colors()
+    light = solution.relative_radiance(_lines(solution)) * source.irradiance
+    colours = more.relative_radiance(_lines(more)) @ more.lights[0].colors()
     seen = (light > _DARK * source.irradiance).all(axis=-1)
     if not seen.any():
         return SkyColour(sky=sky, sun=sun, fitted=())
@@ -140,9 +140,9 @@ def fit_sky_colour(solution: Solution) -> SkyColour:
     return SkyColour(sky=best, sun=sun, fitted=(fitted,))
 
 
-def _sights(solution: Solution) -> Sight:
+def _lines(solution: Solution) -> LinesOfSight:
     sun, view, around = np.meshgrid(_SUNS, _VIEWS, _AROUND, indexing="ij")
-    sight, _ = solution.lines_of_sight(
+    lines, _ = solution.lines_of_sight(
         altitude=0.0, sun_zenith=sun, view_zenith=view, azimuth=around
     )
-    return sight
+    return lines

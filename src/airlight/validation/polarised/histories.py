@@ -185,14 +185,14 @@ def beside(
         planet, wavelengths, histories, solver="montecarlo", progress=progress, cancel=cancel
     )
     assert isinstance(judge, MonteCarloSolution)
-    sight, _ = judge.lines_of_sight(**where)
-    got = judge.trace(sight)
+    lines, _ = judge.lines_of_sight(**where)
+    got = judge.trace(lines)
     return Beside(
-        ours=vector.relative_stokes(sight),
-        scalar=scalar.relative_radiance(sight),
+        ours=vector.relative_stokes(lines),
+        scalar=scalar.relative_radiance(lines),
         known=np.concatenate([got.total[:, None], got.polarised], axis=1),
         error=np.concatenate([got.total_error[:, None], got.polarised_error], axis=1),
-        nu=sight.nu,
+        nu=lines.nu,
         noise=noise,
     )
 

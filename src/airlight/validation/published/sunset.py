@@ -13,7 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.bending import apparent_sun
+from airlight.geometry.refraction import apparent_sun
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.validation.published.row import PublishedRow, PublishedSection
@@ -24,64 +24,68 @@ DIAMETER: Final = 2.0 * 0.2665
 _NM: Final = 550.0
 
 
-def refraction(paths: RefractedGeometry, seen: float) -> float:
+def refraction(geometry: RefractedGeometry, seen: float) -> float:
     """Lift of a star seen from the ground. [deg]
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
     seen : float
         Apparent altitude of the star. [deg]
     """
-    x = paths.optical_radius(np.array([paths.medium.bottom_radius]))
-    if paths.shell is not None:
-        x = np.array([paths.shell.bottom])
-    return degrees(float(paths.bent(x, np.array([sin(radians(seen))]))[0]))
+    x = geometry.optical_radius(np.array([geometry.medium.bottom_radius]))
+    if geometry.shell is not None:
+        x = np.array([geometry.shell.bottom])
+    return degrees(float(geometry.refraction_angle(x, np.array([sin(radians(seen))]))[0]))
 
 
-def flattening(paths: RefractedGeometry, diameter: float = DIAMETER) -> float:
+def flattening(geometry: RefractedGeometry, diameter: float = DIAMETER) -> float:
     """Height over width of a star whose lower limb touches the horizon of the ground. [1]
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
     diameter : float
         True angular diameter of the star. [deg]
     """
-    bottom, top = paths.medium.bottom_radius, paths.medium.top_radius
-    if paths.shell is not None:
-        bottom, top = paths.shell.bottom, paths.shell.top
-    low = -refraction(paths, 0.0)
+    bottom, top = geometry.medium.bottom_radius, geometry.medium.top_radius
+    if geometry.shell is not None:
+        bottom, top = geometry.shell.bottom, geometry.shell.top
+    low = -refraction(geometry, 0.0)
     limbs = [
-        asin(float(apparent_sun(bottom, sin(radians(true)), bottom, top, paths.lift)[0]))
+        asin(
+            float(
+                apparent_sun(bottom, sin(radians(true)), bottom, top, geometry.refraction_table)[0]
+            )
+        )
         for true in (low, low + diameter)
     ]
     return degrees(limbs[1] - limbs[0]) / diameter
 
 
-def paths_of(planet: Planet) -> RefractedGeometry:
+def geometry_of(planet: Planet) -> RefractedGeometry:
     """Paths of light in a planet's air."""
     return RefractedGeometry.of(Medium.from_planet(planet, (_NM,)))
 
 
 def sunset() -> PublishedSection:
     """Refraction and flattening by preset ``earth``."""
-    paths = paths_of(load_planet("earth"))
+    geometry = geometry_of(load_planet("earth"))
     source = "Meeus (1998), chapter 16"
     return PublishedSection(
         title="Setting sun",
         rows=[
             PublishedRow(
                 what="refraction on the horizon", unit="′", published=34.0,
-                ours=60.0 * refraction(paths, 0.0), source="Meeus (1998), chapter 15",
+                ours=60.0 * refraction(geometry, 0.0), source="Meeus (1998), chapter 15",
             ),
             PublishedRow(
                 what="refraction half a degree above", unit="′", published=28.75,
-                ours=60.0 * refraction(paths, 0.5), source=source,
+                ours=60.0 * refraction(geometry, 0.5), source=source,
             ),
             PublishedRow(
                 what="height over width of the sun on the horizon", published=0.84,
-                ours=flattening(paths), source=f"{source}, equations 3 and 4",
+                ours=flattening(geometry), source=f"{source}, equations 3 and 4",
             ),
         ],
         note="At sea level in the U.S. Standard Atmosphere, 15 °C; the published numbers are for "

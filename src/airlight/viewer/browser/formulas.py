@@ -11,7 +11,7 @@ from airlight.color.exposure import eased, exposure_with_stars
 from airlight.color.glare import glare_levels, glare_share
 from airlight.color.xyz import luminance_of
 from airlight.ephemeris import moon_formula, sun_formula
-from airlight.geometry.bending import apparent_sun_cosine
+from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
@@ -51,7 +51,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     filter_axis: (),
     ground_axes: (),
     observer_numbers: (),
-    apparent_sun_cosine: (F32, F32, F32, F32, Table("lift", 3)),
+    apparent_sun_cosine: (F32, F32, F32, F32, Table("refraction_table", 3)),
     luminance_of: (),
     exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
     eased: (),

@@ -207,7 +207,7 @@ def solution_package(
     -------
     numbers : dict
         JSON values: ``uniforms`` by name, ``radius`` of the ground and ``thickness`` of the shell
-        [m], ``star`` (angular radius [rad]), ``paths`` of refracted light, the ``ground`` map,
+        [m], ``star`` (angular radius [rad]), ``geometry`` of refracted rays, the ``ground`` map,
         the ``body`` of the planet, data of a ``second`` light, and ``viewpoints``.
     tables : dict
         Format and values of each texture.
@@ -228,7 +228,7 @@ def solution_package(
         "radius": float(medium.bottom_radius),
         "thickness": float(medium.thickness),
         "star": float(star.angular_radius),
-        "paths": light_paths(solution),
+        "geometry": refracted_geometry(solution),
         "ground": ground_map(None if mapped is None else surface_map(mapped)),
         "body": None if solution.planet is None else solution.planet.body,
         "second": second_light_data(solution),
@@ -241,19 +241,19 @@ def solution_package(
     return numbers, tables
 
 
-def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
-    """Optical radii [m] and lift of stars in a refracting atmosphere; None without refraction."""
-    paths, medium = solution.paths, solution.medium
-    if paths.shell is None:
+def refracted_geometry(solution: MomentsSolution) -> dict[str, Any] | None:
+    """Optical radii [m] and refraction table of a planet; None without refraction."""
+    geometry, medium = solution.geometry, solution.medium
+    if geometry.shell is None:
         return None
     altitudes = np.linspace(0.0, medium.thickness, _RADII)
     true = medium.bottom_radius + altitudes
     return {
-        "excess": [float(f"{x:.9g}") for x in paths.optical_radius(true) - true],
-        "bottom": float(paths.shell.bottom),
-        "top": float(paths.shell.top),
-        "lift": {
-            "values": [float(f"{x:.7g}") for x in paths.lift[:, :, 0].ravel()],
-            "shape": [*paths.lift.shape[:2], 1],
+        "excess": [float(f"{x:.9g}") for x in geometry.optical_radius(true) - true],
+        "bottom": float(geometry.shell.bottom),
+        "top": float(geometry.shell.top),
+        "refraction_table": {
+            "values": [float(f"{x:.7g}") for x in geometry.refraction_table[:, :, 0].ravel()],
+            "shape": [*geometry.refraction_table.shape[:2], 1],
         },
     }

@@ -137,7 +137,7 @@ def _table_text(key: str, table: NDArray[np.float32], uniforms: Mapping[str, Any
         table[columns] = rounded(table[columns], DIGITS)
         return as_text(table, 2 * constituents)
     if key == "fields":
-        degree, suns = int(uniforms["degree"]), int(uniforms["suns"])
+        degree, suns = int(uniforms["degree"]), int(uniforms["sun_angles"])
         texels = suns * (1 + moment_count(degree))
         return as_text(rounded(table, DIGITS), 4 * texels)
     return as_text(rounded(table, DIGITS), 4 if key == "disc" else 4 * constituents)

@@ -19,7 +19,7 @@ from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import THICKEST
 from airlight.optics.reflection import largest_albedo
 from airlight.pixels.shown import WAVELENGTHS
-from airlight.planets.medium import BENDING
+from airlight.planets.medium import REFRACTION_COLUMN
 from airlight.solvers.moments import convergence
 from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.iterate import POLARISED_OVER_RELAXATION
@@ -75,13 +75,13 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
     """
     chosen = page_settings() if settings is None else settings
     medium = solution.medium
-    paths = RefractedGeometry.of(medium)
-    own = float(Optics.chosen(paths.medium, chosen).transport_depth.max())
-    plan = plan_for(paths, chosen, extinction_headroom=_HEADROOM if own > THICKEST else 1.0)
+    geometry = RefractedGeometry.of(medium)
+    own = float(Optics.chosen(geometry.medium, chosen).transport_depth.max())
+    plan = plan_for(geometry, chosen, extinction_headroom=_HEADROOM if own > THICKEST else 1.0)
     made = plan.as_dict()
     stopping = Stopping.of_passes(chosen)
     del made["shaders"]
-    drawn, optics = paths.medium, plan.setup.optics
+    drawn, optics = geometry.medium, plan.setup.optics
     return {
         "plan": made,
         "uniforms": [float(x) for x in plan.solve.reshape(-1)],
@@ -93,7 +93,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
         "night": stopping.night,
         "back": convergence.BACK,
         "air": {
-            "names": [name for name in drawn.names if name != BENDING],
+            "names": [name for name in drawn.names if name != REFRACTION_COLUMN],
             "scattering": _table(_four(drawn.scattering)),
             "absorption": _table(_four(drawn.absorption)),
             "phases": _table(np.moveaxis(_four(np.moveaxis(optics.phases, 1, 2)), 2, 1)),
@@ -119,7 +119,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
 def _synthetic(plan: SolverPlan) -> dict[str, Any]:
     """Parameters of synthetic acceleration, with which pages solve thick air as the CPU does."""
     setup, degree = plan.setup, int(plan.sizes["degree"])
-    cubics = finer_weights(setup.gathering.radii.size, setup.parts).astype(np.float32)
+    cubics = finer_weights(setup.gathering.radii.size, setup.refinement).astype(np.float32)
     return {
         "thicker": THICKEST,
         "degree": min(degree, DEGREE),

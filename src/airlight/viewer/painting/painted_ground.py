@@ -10,17 +10,17 @@ from numpy.typing import NDArray
 from airlight.optics import water
 from airlight.optics.clouds import under_clouds
 from airlight.optics.cox_munk import mirrored_cosine
-from airlight.optics.reflection import WATER, leaving_cosine, sky_share, star_share
+from airlight.optics.reflection import WATER, brdf_diffuse, brdf_direct, cos_reflected
+from airlight.solvers.lines_of_sight import LinesOfSight, enter_shell
 from airlight.solvers.moments.radiance_parts import Parts
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight, enter_shell
 
 FloatArray = NDArray[np.float64]
 
 
 def painted_ground(
     solution: MomentsSolution,
-    sight: Sight,
+    lines: LinesOfSight,
     parts: Parts,
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
@@ -31,7 +31,7 @@ def painted_ground(
     ----------
     solution : MomentsSolution
         Solution shown.
-    sight : Sight
+    lines : LinesOfSight
         A line of sight that ends on the ground.
     parts : Parts
         Its light over ground of the solver's albedo.
@@ -50,13 +50,13 @@ def painted_ground(
     albedo = medium.ground_albedo
     if color is not None:
         albedo = np.clip(medium.map_basis @ color[:3], 0.0, 1.0)
-    r, nu = float(sight.r[0]), float(sight.nu[0])
-    mu_s = (r * float(sight.mu_s[0]) + float(sight.length[0]) * nu) / bottom
+    r, nu = float(lines.r[0]), float(lines.nu[0])
+    mu_s = (r * float(lines.mu_s[0]) + float(lines.length[0]) * nu) / bottom
     mu_s = min(max(mu_s, -1.0), 1.0)
-    leaving = leaving_cosine(r, float(sight.mu[0]), bottom)
+    mu_r = cos_reflected(r, float(lines.mu[0]), bottom)
     by_law = (
-        star_share(ground.law, ground, mu_s, leaving, nu),
-        sky_share(ground.law, ground, leaving),
+        brdf_direct(ground.law, ground, mu_s, mu_r, nu),
+        brdf_diffuse(ground.law, ground, mu_r),
     )
     hidden = ground.cover * ground.cloud_albedo
     solved = [(1.0 - ground.cover) * _factor(one, medium.ground_albedo) + hidden for one in by_law]
@@ -69,36 +69,45 @@ def painted_ground(
         share = 1.0
     elif ground.wet and color is not None:
         share = float(color[3])
-    (star_matte, star_gloss), (sky_matte, sky_gloss) = (
-        ((1.0 - share) * matte, (1.0 - share) * gloss) for matte, gloss in by_law
+    (star_diffuse, star_specular), (sky_diffuse, sky_specular) = (
+        ((1.0 - share) * diffuse, (1.0 - share) * specular) for diffuse, specular in by_law
     )
     mirrored = 0.0
     if share > 0.0:
-        matte, gloss = water.star_share(ground, mu_s, leaving, nu)
-        star_matte, star_gloss = star_matte + share * matte, star_gloss + share * gloss
-        matte, gloss = water.sky_share(ground, leaving)
-        sky_matte, mirrored = sky_matte + share * matte, share * gloss
-    if clouds is not None:
-        star_matte, star_gloss, sky_matte, sky_gloss, mirrored = under_clouds(
-            *clouds, ground.cloud_albedo, star_matte, star_gloss, sky_matte, sky_gloss, mirrored
+        diffuse, specular = water.brdf_direct(ground, mu_s, mu_r, nu)
+        star_diffuse, star_specular = (
+            star_diffuse + share * diffuse,
+            star_specular + share * specular,
         )
-    by_sky = _factor((sky_matte, sky_gloss), albedo)
+        diffuse, specular = water.brdf_diffuse(ground, mu_r)
+        sky_diffuse, mirrored = sky_diffuse + share * diffuse, share * specular
+    if clouds is not None:
+        star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
+            *clouds,
+            ground.cloud_albedo,
+            star_diffuse,
+            star_specular,
+            sky_diffuse,
+            sky_specular,
+            mirrored,
+        )
+    by_sky = _factor((sky_diffuse, sky_specular), albedo)
     if mirrored > 0.0:
-        by_sky += mirrored * _mirrored(solution, mu_s, leaving, nu)
-    return star * _factor((star_matte, star_gloss), albedo), sky * by_sky
+        by_sky += mirrored * _mirrored(solution, mu_s, mu_r, nu)
+    return star * _factor((star_diffuse, star_specular), albedo), sky * by_sky
 
 
 def _factor(shares: tuple[float, float], albedo: FloatArray) -> FloatArray:
     """Reflectance factor of both shares. [1]"""
-    matte, gloss = shares
-    return np.asarray(matte * albedo + gloss)
+    diffuse, specular = shares
+    return np.asarray(diffuse * albedo + specular)
 
 
-def _mirrored(solution: MomentsSolution, mu_s: float, leaving: float, nu: float) -> FloatArray:
+def _mirrored(solution: MomentsSolution, mu_s: float, mu_r: float, nu: float) -> FloatArray:
     """Radiance of the sky that facets turn to over that of a uniform sky, shape (nl,). [1]"""
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
-    mu = mirrored_cosine(leaving, solution.medium.ground.wind)
-    ahead = (nu + leaving * mu_s) / math.sqrt(max(1.0 - leaving * leaving, 1e-12))
+    mu = mirrored_cosine(mu_r, solution.medium.ground.wind)
+    ahead = (nu + mu_r * mu_s) / math.sqrt(max(1.0 - mu_r * mu_r, 1e-12))
     sine = math.sqrt(1.0 - mu * mu)
     turn = min(max(mu * mu_s + sine * min(max(ahead, -1.0), 1.0), -1.0), 1.0)
     r, *line = (np.array([x]) for x in (bottom, mu, sine, mu_s, turn))

@@ -27,9 +27,9 @@ from airlight.scene.camera import Camera
 from airlight.scene.ground_place import map_color
 from airlight.scene.light_position import LightPosition
 from airlight.scene.surface_map import surface_map
+from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.radiance_parts import radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.sight import Sight
 from airlight.solvers.stokes_frame import to_meridian
 from airlight.tables.columns import columns
 from airlight.viewer.painting.painted_ground import painted_ground
@@ -198,29 +198,29 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
     azimuth = math.degrees(math.atan2(-direction[1], direction[0]))
     pictures = lit_scenes(scene, solution)
-    sights = [
+    by_light = [
         one.solution.lines_of_sight(
             altitude=scene.altitude, sun_zenith=one.light.zenith, view_zenith=zenith,
             azimuth=math.remainder(azimuth - one.light.azimuth, 360.0),
         )[0]
         for one in pictures
     ]  # fmt: skip
-    drawn = solution.paths.sight(sights[0])
+    drawn = solution.geometry.optical_lines(by_light[0])
     depth = _depths(solution, drawn)
-    through = np.exp(-depth.sum(axis=0))
+    transmittance = np.exp(-depth.sum(axis=0))
     seen = _ground(solution, scene, direction, drawn)
     spectra: list[tuple[str, FloatArray]] = []
     stokes = np.zeros(2)
     rgb, luminances = np.zeros(3), list[FloatArray]()
-    for sight, (_, lit, air, light) in zip(sights, pictures, strict=True):
+    for lines, (_, lit, air, light) in zip(by_light, pictures, strict=True):
         source = lit.lights[0]
         weights = color_weights(lit) / source.irradiance[:, None]
-        star = _star(lit, scene.altitude, light, direction, through, bool(drawn.to_ground[0]))
+        star = _star(lit, scene.altitude, light, direction, transmittance, bool(drawn.to_ground[0]))
         clouds = probed_clouds(solution, scene, direction, seen[0], light)
-        parts = _spectra(lit, sight, seen[3], clouds) if air else []
+        parts = _spectra(lit, lines, seen[3], clouds) if air else []
         if parts and solution.polarised:
             bearing = np.array([azimuth - light.azimuth])
-            found = to_meridian(lit.relative_stokes(sight), np.array([zenith]), bearing)[0, 1:]
+            found = to_meridian(lit.relative_stokes(lines), np.array([zenith]), bearing)[0, 1:]
             stokes += [luminance(one * source.irradiance @ weights) for one in found]
         parts += [(STAR, star)] if star.any() else []
         if not parts:
@@ -243,7 +243,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         polarised=_polarised(stokes, float(xyz[1])) if solution.polarised else None,
         names=medium.names,
         optical_depth=tuple(tuple(row) for row in depth.tolist()),
-        transmittance=tuple(through.tolist()),
+        transmittance=tuple(transmittance.tolist()),
         distance=seen[0],
         latitude=seen[1],
         longitude=seen[2],
@@ -267,12 +267,12 @@ def _polarised(stokes: FloatArray, whole: float) -> tuple[float, float]:
 
 def _spectra(
     solution: MomentsSolution,
-    sight: Sight,
+    lines: LinesOfSight,
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
 ) -> list[tuple[str, FloatArray]]:
     """Name and spectral radiance of each part except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
-    parts = radiance_parts(solution, sight)
+    parts = radiance_parts(solution, lines)
     sun = solution.lights[0].irradiance
     once = [
         (f"single scattering by {name}", parts.scattered_once[0, c] * sun)
@@ -280,15 +280,15 @@ def _spectra(
         if parts.scattered_once[0, c].any()
     ]
     more = (MORE, parts.scattered_more[0] * sun)
-    if not sight.to_ground[0]:
+    if not lines.to_ground[0]:
         return [*once, more]
-    star, sky = painted_ground(solution, sight, parts, color, clouds)
+    star, sky = painted_ground(solution, lines, parts, color, clouds)
     return [*once, more, (GROUND_STAR, star * sun), (GROUND_SKY, sky * sun)]
 
 
-def _depths(solution: MomentsSolution, drawn: Sight) -> FloatArray:
+def _depths(solution: MomentsSolution, drawn: LinesOfSight) -> FloatArray:
     """Optical depth of each constituent along a line of sight, shape (nc, nl). [1]"""
-    medium, air = solution.medium, solution.paths.medium
+    medium, air = solution.medium, solution.geometry.medium
     column = columns(drawn.r, drawn.mu, drawn.length, air.bottom_radius, air.density)[0]
     return np.asarray(column[: len(medium.names), None] * medium.extinction)
 
@@ -298,13 +298,13 @@ def _star(
     altitude: float,
     position: LightPosition,
     direction: FloatArray,
-    through: FloatArray,
+    transmittance: FloatArray,
     to_ground: bool,
 ) -> FloatArray:
     """Radiance of the light's disc, 0 outside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
     star = solution.lights[0]
     alpha = star.angular_radius
-    nothing = np.zeros_like(through)
+    nothing = np.zeros_like(transmittance)
     if alpha <= 0.0 or to_ground:
         return nothing
     outside = leaving_direction(direction[np.newaxis], solution, altitude)[0]
@@ -330,11 +330,11 @@ def _star(
         1.0 / (left * sun_solid_angle(alpha)), apart, alpha, 0.0, along, star.phase is not None,
         numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"],
     )  # fmt: skip
-    return np.asarray(through * star.irradiance * (star.darkenings @ powers))
+    return np.asarray(transmittance * star.irradiance * (star.darkenings @ powers))
 
 
 def _ground(
-    solution: MomentsSolution, scene: Scene, direction: FloatArray, drawn: Sight
+    solution: MomentsSolution, scene: Scene, direction: FloatArray, drawn: LinesOfSight
 ) -> tuple[float, float | None, float | None, FloatArray | None]:
     """Distance [m], latitude and longitude [deg] of the ground, colour and water of its map [1]."""
     medium, color = solution.medium, None

@@ -64,7 +64,7 @@ class Rayleigh(FormulaPhase):
         none = np.zeros_like(part)
         return np.stack([-np.sqrt(6.0) / 10.0 * part, 0.6 * part, none, none], axis=-1)
 
-    def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+    def phase_f12(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]"""
         cosines = np.asarray(nu, dtype=np.float64)[..., None]
         part = vectorized(anisotropy)(self.parameters_at(wavelengths)[0])

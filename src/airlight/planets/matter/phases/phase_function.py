@@ -77,7 +77,7 @@ class PhaseFunction(TomlModel, ABC):
     def values(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Phase function, shape of nu (...) and wavelengths (nl,) to (..., nl). [sr⁻¹]"""
 
-    def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+    def phase_f12(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]
 
         Zero where only the phase function is known.

@@ -269,10 +269,10 @@ class TabulatedPhase(PhaseFunction):
         angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
         return np.asarray(interpolated(*self._table, angle) @ self._weights(wavelengths))
 
-    def polarising(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
+    def phase_f12(self, nu: npt.ArrayLike, wavelengths: npt.ArrayLike) -> FloatArray:
         """Element F₁₂ of the phase matrix, shape of nu (...) and (nl,) to (..., nl). [sr⁻¹]"""
         if self.ratios is None:
-            return super().polarising(nu, wavelengths)
+            return super().phase_f12(nu, wavelengths)
         angle = np.degrees(np.arccos(np.clip(nu, -1.0, 1.0)))
         across = np.stack([np.interp(angle, self.angles, one[0]) for one in self.ratios], axis=-1)
         return np.asarray((interpolated(*self._table, angle) * across) @ self._weights(wavelengths))

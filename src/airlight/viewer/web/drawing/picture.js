@@ -7,7 +7,7 @@
  * their fields of view, `display` (uniforms of a display of 8 bits), `primaries` by name, `orders`,
  * and `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
  * (`{format, data}` by name, or a `texture` whose ownership is transferred), `ground` (see
- * ground.js), `radius`, `thickness`, `star` and `paths` (see view_uniforms.js).
+ * ground.js), `radius`, `thickness`, `star` and `geometry` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
 import { groundTexels } from "./ground.js";

@@ -11,23 +11,25 @@ import { NOMINAL_ROWS } from "../generated/sizes.js";
 /**
  * Uniforms of the observer and the star.
  *
- * @param {object} planet `radius`, `thickness` [m], `star` [rad], and `paths` with refraction.
+ * @param {object} planet `radius`, `thickness` [m], `star` [rad], and `geometry` with refraction.
  * @param {number} altitude Altitude of the observer. [m]
  * @param {number[]} sun Unit vector towards the star, in the observer's frame.
  */
 export function observerNumbers(planet, altitude, sun) {
-  const { radius, thickness, star, paths } = planet;
+  const { radius, thickness, star, geometry } = planet;
   const outside = altitude >= thickness;
-  const r = paths ? opticalRadius(planet, altitude) : radius + altitude;
-  const bottom = paths ? paths.bottom : radius;
-  const bent = paths && !outside;
-  const seen = bent ? apparent_sun_cosine(r, sun[2], bottom, paths.top, paths.lift) : sun[2];
+  const r = geometry ? opticalRadius(planet, altitude) : radius + altitude;
+  const bottom = geometry ? geometry.bottom : radius;
+  const refracted = geometry && !outside;
+  const apparentSunMu = refracted
+    ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table)
+    : sun[2];
   const [horizonMu, horizonSine, level, seenLevel, disc] = observer_numbers(
     r,
     bottom,
     sun[0],
     sun[1],
-    seen,
+    apparentSunMu,
     star,
   );
   return {
@@ -39,7 +41,7 @@ export function observerNumbers(planet, altitude, sun) {
     sun_x: level,
     sun_z: sun[2],
     seen_x: seenLevel,
-    seen_z: seen,
+    seen_z: apparentSunMu,
     disc,
     draws_disc: Number(star > 0),
   };
@@ -75,8 +77,8 @@ export function cameraNumbers(camera, width, height, projections) {
 }
 
 /** Uniforms of the detail of the ground below the camera. */
-export function detailNumbers({ radius, paths, ground }, camera) {
-  const bottom = paths ? paths.bottom : radius;
+export function detailNumbers({ radius, geometry, ground }, camera) {
+  const bottom = geometry ? geometry.bottom : radius;
   const cell = finest_cell(bottom, ground?.rows ?? NOMINAL_ROWS);
   const numbers = { detailed: Number(camera.detailed), detail_cell: cell };
   "xyz".split("").forEach((name, i) => {
@@ -88,9 +90,9 @@ export function detailNumbers({ radius, paths, ground }, camera) {
 }
 
 /** Optical radius of an observer: its radius in the frame in which rays are straight. [m] */
-function opticalRadius({ radius, thickness, paths }, altitude) {
+function opticalRadius({ radius, thickness, geometry }, altitude) {
   if (altitude > thickness) return radius + altitude;
-  const { excess } = paths;
+  const { excess } = geometry;
   const x = (altitude / thickness) * (excess.length - 1);
   const node = Math.min(Math.floor(x), excess.length - 2);
   return radius + altitude + excess[node] + (x - node) * (excess[node + 1] - excess[node]);

@@ -65,13 +65,13 @@ export function mixingWeights(residuals, lane) {
  * solvers/moments/convergence.py.
  *
  * @param {Float32Array} mean Mean radiance, by radius, sun and wavelength.
- * @param {number} suns
+ * @param {number} sun_angles
  * @param {number[]} thresholds Fraction of the largest mean radiance below which lateral transport
  *   dominates, by wavelength.
  */
-export function accelerationWeights(mean, suns, thresholds) {
+export function accelerationWeights(mean, sun_angles, thresholds) {
   const most = brightest(mean).map((x) => Math.max(x, 1e-30));
-  const column = new Float64Array(suns * LANES).fill(-Infinity);
+  const column = new Float64Array(sun_angles * LANES).fill(-Infinity);
   mean.forEach((value, i) => {
     column[i % column.length] = Math.max(column[i % column.length], value);
   });

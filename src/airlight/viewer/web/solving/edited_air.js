@@ -35,7 +35,7 @@ export function isPlain({ amounts, ground }) {
  * @param {object} air
  * @param {{amounts: number[], ground: number}} edit
  * @returns {object} Tables by name, four wavelengths per texel: `extinction`, `moments` and
- *     `polarised_phase` with delta-M scaling, `true_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
+ *     `polarised_moments` with delta-M scaling, `unscaled_extinction`, `scattering`, `albedo`, `level`; `strongest` and `brightest`
  *     of each constituent; `thick`, the weight of the night side, and `transport`, the depth in which
  *     each scattering counts by 1 - g, of each wavelength.
  * @throws {RangeError} If the atmosphere is too thick for this solver; one line.
@@ -47,10 +47,10 @@ export function editedAir(air, { amounts, ground }) {
   const size = scattering.values.length;
   const extinction = new Float32Array(size);
   const moments = new Float32Array(size * (degree + 1));
-  const polarised_phase = new Float32Array(4 * size);
+  const polarised_moments = new Float32Array(4 * size);
   const depths = new Float64Array(3 * LANES);
   const read = [scattering, absorption, phases, polarised_elements, columns];
-  delta_m_scaling(...read, degree, extinction, moments, polarised_phase, depths);
+  delta_m_scaling(...read, degree, extinction, moments, polarised_moments, depths);
   const [, depth, transport] = split(depths);
   if (Math.max(...transport) > air.thickest) {
     throw new RangeError("so much air is too thick to be solved here; the desktop viewer solves it");
@@ -58,10 +58,10 @@ export function editedAir(air, { amounts, ground }) {
   const whole = scattering.values.map((x, i) => x + absorption.values[i]);
   return {
     extinction,
-    true_extinction: Float32Array.from(whole),
+    unscaled_extinction: Float32Array.from(whole),
     scattering: Float32Array.from(scattering.values),
     moments,
-    polarised_phase,
+    polarised_moments,
     albedo: Float32Array.from(air.albedo, (x) => Math.min(x * ground, air.brightest)),
     level: Float32Array.from(air.day.flatMap((day) => depth.map((one) => level_weight(day, one)))),
     strongest: Float32Array.from(split(whole), (row) => Math.max(...row)),

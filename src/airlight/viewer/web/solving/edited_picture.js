@@ -12,8 +12,8 @@ import { numbersOf } from "../drawing/package.js";
  */
 export async function editedPicture(plain, { plan, scalars, fixed }, air, light, ground) {
   const { shared, ends, levels } = fixed.picture;
-  const { suns, terms, degree } = plan.sizes;
-  const uniforms = { ...plain.uniforms, radii: levels, suns, degree };
+  const { sun_angles, terms, degree } = plan.sizes;
+  const uniforms = { ...plain.uniforms, radii: levels, sun_angles, degree };
   const old = {
     scalars: await numbersOf(plain.tables.scalars.data),
     spectra: await numbersOf(plain.tables.spectra.data),
@@ -25,11 +25,11 @@ export async function editedPicture(plain, { plan, scalars, fixed }, air, light,
   }
   const [start, length] = plain.uniforms.table_basis;
   const basis = old.spectra.slice(4 * start, 4 * (start + length)).map((x) => x * ground);
-  const { scattering, moments, polarised_phase, albedo } = air;
-  const [scaled_extinction, extinction] = [air.extinction, air.true_extinction];
+  const { scattering, moments, polarised_moments, albedo } = air;
+  const [scaled_extinction, extinction] = [air.extinction, air.unscaled_extinction];
   const tables = { scaled_extinction, extinction, scattering, moments };
-  const spectra = { ...tables, polarised_phase, albedo, basis };
-  const nodes = levels * suns;
+  const spectra = { ...tables, polarised_moments, albedo, basis };
+  const nodes = levels * sun_angles;
   uniforms.table_field = [0, nodes * (terms + 1), 0, 0];
   uniforms.table_sky = [nodes * (terms + 1), 2 * nodes, 0, 0];
   return {

@@ -117,7 +117,7 @@ export class Solver {
       if (residuals.length > this.ring.length) residuals.shift();
       this.residual = this.remainingError(change, mean, residuals, air.thick, fixed.night);
       tell(shareOf(this.residual, tolerance));
-      this.weigh(residuals, mean, sky);
+      this.updateWeights(residuals, mean, sky);
       this.run("mix");
       this.guess = "light";
       if (this.residual <= tolerance && this.sweeps > 1) break;
@@ -130,8 +130,8 @@ export class Solver {
     const { fixed, plan } = this;
     const { over_relaxation, iterates: most, least, tolerance } = fixed.synthetic;
     const { lateral_threshold, transport_depth_scale } = fixed.synthetic;
-    const { radii, suns, terms } = plan.sizes;
-    const nodes = radii * suns;
+    const { radii, sun_angles, terms } = plan.sizes;
+    const nodes = radii * sun_angles;
     const polarised = over_relaxation.map((_, i) => terms - over_relaxation.length + i);
     const synthetic = await this.synthetic(air);
     const first = await this.numbers("first");
@@ -155,7 +155,7 @@ export class Solver {
       const swept = await this.numbers(this.ring[0], plan.textures.light);
       const mean = momentOf(swept, nodes, terms, 0);
       if (!mean.some((x) => x > 0)) break;
-      const acceleration = accelerationWeights(mean, suns, thresholds);
+      const acceleration = accelerationWeights(mean, sun_angles, thresholds);
       const residual = swept.map((x, i) => x - light[i]);
       const accelerated = synthetic.apply(residual, swept);
       const iterate = light.map((value, i) => {
@@ -229,7 +229,7 @@ export class Solver {
   /** Replace the tables of the atmosphere. */
   load(air) {
     const { plan, scalars } = this;
-    const lanes = ["extinction", "moments", "polarised_phase", "albedo"].sort(
+    const lanes = ["extinction", "moments", "polarised_moments", "albedo"].sort(
       (a, b) => plan.tables[a].start - plan.tables[b].start,
     );
     const spectra = Float32Array.from(lanes.flatMap((name) => [...air[name]]));
@@ -270,8 +270,8 @@ export class Solver {
 
   /** Promise of mean radiance and irradiance of the last iterate, and mean radiance of the guess. */
   async means() {
-    const { radii, suns } = this.plan.sizes;
-    const length = radii * suns * LANES;
+    const { radii, sun_angles } = this.plan.sizes;
+    const length = radii * sun_angles * LANES;
     const numbers = await this.device.read(this.textures.get("means"));
     return [0, 1, 2].map((part) => numbers.slice(part * length, (part + 1) * length));
   }
@@ -286,7 +286,7 @@ export class Solver {
   }
 
   /** Set the inputs of the pass `next_guess`: weights, last iterate first, and two largest values. */
-  weigh(residuals, mean, sky) {
+  updateWeights(residuals, mean, sky) {
     this.mix.fill(0);
     const iterates = this.ring.length;
     for (let lane = 0; lane < LANES; lane++) {

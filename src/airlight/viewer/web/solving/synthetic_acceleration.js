@@ -144,8 +144,8 @@ export class SyntheticAcceleration {
    * @returns {Float32Array}
    */
   apply(change, light = null) {
-    const { radii, suns, terms } = this.sizes;
-    const nodes = radii * suns;
+    const { radii, sun_angles, terms } = this.sizes;
+    const nodes = radii * sun_angles;
     const all = change.slice();
     for (let lane = 0; lane < LANES; lane++) {
       const { sizes, factors, toSky } = this.lanes[lane];
@@ -157,25 +157,25 @@ export class SyntheticAcceleration {
       this.blocks.forEach((block, index) => {
         const before = this.unknowns(change, block, lane);
         const after = before.slice();
-        substitute(factors[index], sizes[index], after, suns);
+        substitute(factors[index], sizes[index], after, sun_angles);
         const more = diffused(after.map((x, i) => x - before[i]));
         // With the star in the zenith or the nadir no light depends on azimuth.
         const inner = block.m > 0 ? 1 : 0;
         const { first, width } = block;
         if (block.m === 0) {
-          scale = this.scaleOf((i, s) => more[i * width * suns + s], known, terms, 0, lane);
+          scale = this.scaleOf((i, s) => more[i * width * sun_angles + s], known, terms, 0, lane);
         }
         const shares = more
-          .subarray(0, radii * width * suns)
-          .map((x, k) => x / scale[Math.floor(k / (width * suns)) * suns + (k % suns)]);
+          .subarray(0, radii * width * sun_angles)
+          .map((x, k) => x / scale[Math.floor(k / (width * sun_angles)) * sun_angles + (k % sun_angles)]);
         this.spread(shares, around, inner).forEach((x, k) => {
-          const [row, s] = [Math.floor(k / suns), k % suns];
-          const node = Math.floor(row / width) * suns + s;
+          const [row, s] = [Math.floor(k / sun_angles), k % sun_angles];
+          const node = Math.floor(row / width) * sun_angles + s;
           all[(node * terms + this.pairs[first + (row % width)]) * LANES + lane] += x * scale[node];
         });
         if (block.m > 0) return;
         const sky = diffused(this.irradiances(toSky, after));
-        const received = this.scaleOf((i, s) => sky[i * suns + s], known, 1, nodes * terms, lane);
+        const received = this.scaleOf((i, s) => sky[i * sun_angles + s], known, 1, nodes * terms, lane);
         this.spread(sky.map((x, k) => x / received[k]), around).forEach((x, k) => {
           all[(nodes * terms + k) * LANES + lane] += x * received[k];
         });
@@ -186,12 +186,12 @@ export class SyntheticAcceleration {
 
   /** Light plus the magnitude of its change, by node: the scale of ratios in deep air, otherwise 1. */
   scaleOf(more, light, step, first, lane) {
-    const { radii, suns } = this.sizes;
-    const scale = new Float64Array(radii * suns);
+    const { radii, sun_angles } = this.sizes;
+    const scale = new Float64Array(radii * sun_angles);
     if (!this.deep) return scale.fill(1);
     for (let i = 0; i < radii; i++) {
-      for (let s = 0; s < suns; s++) {
-        const node = i * suns + s;
+      for (let s = 0; s < sun_angles; s++) {
+        const node = i * sun_angles + s;
         const here = light[(first + node * step) * LANES + lane];
         scale[node] = Math.max(here, 0) + Math.abs(more(i, s));
       }
@@ -200,14 +200,14 @@ export class SyntheticAcceleration {
     return scale.map((x) => Math.max(x, floor));
   }
 
-  /** Rows of values by sun, multiplied by a matrix, but for so many suns at either end: 0. */
+  /** Rows of values by sun, multiplied by a matrix, but for so many sun_angles at either end: 0. */
   spread(values, matrix, inner = 0) {
-    const { suns } = this.sizes;
+    const { sun_angles } = this.sizes;
     const found = new Float64Array(values.length);
-    for (let row = 0; row < values.length; row += suns) {
-      for (let t = inner; t < suns - inner; t++) {
+    for (let row = 0; row < values.length; row += sun_angles) {
+      for (let t = inner; t < sun_angles - inner; t++) {
         let sum = 0;
-        for (let s = 0; s < suns; s++) sum += matrix[t * suns + s] * values[row + s];
+        for (let s = 0; s < sun_angles; s++) sum += matrix[t * sun_angles + s] * values[row + s];
         found[row + t] = sum;
       }
     }
@@ -216,13 +216,13 @@ export class SyntheticAcceleration {
 
   /** Irradiances of level surfaces by the moments of m = 0. */
   irradiances(toSky, moments) {
-    const { radii, suns } = this.sizes;
+    const { radii, sun_angles } = this.sizes;
     const count = toSky.length / radii;
-    const more = new Float64Array(radii * suns);
+    const more = new Float64Array(radii * sun_angles);
     for (let i = 0; i < radii; i++) {
       for (let k = 0; k < count; k++) {
         const weight = toSky[i * count + k];
-        for (let s = 0; s < suns; s++) more[i * suns + s] += weight * moments[k * suns + s];
+        for (let s = 0; s < sun_angles; s++) more[i * sun_angles + s] += weight * moments[k * sun_angles + s];
       }
     }
     return more;
@@ -230,19 +230,19 @@ export class SyntheticAcceleration {
 
   /** Moments of one order in azimuth, and the ground's irradiance, by sun. */
   unknowns(light, { m, first, width }, lane) {
-    const { radii, suns, terms } = this.sizes;
-    const values = new Float64Array((radii * width + (m === 0 ? 1 : 0)) * suns);
+    const { radii, sun_angles, terms } = this.sizes;
+    const values = new Float64Array((radii * width + (m === 0 ? 1 : 0)) * sun_angles);
     for (let i = 0; i < radii; i++) {
       for (let l = 0; l < width; l++) {
-        for (let s = 0; s < suns; s++) {
-          const at = (i * suns + s) * terms + this.pairs[first + l];
-          values[(i * width + l) * suns + s] = light[at * LANES + lane];
+        for (let s = 0; s < sun_angles; s++) {
+          const at = (i * sun_angles + s) * terms + this.pairs[first + l];
+          values[(i * width + l) * sun_angles + s] = light[at * LANES + lane];
         }
       }
     }
     if (m > 0) return values;
-    for (let s = 0; s < suns; s++) {
-      values[radii * width * suns + s] = light[(radii * suns * terms + s) * LANES + lane];
+    for (let s = 0; s < sun_angles; s++) {
+      values[radii * width * sun_angles + s] = light[(radii * sun_angles * terms + s) * LANES + lane];
     }
     return values;
   }
@@ -264,16 +264,16 @@ function pointsOf({ levels: count, bottom, top }, table) {
 
 /** Matrix between sun elevations, rows first: `lateral_diffusion_matrix` of synthetic_acceleration.py. */
 function lateralDiffusionMatrix(cosines, diffusionLength, gridDiffusion) {
-  const suns = cosines.values.length;
-  const spread = new Float64Array(suns * suns);
-  const measure = new Float64Array(suns);
+  const sun_angles = cosines.values.length;
+  const spread = new Float64Array(sun_angles * sun_angles);
+  const measure = new Float64Array(sun_angles);
   lateral_diffusion_equations(cosines, diffusionLength, gridDiffusion, spread, measure);
-  const matrix = new Float64Array(suns * suns);
+  const matrix = new Float64Array(sun_angles * sun_angles);
   measure.forEach((value, s) => {
-    matrix[s * suns + s] = value;
+    matrix[s * sun_angles + s] = value;
   });
-  factorise(spread, suns);
-  substitute(spread, suns, matrix, suns);
+  factorise(spread, sun_angles);
+  substitute(spread, sun_angles, matrix, sun_angles);
   return matrix;
 }
 

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight import Camera, Constituent, Planet, Scene, load_planet, replace, solve
-from airlight.geometry.bending import apparent_sun
+from airlight.geometry.refraction import apparent_sun
 from airlight.planets.matter.profiles import Tabulated
 from airlight.render import render
 from airlight.solvers.moments.solution import MomentsSolution
@@ -48,9 +48,9 @@ def sunset() -> MomentsSolution:
 
 def lift(solution: MomentsSolution, seen: float) -> float:
     """Lift of a star seen from the ground. [deg]"""
-    paths = solution.paths
-    x = paths.optical_radius(np.array([solution.medium.bottom_radius]))
-    return degrees(float(paths.bent(x, np.array([sin(radians(seen))]))[0]))
+    geometry = solution.geometry
+    x = geometry.optical_radius(np.array([solution.medium.bottom_radius]))
+    return degrees(float(geometry.refraction_angle(x, np.array([sin(radians(seen))]))[0]))
 
 
 @pytest.mark.parametrize("seen", [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0])
@@ -65,11 +65,15 @@ def test_squeeze_on_the_horizon_is_one_less_the_curvature_of_light(sunset: Momen
     # An exact law: rays slightly above and below the horizontal are mirror images of each other
     # except for the bending between them (A. T. Young, Flattening of the setting sun): the squeeze
     # is 1 + (r/n) dn/dr at the observer, here from the optical radius beside the ground.
-    shell = sunset.paths.shell
+    shell = sunset.geometry.shell
     assert shell is not None
     step = np.diff(shell.optical)[0] / np.diff(shell.altitude)[0]
     _, squeeze, _ = apparent_sun(
-        shell.bottom, -sin(radians(lift(sunset, 0.0))), shell.bottom, shell.top, sunset.paths.lift
+        shell.bottom,
+        -sin(radians(lift(sunset, 0.0))),
+        shell.bottom,
+        shell.top,
+        sunset.geometry.refraction_table,
     )
     assert_allclose(squeeze, step, rtol=2e-3)
 
@@ -78,13 +82,13 @@ def test_the_sun_on_the_horizon_is_flattened_by_a_sixth(sunset: MomentsSolution)
     # Meeus (1998), Astronomical Algorithms, equations 16.3 (Bennett) and 16.4 (Sæmundsson): the sun
     # of 32' on the horizon is 26.9' high, 0.84 of its width; the lapse rate moves it by 0.015
     # (0.814 in isothermal air).
-    paths, width = sunset.paths, 2.0 * 0.2665
-    shell = paths.shell
+    geometry, width = sunset.geometry, 2.0 * 0.2665
+    shell = geometry.shell
     assert shell is not None
-    x = float(paths.optical_radius(np.array([sunset.medium.bottom_radius]))[0])
+    x = float(geometry.optical_radius(np.array([sunset.medium.bottom_radius]))[0])
     low = -lift(sunset, 0.0)
     limbs = [
-        apparent_sun(x, sin(radians(true)), shell.bottom, shell.top, paths.lift)[0]
+        apparent_sun(x, sin(radians(true)), shell.bottom, shell.top, geometry.refraction_table)[0]
         for true in (low, low + width)
     ]
     height = degrees(np.arcsin(limbs[1]) - np.arcsin(limbs[0]))

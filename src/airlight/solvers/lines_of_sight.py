@@ -1,4 +1,4 @@
-"""Lines of sight inside the shell, and their entry points for observers outside."""
+"""Lines of sight inside the shell, and entry points for observers outside."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Sight:
+class LinesOfSight:
     """Lines of sight inside the shell, as flat arrays.
 
     Attributes
     ----------
     r, mu, mu_s, nu : array, shape (n,)
-        Start radius [m]; cosines of view zenith, sun zenith and the angle between them. [1]
+        Radius of the start [m]; cosines of view zenith angle, sun zenith angle and the angle
+        between view and sun [1].
     length : array, shape (n,)
         Length inside the shell, 0 where the line misses it. [m]
     to_ground : array of bool, shape (n,)
@@ -44,16 +45,16 @@ def enter_shell(
     nu: FloatArray,
     bottom: float,
     top: float,
-) -> Sight:
+) -> LinesOfSight:
     """Move observers outside the shell to the point where their line of sight enters it.
 
     Parameters
     ----------
     r, mu, sine, mu_s, nu : array, shape (n,)
         Coordinates of the observers; r may be larger than ``top``. ``sine`` is the sine of the
-        view's zenith angle, which cannot be recovered from the cosine far away. [m], [1]
+        view zenith angle, which the cosine loses far away. [m], [1]
     bottom, top : float
-        Radii of the ground and of the shell's top. [m]
+        Radii of the ground and of the top of the shell. [m]
     """
     outside = r > top
     nearest = -r * mu
@@ -68,6 +69,6 @@ def enter_shell(
     to_ground = vectorized(meets_ground)(inside_r, inside_mu, bottom)
     length = vectorized(ray_length)(inside_r, inside_mu, bottom, top)
     missed = outside & ~meets
-    return Sight(
+    return LinesOfSight(
         inside_r, inside_mu, inside_mu_s, nu, np.where(missed, 0.0, length), to_ground & ~missed
     )

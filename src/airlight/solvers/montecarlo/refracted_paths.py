@@ -1,10 +1,9 @@
-"""Bent light of histories: the angle by which a stretch of a ray is bent, and where a star is seen.
+"""Refraction of Monte Carlo paths: refraction angle of a segment, apparent direction of the star.
 
-A history's rays are traced by optical radius, in which they are straight (``geometry.bending``).
-At each event the point and the direction are turned together about the axis perpendicular to the
-ray's plane, by the bending of the stretch, and are then the true ones: stars stay where they are.
-The bending is integrated along each stretch, apart from its optical depth. The apparent direction
-of the star at an event, and the flattening of its disc, are read from ``tables.refraction_table``.
+Segments are traced in the optical radius, in which they are straight (``geometry.refraction``). At
+each event, point and direction are rotated about the normal of the ray's plane by the segment's
+refraction angle, which gives the true ones; stars stay fixed. The apparent direction of the star,
+and the flattening of its disc, are read from ``tables.refraction_table``.
 """
 
 from __future__ import annotations
@@ -15,8 +14,8 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.geometry.bending import apparent_sun, bend_angle
 from airlight.geometry.quadrature import gauss_legendre
+from airlight.geometry.refraction import apparent_sun, refraction_angle
 from airlight.kernel import compiled_loop, inlined
 from airlight.solvers.montecarlo.rays import BESIDE, per_y
 from airlight.solvers.refracted_geometry import RefractedGeometry
@@ -24,49 +23,53 @@ from airlight.tables.columns import columns
 
 FloatArray = NDArray[np.float64]
 
-#: Points of a panel, and panels of a leg, at which the bending is integrated.
+#: Quadrature points of a panel, and panels of a leg, of the refraction column.
 _POINTS: Final = 8
 _PANELS: Final = 3
 #: Number of strips of the star's disc.
 _STRIPS: Final = 96
 
 
-class Bending(NamedTuple):
-    """How light is bent in a medium by optical radius.
+class RefractionColumn(NamedTuple):
+    """Density of the refraction column and its quadrature, in the optical radius.
 
     Attributes
     ----------
-    bend : float
-        See ``optics.bent_density``; 0 where light goes straight. [m⁻²]
+    strength : float
+        See ``optics.refracting_shell``; 0 without refraction. [m⁻²]
     table : array, shape (m,)
-        Density of "bending" at even steps of the square root of altitude. [1]
-    lift : array, shape (rows, columns, 2)
-        Table from ``refraction_table``; without rows where light goes straight. [1]
+        Density at even steps of the square root of altitude. [1]
+    refraction_table : array, shape (rows, columns, 2)
+        Table from ``refraction_table``; empty without refraction. [1]
     nodes, weights : array, shape (n,)
         Quadrature rule of a panel.
     """
 
-    bend: float
+    strength: float
     table: FloatArray
-    lift: FloatArray
+    refraction_table: FloatArray
     nodes: FloatArray
     weights: FloatArray
 
 
-def bending_of(paths: RefractedGeometry, nodes: int) -> Bending:
-    """Bending of a medium, with a table of so many nodes."""
+def refraction_column(geometry: RefractedGeometry, nodes: int) -> RefractionColumn:
+    """Refraction column of a medium, tabulated at ``nodes`` altitudes."""
     rule = gauss_legendre(_POINTS)
-    medium = paths.medium
-    if paths.shell is None:
-        return Bending(0.0, np.zeros(2), paths.lift, rule.nodes, rule.weights)
+    medium = geometry.medium
+    if geometry.shell is None:
+        return RefractionColumn(
+            0.0, np.zeros(2), geometry.refraction_table, rule.nodes, rule.weights
+        )
     x = np.linspace(0.0, 1.0, nodes)
     table = np.ascontiguousarray(medium.density.at(medium.thickness * x * x)[-1])
-    return Bending(paths.bend, table, paths.lift, rule.nodes, rule.weights)
+    return RefractionColumn(
+        geometry.refraction_strength, table, geometry.refraction_table, rule.nodes, rule.weights
+    )
 
 
 @inlined
-def _leg_column(start_r, end_r, tangent, bottom, scale, bending):
-    """Column of "bending" on a leg whose radius is monotone. [m]"""
+def _leg_column(start_r, end_r, tangent, bottom, scale, refraction):
+    """Refraction column of a leg on which the radius is monotone. [m]"""
     high, low = max(start_r, end_r), min(start_r, end_r)
     beside = 0.0
     if low - tangent <= BESIDE * (high - tangent):
@@ -77,54 +80,54 @@ def _leg_column(start_r, end_r, tangent, bottom, scale, bending):
     width = (sqrt(max(high - low, 0.0)) - first) / _PANELS
     total = 0.0
     for part in range(_PANELS):
-        for k in range(bending.nodes.size):
-            y = first + width * (part + bending.nodes[k])
-            total += bending.weights[k] * per_y(y, low, beside, bottom, bending.table, scale)
+        for k in range(refraction.nodes.size):
+            y = first + width * (part + refraction.nodes[k])
+            total += refraction.weights[k] * per_y(y, low, beside, bottom, refraction.table, scale)
     return total * width
 
 
 @compiled_loop
-def bent_on_way(r, mu, along, bottom, thickness, bending):
-    """Angle by which a ray is bent on its first stretch.
+def refraction_on_path(r, mu, along, bottom, thickness, refraction):
+    """Refraction angle of a ray's first segment.
 
     Parameters
     ----------
     r, mu : float
         Optical radius of the start [m] and cosine of the ray's zenith angle there [1].
     along : float
-        Length of the stretch by optical radius. [m]
+        Length of the segment in the optical radius. [m]
     bottom, thickness : float
         Optical radius of the ground and thickness of the shell. [m]
-    bending : Bending
+    refraction : RefractionColumn
 
     Returns
     -------
     float
         Angle towards the ground. [rad]
     """
-    scale = (bending.table.size - 1) / sqrt(thickness)
+    scale = (refraction.table.size - 1) / sqrt(thickness)
     tangent = r * sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))
     end = sqrt(max(r * r + along * (along + 2.0 * r * mu), tangent * tangent))
     if mu < 0.0 and along > -r * mu:
-        column = _leg_column(r, tangent, tangent, bottom, scale, bending)
-        column += _leg_column(tangent, end, tangent, bottom, scale, bending)
+        column = _leg_column(r, tangent, tangent, bottom, scale, refraction)
+        column += _leg_column(tangent, end, tangent, bottom, scale, refraction)
     else:
-        column = _leg_column(r, end, tangent, bottom, scale, bending)
-    return bend_angle(r, mu, bending.bend, column)
+        column = _leg_column(r, end, tangent, bottom, scale, refraction)
+    return refraction_angle(r, mu, refraction.strength, column)
 
 
 @inlined
 def turned_together(x, y, z, u, v, w, angle):
-    """Point and direction, both turned by an angle in the ray's plane, along its way.
+    """Point and direction, both rotated by the refraction angle in the plane of the ray.
 
     Parameters
     ----------
     x, y, z : float
-        Point as drawn. [m]
+        Point of the straight line. [m]
     u, v, w : float
         Direction of the ray there. [1]
     angle : float
-        Result of ``bent_on_way``. [rad]
+        Result of ``refraction_on_path``. [rad]
     """
     r = sqrt(x * x + y * y + z * z)
     a, b, c = x / r, y / r, z / r
@@ -140,8 +143,8 @@ def turned_together(x, y, z, u, v, w, angle):
 
 
 @inlined
-def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
-    """Direction in which a point of the star is seen, and the squeeze of its disc there.
+def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
+    """Apparent direction of a point of the star's disc, and the disc's flattening there.
 
     Parameters
     ----------
@@ -151,7 +154,7 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
         True direction of the point of the star. [1]
     bottom, top : float
         Optical radii of the ground and of the top. [m]
-    bending : Bending
+    refraction : RefractionColumn
 
     Returns
     -------
@@ -160,29 +163,29 @@ def seen_direction(x, y, z, r, a, b, c, bottom, top, bending):
     """
     up, side, ahead = x / r, y / r, z / r
     true = min(max(a * up + b * side + c * ahead, -1.0), 1.0)
-    mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, bending.lift)
+    mu, refraction_jacobian, _ = apparent_sun(r, true, bottom, top, refraction.refraction_table)
     sine = sqrt(max((1.0 - true) * (1.0 + true), 0.0))
-    if bending.lift.shape[0] == 0 or sine < 1e-9:
+    if refraction.refraction_table.shape[0] == 0 or sine < 1e-9:
         return a, b, c, true, refraction_jacobian
     level = sqrt(max((1.0 - mu) * (1.0 + mu), 0.0)) / sine
     a, b, c = (a - true * up) * level, (b - true * side) * level, (c - true * ahead) * level
     return a + mu * up, b + mu * side, c + mu * ahead, mu, refraction_jacobian
 
 
-def direct_irradiance_bent(
-    paths: RefractedGeometry, star_radius: float, r: FloatArray, mu_s: FloatArray
+def refracted_direct_irradiance(
+    geometry: RefractedGeometry, star_radius: float, r: FloatArray, mu_s: FloatArray
 ) -> FloatArray:
-    """Irradiance of a level surface by the bent light of the star, per irradiance, (n, nl). [1]
+    """Direct horizontal irradiance with refraction, per irradiance of the star, (n, nl). [1]
 
     Parameters
     ----------
-    paths : RefractedGeometry
+    geometry : RefractedGeometry
     star_radius : float
         Angular radius of the star. [rad]
     r, mu_s : array, shape (n,)
         Optical radius [m], and zenith cosine of the star's true centre [1].
     """
-    medium = paths.medium
+    medium = geometry.medium
     bottom, top = medium.bottom_radius, medium.top_radius
     # Strips of equal height on the disc, each with its true area.
     middle = (np.arange(_STRIPS) + 0.5) * (2.0 / _STRIPS) - 1.0
@@ -191,7 +194,7 @@ def direct_irradiance_bent(
     zenith = np.arccos(np.clip(mu_s, -1.0, 1.0))[:, None] - star_radius * middle
     at = r[:, None] + 0.0 * zenith
     seen, refraction_jacobian = np.empty(at.shape), np.empty(at.shape)
-    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, paths.lift, seen.ravel(),
+    _seen(at.ravel(), np.cos(zenith).ravel(), bottom, top, geometry.refraction_table, seen.ravel(),
           refraction_jacobian.ravel())  # fmt: skip
     horizon = -np.sqrt(np.maximum((at - bottom) * (at + bottom), 0.0)) / at
     shines = seen > horizon
@@ -203,6 +206,8 @@ def direct_irradiance_bent(
 
 
 @compiled_loop
-def _seen(x, mu_s, bottom, top, lift, seen, refraction_jacobian):
+def _seen(x, mu_s, bottom, top, refraction_table, seen, refraction_jacobian):
     for k in range(x.size):
-        seen[k], refraction_jacobian[k], _ = apparent_sun(x[k], mu_s[k], bottom, top, lift)
+        seen[k], refraction_jacobian[k], _ = apparent_sun(
+            x[k], mu_s[k], bottom, top, refraction_table
+        )

@@ -1,7 +1,7 @@
-r"""Profiles over optical altitude, with which bent rays are integrated as straight ones.
+r"""Profiles over optical altitude, with which refracted rays are integrated as straight lines.
 
-See ``geometry.bending``: with x = n r, a column along a bent ray is the column along a straight one
-of the density times dr/dx, and the bending is b times the column of
+With x = n r (see ``geometry.refraction``) a column along a refracted ray is the column of the
+density times dr/dx along a straight line, and the refraction angle is b times the column of
 
 .. math:: \frac{1}{x^2}\left(\frac{x}{r}\frac{dr}{dx} - 1\right)
 
@@ -24,13 +24,13 @@ FloatArray = npt.NDArray[np.float64]
 #: Number of pieces of a profile over optical altitude, even in its square root, in addition to
 #: the profile's own.
 _PIECES: Final = 192
-#: Smallest allowed d(n r)/dr: below it light near the ground goes round the planet.
+#: Smallest allowed d(n r)/dr: at 0 a horizontal ray circles the planet (critical refraction).
 _LEAST_GROWTH: Final = 0.05
 
 
 @dataclass(frozen=True, eq=False)
 class RefractingShell:
-    """Shell in which light is bent, by optical radius.
+    """Refracting shell over the optical radius.
 
     Attributes
     ----------
@@ -39,13 +39,12 @@ class RefractingShell:
     altitude, optical : array, shape (n,)
         Altitude above the ground [m], and optical radius there [m].
     density : DensitySegments
-        Profiles over optical altitude, times dr/dx: the constituents, then "bending", the last
-        formula at the head of this file over its largest value. [1]
+        Profiles over optical altitude: the constituents times dr/dx, then the refraction column's,
+        the formula at the head of this module over its maximum. [1]
     length : DensitySegments
         Profile of dr/dx itself, whose column is the true length of a ray. [1]
-    bend : float
-        Factor such that the bending of a ray is ``bend`` · b · column of the last constituent.
-        [m⁻²]
+    refraction_strength : float
+        That maximum; the refraction angle is ``refraction_strength`` · b · refraction column. [m⁻²]
     """
 
     bottom: float
@@ -54,7 +53,7 @@ class RefractingShell:
     optical: FloatArray
     density: DensitySegments
     length: DensitySegments
-    bend: float
+    refraction_strength: float
 
     @classmethod
     def build(
@@ -64,7 +63,7 @@ class RefractingShell:
         bottom_radius: float,
         top_radius: float,
     ) -> RefractingShell:
-        """Make the shell of profiles of which some refract.
+        """Shell of the given profiles.
 
         Parameters
         ----------
@@ -78,8 +77,7 @@ class RefractingShell:
         Raises
         ------
         ParameterError
-            If light would be bent as much as the ground is curved, or the refractivity increases
-            with height.
+            If refraction is nearly critical, or the refractivity increases with height.
         """
         thickness = top_radius - bottom_radius
         own = density.edges[(density.edges > 0.0) & (density.edges < thickness)]
@@ -96,9 +94,9 @@ class RefractingShell:
         stretch = 1.0 / growth
         # The optical altitude from differences that do not cancel.
         optical_altitude = nodes * (1.0 + excess) + bottom_radius * (excess - excess[0])
-        bending = ((1.0 + excess) * stretch - 1.0) / optical**2
-        bend = float(bending.max())
-        share = bending / bend if bend > 0.0 else bending
+        refraction = ((1.0 + excess) * stretch - 1.0) / optical**2
+        strength = float(refraction.max())
+        share = refraction / strength if strength > 0.0 else refraction
         # From both sides of a node, since a profile may jump there.
         hair = 1e-6 * np.diff(nodes)
         above = density.at(nodes[:-1] + hair) * stretch[:-1]
@@ -118,12 +116,12 @@ class RefractingShell:
                 DensitySegments.from_rows(
                     [*rows, _row(optical_altitude, share[:-1], share[1:], None)]
                 ),
-                known_corners=np.interp(density.corners, nodes, optical_altitude),
+                known_breakpoints=np.interp(density.breakpoints, nodes, optical_altitude),
             ),
             length=DensitySegments.from_rows(
                 [_row(optical_altitude, stretch[:-1], stretch[1:], None)]
             ),
-            bend=bend,
+            refraction_strength=strength,
         )
 
 
@@ -147,15 +145,16 @@ def _check(nodes: FloatArray, growth: FloatArray, excess: FloatArray) -> None:
         raise ParameterError(
             "refraction",
             "bouguer",
-            f"'none' for this air: at {nodes[worst]:.4g} m d(n r)/dr is {growth[worst]:.3g}, less "
-            f"than {_LEAST_GROWTH:g}, and light would follow the ground",
+            f"'none' for this atmosphere: at {nodes[worst]:.4g} m d(n r)/dr is "
+            f"{growth[worst]:.3g}, less than {_LEAST_GROWTH:g}, and light would follow the ground",
         )
     rising = int(np.argmax(np.diff(excess)))
     if np.diff(excess)[rising] > 1e-12:
         raise ParameterError(
             "refraction",
             "bouguer",
-            f"'none' for this air: its refractivity grows with height at {nodes[rising]:.4g} m",
+            f"'none' for this atmosphere: its refractivity increases with height at "
+            f"{nodes[rising]:.4g} m",
         )
 
 

@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
-from airlight.optics.bent_density import RefractingShell
 from airlight.optics.density_profile import DensitySegments, exponential, tent, uniform
+from airlight.optics.refracting_shell import RefractingShell
 
 BOTTOM, THICK = 6371e3, 100e3
 ROWS = [exponential(8434.0, THICK), tent(25e3, 15e3, THICK), uniform(THICK)]

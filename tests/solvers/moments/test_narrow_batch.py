@@ -8,12 +8,12 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import load_planet, solve
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_of_few
+from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_narrow
 from airlight.solvers.moments.iterate import gather
 from airlight.solvers.moments.packing import filled, pack_light
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.moments.setup import Setup
-from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_of_few
+from airlight.solvers.moments.sweep import sweep_radius, sweep_radius_narrow
 from airlight.solvers.refracted_geometry import RefractedGeometry
 
 
@@ -24,21 +24,21 @@ def test_pairs_give_the_orders_that_eight_wavelengths_give(name: str) -> None:
     # azimuths and an even one.
     planet = load_planet(name)
     medium = Medium.from_planet(planet, planet.wavelengths[:3])
-    block = Setup(paths=RefractedGeometry.of(medium), settings=settings_for("preview")).block(
+    batch = Setup(geometry=RefractedGeometry.of(medium), settings=settings_for("preview")).batch(
         slice(None)
     )
-    assert block.few
-    setup = block.setup
-    once = (setup.column_rows, setup.star_ratios, setup.paths.lift)
-    first, sky = gather(block, first_order_radius_of_few, *once)
-    wanted, wanted_sky = gather(block, first_order_radius, *once)
+    assert batch.narrow
+    setup = batch.setup
+    once = (setup.column_rows, setup.star_ratios, setup.geometry.refraction_table)
+    first, sky = gather(batch, first_order_radius_narrow, *once)
+    wanted, wanted_sky = gather(batch, first_order_radius, *once)
     mean = wanted[:, :, :1].clip(1e-12)
     assert_allclose(first / mean, wanted / mean, rtol=0, atol=1e-5)
     assert_allclose(sky, wanted_sky, rtol=1e-5, atol=1e-12)
-    packed = pack_light(wanted, wanted_sky[:1], block.level, setup.parts)
-    pairs = pack_light(wanted, wanted_sky[:1], block.level, setup.parts, few=True)
-    wanted, wanted_sky = gather(block, sweep_radius, *packed, block.all_degrees)
-    second, sky = gather(block, sweep_radius_of_few, *pairs, block.all_degrees)
+    packed = pack_light(wanted, wanted_sky[:1], batch.level, setup.refinement)
+    pairs = pack_light(wanted, wanted_sky[:1], batch.level, setup.refinement, narrow=True)
+    wanted, wanted_sky = gather(batch, sweep_radius, *packed, batch.all_degrees)
+    second, sky = gather(batch, sweep_radius_narrow, *pairs, batch.all_degrees)
     mean = wanted[:, :, :1].clip(1e-12)
     assert_allclose(second / mean, wanted / mean, rtol=0, atol=1e-5)
     assert_allclose(sky, wanted_sky, rtol=1e-5, atol=1e-12)
