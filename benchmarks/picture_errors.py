@@ -1,4 +1,4 @@
-"""Errors of pictures that the processor reads from the table of the sky, against exact marching.
+"""Errors of pictures that the processor reads from the sky-view LUT, against exact marching.
 
 ``python benchmarks/picture_errors.py`` prints the table of docs/pictures.md; some minutes. The
 tests measure the same scenes, solved more coarsely.
@@ -121,7 +121,7 @@ class Errors:
 def rows_of(drawing: Drawing, camera: Camera, rows: range) -> Float32Array:
     """Some rows of a picture, shape (n, width, 3)."""
     whole = np.zeros((camera.height, camera.width, 3), np.float32)
-    drawing.fill_sky()
+    drawing.fill_sky_view()
     for row in rows:
         drawing.draw(row, row + 1, whole)
     return whole[rows.start : rows.stop : rows.step]

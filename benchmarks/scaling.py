@@ -9,7 +9,7 @@ sizes: 1 where cost grows in proportion, 0 where it does not grow.
 
 ``wavelengths``: solves of Earth, ``default``, over the visible. ``constituents``: of a gas and thin
 clouds of one kind, three wavelengths. ``radii`` and ``suns``: nodes of the solver's grid, Earth,
-three wavelengths. ``pixels``: dome masters of Earth from the ground, from the table of the sky.
+three wavelengths. ``pixels``: dome masters of Earth from the ground, from the sky-view LUT.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Continuity on a flight from the ground to deep space, and across the horizon behind an object.
 
-The method of drawing changes there: the table of the sky has one mapping inside the shell and
+The method of drawing changes there: the sky-view LUT has one mapping inside the shell and
 another outside; the horizon separates its halves; lines that graze the ground have more points.
 """
 
@@ -25,7 +25,7 @@ from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.pictures import Pictures, scene_numbers
 from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
 from airlight.gpu.picture.uniforms import FRAME
-from airlight.pixels.sky_table import phases_towards
+from airlight.pixels.sky_view import phases_towards
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution

@@ -37,7 +37,7 @@ def test_lights_by_night_are_those_of_the_processor(device: Device) -> None:
 
 @pytest.mark.parametrize("name", ["night", "day", "two suns", "eclipse"])
 def test_several_lights_are_shown_as_by_the_processor(name: str, device: Device) -> None:
-    # Each light has its table of the sky, its disc and its colours; the moon's phase and the second
+    # Each light has its sky-view LUT, its disc and its colours; the moon's phase and the second
     # star's darkening included. Discs of fifty pixels, so that the rim is little of the picture.
     solution = solve(load_planet("earth"), (440.0, 500.0, 560.0, 620.0), "preview", cache=False)
     moon = MoonLight(zenith=76.0, azimuth=25.0, phase=60.0, angular_radius=4.0)

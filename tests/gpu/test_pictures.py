@@ -1,7 +1,6 @@
 """Pictures of the GPU against those of the CPU's renderer, which has its own line march.
 
-Both march the same solution; the GPU in single precision, panel by panel, and from a table of the
-sky unless it is asked to march every pixel. Pixels on the rim of the star's disc are left out;
+Both march the same solution; the GPU in single precision, panel by panel, and from a sky-view LUT unless it is asked to march every pixel. Pixels on the rim of the star's disc are left out;
 their total is compared with a disc that is sampled many times a pixel.
 """
 
@@ -360,10 +359,10 @@ def test_the_shader_fills_the_table_as_the_processor_does(device: Device, lit: L
     scene = scene_of(PLANETS["earth, with a map"](), "aloft")
     scene = replace(scene, camera=replace(scene.camera, polariser=0.0))
     for by_processor in (True, False):
-        pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
+        pictures = Pictures(device, (64, 32), sky_view_on_cpu=by_processor)
         pictures.show(lit())
         pictures.frame(scene)
-        layers.append([read_texture(device, one) for one in pictures._skies[0].layers.values()])
+        layers.append([read_texture(device, one) for one in pictures._sky_views[0].layers.values()])
     for name, processor, shader in zip(LAYERS, *layers, strict=True):
         atol = 1e-3 * processor.max(axis=(0, 1))
         near = np.abs(shader - processor) <= 2.5e-3 * processor + atol

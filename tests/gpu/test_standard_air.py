@@ -50,10 +50,10 @@ def test_the_shader_fills_the_table_as_the_processor_does(
     # exponential, 99 of 100 fourth roots agree to a quarter of 1 %.
     layers = []
     for by_processor in (True, False):
-        pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
+        pictures = Pictures(device, (64, 32), sky_view_on_cpu=by_processor)
         pictures.show(solution)
         pictures.frame(Scene(altitude=200.0, sun_zenith=66.0, camera=CAMERA))
-        sky = pictures._skies[0].layers
+        sky = pictures._sky_views[0].layers
         layers.append([read_texture(device, sky[name]) for name in LAYERS[:4]])
     for processor, shader in zip(*layers, strict=True):
         scale = processor.max()

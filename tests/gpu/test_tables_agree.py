@@ -412,7 +412,7 @@ WHOLE = {
     ),
     "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
-        "bent_to_ground", "place_in_sky", "seen_line",
+        "bent_to_ground", "sky_view_coordinates", "sky_lookup",
     ),
     "test_pictures.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
@@ -420,7 +420,7 @@ WHOLE = {
         "filter_shares",
     ),
     "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
-        "sky_texel", "direction_of_texel",
+        "sky_view_texel", "direction_of_texel",
     ),
     "test_pictures.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
         "star_disc", "leaving_air", "_point_like", "darkened", "whole_powers",

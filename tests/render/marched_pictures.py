@@ -32,6 +32,6 @@ def centres(solution: MomentsSolution, scene: Scene, **options: Any) -> NDArray[
     """Picture of ``render`` whose pixels show their centres, as single lines of sight do."""
     rgb = np.zeros((scene.camera.height, scene.camera.width, 3), np.float32)
     drawing = Drawing(solution, scene, edges=False, **options)
-    drawing.fill_sky()
+    drawing.fill_sky_view()
     drawing.draw(0, scene.camera.height, rgb)
     return rgb

@@ -34,7 +34,7 @@ def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any])
     solution = solved(load_planet("earth"), quality="preview")
     camera = Camera(width=320, height=180, look_zenith=100.0)
     drawing = Drawing(solution, Scene(altitude=400e3, camera=camera))
-    drawing.fill_sky()
+    drawing.fill_sky_view()
     fill, draw, _ = _arguments()
     points = np.zeros(4)
     real = (

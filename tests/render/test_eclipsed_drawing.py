@@ -46,7 +46,7 @@ def eclipsed(solution: MomentsSolution, zenith: float, size: float) -> EclipsedS
 
 def drawn(drawing: Drawing) -> np.ndarray:
     rgb = np.zeros((HEIGHT, WIDTH, 3), np.float32)
-    drawing.fill_sky()
+    drawing.fill_sky_view()
     drawing.draw(0, HEIGHT, rgb)
     return rgb
 

@@ -109,7 +109,7 @@ def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> Non
 def test_lights_that_cannot_matter_are_left_out(
     sun: float, moon: float, altitude: float, drawn: list[bool], earth: MomentsSolution
 ) -> None:
-    # Each light in the list is a table of the sky and a pass over the pixels.
+    # Each light in the list is a sky-view LUT and a pass over the pixels.
     scene = Scene(altitude=altitude, sun_zenith=sun, others=(MoonLight(zenith=moon, azimuth=90.0),))
     assert [one.air for one in lit_scenes(scene, earth)] == drawn
 

@@ -27,7 +27,7 @@ def drawn(
     camera = scene.camera
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
     drawing = Drawing(solution, scene, disc=disc, air=air)
-    drawing.fill_sky()
+    drawing.fill_sky_view()
     drawing.draw(0, camera.height, rgb)
     return rgb.astype(np.float64)
 

@@ -1,4 +1,4 @@
-"""Pictures from the table of the sky against exact marching, for every kind of view."""
+"""Pictures from the sky-view LUT against exact marching, for every kind of view."""
 
 from __future__ import annotations
 

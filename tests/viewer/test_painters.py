@@ -79,7 +79,7 @@ def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Req
 
 
 def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
-    # Two renderers of one solution: by the sky table, and by ray marching for each pixel.
+    # Two renderers of one solution: by the sky-view LUT, and by ray marching for each pixel.
     processor = painter_of(device)
     exact = pixels(device, list(processor.paint(request_, never))[-1])
     painter = painter_of(device, dataclasses.replace(device, software=False))
@@ -95,7 +95,7 @@ def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
 
 
 def test_in_software_the_exact_picture_follows(device: Device, request_: Request) -> None:
-    # From the sky table while the view moves, by the processor at rest.
+    # From the sky-view LUT while the view moves, by the processor at rest.
     if not device.software:
         pytest.skip("this device is no software")
     painter = painter_of(device, device)

@@ -21,7 +21,7 @@ from airlight.pixels.pixel import Screen
 from airlight.viewer.browser.tables_text import as_text, deflated
 from airlight.viewer.browser.web_shaders import CORNERS
 
-#: Number of columns of the sky table.
+#: Number of columns of the sky-view LUT.
 COLUMNS = 16
 COLORS = np.linspace(0.05, 1.0, 4 * COLUMNS, dtype=np.float32).reshape(COLUMNS, 4)
 PAINT = (0.25, 0.5, 0.75, 1.0)

@@ -68,11 +68,11 @@ def solution_of(name: str, amounts: dict[int, float], ground: float, settings: A
 
 @pytest.fixture(scope="module")
 def native(gpu: Any) -> Pictures:
-    """Renderer of pictures without a browser; like a page it fills the table of the sky itself.
+    """Renderer of pictures without a browser; like a page it fills the sky-view LUT itself.
 
     By the processor, with fewer points, the horizon under three times the aerosol is 2.5/255 off.
     """
-    return Pictures(gpu, SKY, sky_by_processor=False)
+    return Pictures(gpu, SKY, sky_view_on_cpu=False)
 
 
 @pytest.fixture(scope="module")

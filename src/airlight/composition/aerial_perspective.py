@@ -35,7 +35,7 @@ Float32Array = NDArray[np.float32]
 
 #: Azimuths, rows of each half and steps to a factor of ten of the air's tables.
 SIZE: Final = (48, 48, 8)
-#: Azimuths and rows of each half of the sky's tables.
+#: Azimuths and rows of each half of the sky-view LUTs.
 SKY_SIZE: Final = (128, 128)
 #: Limits of the tables' sizes.
 _LEAST, _MOST = 4, 512
@@ -126,7 +126,7 @@ class AerialPerspective:
         size : (int, int, int)
             Azimuths, rows of each half, and steps of distance to a factor of ten.
         sky_size : (int, int)
-            Azimuths and rows of each half of the sky's tables.
+            Azimuths and rows of each half of the sky-view LUTs.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 

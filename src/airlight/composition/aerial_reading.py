@@ -1,6 +1,6 @@
 """Look-ups of aerial perspective: the air before a point and the sky, by direction and distance.
 
-Tables are indexed by direction as the table of the sky is, with azimuths denser towards the star,
+Tables are indexed by direction as the sky-view LUT is, with azimuths denser towards the star,
 and, of the air, by distance. Between directions they are linear, along the distance cubic in its
 logarithm. The formulas run on the processor and are emitted to shaders.
 """
@@ -18,7 +18,7 @@ from airlight.kernel.lanes import exponential, load, maximum, splat
 from airlight.kernel.shader_fields import Always, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle
 from airlight.pixels.pixel import between_texels, texel_before
-from airlight.pixels.sky_table import half_sine_between
+from airlight.pixels.sky_view import half_sine_between
 from airlight.pixels.star_disc import covered
 
 
@@ -40,7 +40,7 @@ class AerialTables(NamedTuple):
     columns, rows, steps : int
         Azimuths, rows of each half, and distances of the air's tables.
     sky_columns, sky_rows : int
-        Azimuths and rows of each half of the sky's tables.
+        Azimuths and rows of each half of the sky-view LUTs.
     lanes : int
         Numbers of a texel.
     light_scale, extinction_scale : float

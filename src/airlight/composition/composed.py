@@ -307,7 +307,7 @@ class _Picture:
     def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
         """Linear sRGB of what is behind some pixels of a band: sky or the planet's ground."""
         if not self._filled:
-            self._drawing.fill_sky()
+            self._drawing.fill_sky_view()
             self._filled = True
         j, i = np.nonzero(pixels)
         px = np.asarray(self._view.left + 0.5 + i, np.float64)

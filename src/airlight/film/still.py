@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
     from airlight.solvers.moments.solution import MomentsSolution
 
-#: Work of a picture of any size, for its table of the sky, in wavelengths of pixels. [1]
+#: Work of a picture of any size, for its sky-view LUT, in wavelengths of pixels. [1]
 _TABLE: Final = 1.5e6
 #: Solution of the frame drawn last, which the next one mostly shares.
 _SOLUTIONS: Final[dict[str, MomentsSolution]] = {}

@@ -14,7 +14,7 @@ wavelengths::
     pictures.show(solve(planet, wavelengths), weights)
     frame = pictures.frame(Scene(), exact=True)
 
-``exact`` marches every pixel, as the CPU does; otherwise pixels read a table of the sky that is
+``exact`` marches every pixel, as the CPU does; otherwise pixels read a sky-view LUT that is
 drawn first, for pictures many times a second. ``open_device`` raises ``NoDevice``, which says in
 one line what is missing.
 """

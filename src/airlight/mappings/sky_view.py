@@ -1,4 +1,4 @@
-"""Coordinates of a line of sight in the table of the sky of one observer.
+"""Coordinates of a line of sight in the sky-view LUT of one observer.
 
 The table has two halves, the sky above the horizon and the ground below it, each with rows
 counted from the horizon (0) to the zenith, the top of the shell or the nadir (1). Rows are dense at

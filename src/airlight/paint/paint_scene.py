@@ -17,7 +17,7 @@ from airlight.paint.drawing_device import Choice, drawing_device
 from airlight.paint.scene_painter import ScenePainter
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_catalogue, check_stars
-from airlight.pixels.sky_window import is_always_read
+from airlight.pixels.sky_view_window import is_always_read
 from airlight.planets.picture_wavelengths import (
     LIVE,
     picture_wavelengths,
@@ -93,7 +93,7 @@ def paint_scene(
         ``gpu`` leaves to the CPU what exceeds the capacity of the device; ``auto`` takes a device
         if it is a hardware GPU.
     exact : bool
-        Whether each pixel is marched, instead of read from a table of the sky.
+        Whether each pixel is marched, instead of read from a sky-view LUT.
     orders : str
         Orders as for ``airlight.render``.
     samples : int

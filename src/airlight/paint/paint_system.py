@@ -266,7 +266,7 @@ class _Picture:
     ) -> Float32Array:
         height, width = self.camera.rows, self.camera.columns
         rgb = np.zeros((height, width, 3), np.float32)
-        drawing.fill_sky(cancel=cancel, progress=progress)
+        drawing.fill_sky_view(cancel=cancel, progress=progress)
         step = max(1, _BLOCK_PIXELS // width)
         run_blocks(
             lambda k: drawing.draw(k * step, min((k + 1) * step, height), rgb),

@@ -7,7 +7,7 @@ The policy of command line, window and saved pictures alike:
 * A live picture of the processor is drawn coarsely at once, then finer; a newer request interrupts
   all but the first.
 * A live picture of a hardware device is drawn once, whole: that takes milliseconds.
-* A software device draws from a coarse table of the sky while the view changes; after a short time
+* A software device draws from a coarse sky-view LUT while the view changes; after a short time
   without changes the processor draws the finished picture, which, unlike a long pass, leaves the
   device free for the window.
 * The processor also draws until the shaders of live pictures are compiled, which takes seconds;
@@ -15,7 +15,7 @@ The policy of command line, window and saved pictures alike:
   hardware device draws first. The first picture of a window is the whole one, which needs no loop
   that marches each pixel: to compile or to load that, which small pictures take, takes longer.
 
-All of them read a table of the sky, unless an exact picture is requested.
+All of them read a sky-view LUT, unless an exact picture is requested.
 """
 
 from __future__ import annotations
@@ -176,7 +176,7 @@ class ScenePainter:
         scene : Scene
             Observer, star and camera.
         exact : bool
-            Whether each pixel is marched, instead of read from a table of the sky.
+            Whether each pixel is marched, instead of read from a sky-view LUT.
         orders : str
             Orders as for ``airlight.render``.
         disc : bool
@@ -334,15 +334,15 @@ class ScenePainter:
     # --- by a device --------------------------------------------------------------------------
 
     def _renderer(self, *, live: bool) -> Pictures:
-        """Renderer with the table of the sky that the device fills quickly enough."""
-        from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE, Pictures
+        """Renderer with the sky-view LUT that the device fills quickly enough."""
+        from airlight.gpu.picture.pictures import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE, Pictures
 
         assert self._device is not None
-        shape = QUICK_SKY_SHAPE if live and self._device.software else SKY_SHAPE
+        shape = QUICK_SKY_VIEW_SIZE if live and self._device.software else SKY_VIEW_SIZE
         if self._pictures is None:
             self._pictures = Pictures(self._device, shape)
-        elif self._pictures.sky_shape != shape:
-            self._pictures.sky_shape = shape
+        elif self._pictures.sky_view_size != shape:
+            self._pictures.sky_view_size = shape
         return self._pictures
 
     def _takes(self, solution: MomentsSolution) -> bool:
@@ -393,11 +393,11 @@ class ScenePainter:
         assert self._device is not None
         try:
             if self._device.software:
-                self._has((DRAWING[0],), lambda: self._closing)  # fills the table of the sky
+                self._has((DRAWING[0],), lambda: self._closing)  # fills the sky-view LUT
             if self._takes(solution):
                 assert self._pictures is not None
                 if self._device.software and not self._closing:
-                    apart = type(self._pictures)(self._device.apart(), self._pictures.sky_shape)
+                    apart = type(self._pictures)(self._device.apart(), self._pictures.sky_view_size)
                     apart.show(solution, maps=False)
                     _draw_small(replace(picture, pictures=apart))
                 if not self._closing:

@@ -1,1 +1,1 @@
-"""Light of pixels: table of the sky, ground, star's disc. No device, no files."""
+"""Light of pixels: sky-view LUT, ground, star's disc. No device, no files."""

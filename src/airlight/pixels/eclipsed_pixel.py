@@ -1,6 +1,6 @@
 """Pixels of a planet in the shadow of a moon, each by its own march, on the processor.
 
-A table of the sky is symmetric about the star's vertical plane and the light of an eclipse is not;
+A sky-view LUT is symmetric about the star's vertical plane and the light of an eclipse is not;
 neither is it smooth over the table's texels. Ground, water, clouds and lamps are as in ``pixel``.
 """
 
@@ -18,9 +18,9 @@ from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
 from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
 from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import columns_to_ground
-from airlight.pixels.pixel import sight
+from airlight.pixels.pixel import classify_ray
 from airlight.pixels.samples import sample_place, samples_per_side
-from airlight.pixels.sky_table import half_sine_between
+from airlight.pixels.sky_view import half_sine_between
 from airlight.pixels.star_disc import camera_direction
 from airlight.solvers.eclipsed.eclipsed_march import (
     TOTAL,
@@ -54,7 +54,7 @@ def eclipsed_light(
         Receives the radiance. [sr⁻¹]
     """
     lanes = light.lanes
-    sine, _, through_air, to_ground = sight(x, y, z, observer, light)
+    sine, _, through_air, to_ground = classify_ray(x, y, z, observer, light)
     for at in range(0, lanes, LANES):
         store(result, at, splat(0.0))
     if not through_air:

@@ -1,6 +1,6 @@
 """Light of the ground in a pixel: what colour and law of reflection make of the light on it.
 
-Table of the sky and march give the light of a white Lambert ground behind the air. The ground asks
+sky-view LUT and march give the light of a white Lambert ground behind the air. The ground asks
 its law of reflection for two factors, of the star's light and of the sky's, which differ where it
 does not reflect alike into all directions: then the two irradiances share that light between them.
 Water mirrors the sky itself, at the place that table and march give it beside the ground's light.

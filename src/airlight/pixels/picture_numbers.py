@@ -20,8 +20,8 @@ from airlight.pixels.observer_numbers import observer_numbers
 from airlight.pixels.occulted_light import disc_factor
 from airlight.pixels.pixel import Screen
 from airlight.pixels.polarising_filter import CAMERA, NONE
-from airlight.pixels.sky_by_processor import SkyLayers
-from airlight.pixels.sky_table import Observer
+from airlight.pixels.sky_view import Observer
+from airlight.pixels.sky_view_cpu import SkyViewLayers
 from airlight.planets.light_source import Occulter
 from airlight.scene import Camera, Scene
 from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin
@@ -136,9 +136,9 @@ def screen_from(
     camera: Camera,
     ground: SurfaceMap | None,
     overlay: SurfaceMap | None,
-    layers: SkyLayers,
+    layers: SkyViewLayers,
 ) -> Screen:
-    """Camera, ground map and table of the sky, as the CPU reads them.
+    """Camera, ground map and sky-view LUT, as the CPU reads them.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def screen_from(
         Map of the ground; None without a map.
     overlay : SurfaceMap
         Lights on it and clouds above it; None without both.
-    layers : SkyLayers
+    layers : SkyViewLayers
         Layers of a window of the table, which has its own sizes.
     """
     values: dict[str, Any] = {

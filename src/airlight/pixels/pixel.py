@@ -1,4 +1,4 @@
-"""Light of one pixel, from the table of the sky or by its own march, to linear sRGB."""
+"""Light of one pixel, from the sky-view LUT or by its own march, to linear sRGB."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from airlight.pixels.disc_shading import darkened
 from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
 from airlight.pixels.polarising_filter import filter_shares
-from airlight.pixels.sky_table import half_sine_between, look
+from airlight.pixels.sky_view import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
 from airlight.solvers.moments.march_tables import MIRRORED
 from airlight.solvers.moments.source import transmittance_columns
@@ -23,7 +23,7 @@ from airlight.solvers.stokes_frame import star_plane
 
 
 class Screen(NamedTuple):
-    """Camera, ground map and table of the sky; names as in ``gpu.picture.uniforms``."""
+    """Camera, ground map and sky-view LUT; names as in ``gpu.picture.uniforms``."""
 
     width: float
     height: float
@@ -126,7 +126,7 @@ def texel_before(coordinate, first, last):
 
 @inlined
 def between_texels(table, near, stride, right, down, lanes, at):
-    """Value of a layer of the table of the sky between four of its texels.
+    """Value of a layer of the sky-view LUT between four of its texels.
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ def phase_of(half_sine, constituent, table, light, lanes, at):
 def polarised_between(
     near, stride, right, down, half_sine, turn_cosine, turn_sine, screen, light, lanes, at
 ):  # fmt: skip
-    """Q and U of the air from the table of the sky, with exact phase matrices of its peaks. [sr⁻¹]
+    """Q and U of the air from the sky-view LUT, with exact phase matrices of its peaks. [sr⁻¹]
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def polarised_between(
 
 @inlined
 def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
-    """Light of the air from the table of the sky, with exact phase functions of its peaks. [sr⁻¹]
+    """Light of the air from the sky-view LUT, with exact phase functions of its peaks. [sr⁻¹]
 
     Parameters
     ----------
@@ -219,7 +219,7 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
     screen, light : Screen, MarchTables
-        Table of the sky, and tables of the solution.
+        sky-view LUT, and tables of the solution.
     """
     total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
     if light.separated_1 >= 0:
@@ -234,8 +234,8 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
 
 
 @inlined
-def sight(x, y, z, observer, light):
-    """Classify a line of sight, and find its row in the table of the sky.
+def classify_ray(x, y, z, observer, light):
+    """Classify a line of sight, and find its row in the sky-view LUT.
 
     Parameters
     ----------
@@ -264,16 +264,16 @@ def sight(x, y, z, observer, light):
 
 
 @inlined
-def place_in_sky(x, y, row, to_ground, window):
-    """Position of a line of sight in the available part of the table of the sky.
+def sky_view_coordinates(x, y, row, to_ground, window):
+    """Position of a line of sight in the available part of the sky-view LUT.
 
     Parameters
     ----------
     x, y : float
         Horizontal components of its direction in the observer's frame. [1]
     row, to_ground : float, bool
-        Results of ``sight``.
-    window : SkyWindow
+        Results of ``classify_ray``.
+    window : SkyViewWindow
         Available part.
 
     Returns
@@ -295,7 +295,7 @@ def place_in_sky(x, y, row, to_ground, window):
 
 
 @inlined
-def seen_line(
+def sky_lookup(
     x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
 ):  # fmt: skip
     """Find the air's light along a line of sight, and that of a white ground behind it.
@@ -305,7 +305,7 @@ def seen_line(
     x, y, z : float
         Its direction in the observer's frame. [1]
     sine, row, to_ground : float, float, bool
-        Results of ``sight``.
+        Results of ``classify_ray``.
     exact, window, observer, screen, light, work :
         Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
         the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
@@ -336,7 +336,7 @@ def seen_line(
                         value = load(work.found, at)
                     store(work.found, MIRRORED * light.lanes + at, value)
     else:
-        near, right, down = place_in_sky(x, y, row, to_ground, window)
+        near, right, down = sky_view_coordinates(x, y, row, to_ground, window)
         turn_cosine, turn_sine = 1.0, 0.0
         if screen.filter > 0:
             nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
@@ -382,11 +382,11 @@ def pixel_light(
     x, y, z : float
         Viewing direction there, ``camera_direction``. [1]
     exact : bool
-        Constant: whether the pixel is marched instead of read from the table of the sky.
+        Constant: whether the pixel is marched instead of read from the sky-view LUT.
     reach : float
         Angle from the apparent star beyond which nothing of its disc is visible. [rad]
-    window : SkyWindow
-        Available part of the table of the sky.
+    window : SkyViewWindow
+        Available part of the sky-view LUT.
     observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work, color : MarchWorkspace, array of shape (11,)
@@ -394,11 +394,11 @@ def pixel_light(
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    sine, row, through_air, to_ground = sight(x, y, z, observer, light)
+    sine, row, through_air, to_ground = classify_ray(x, y, z, observer, light)
     through_air = through_air and screen.draws_air
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
-        bent = seen_line(
+        bent = sky_lookup(
             x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
         )
         if to_ground:

@@ -1,4 +1,4 @@
-"""Pixels on the CPU: from the table of the sky, or each by its own march."""
+"""Pixels on the CPU: from the sky-view LUT, or each by its own march."""
 
 from __future__ import annotations
 
@@ -46,13 +46,13 @@ def _pixels(exact, px, py, window, observer, screen, light, work, weights, reach
 
 @compiled_loop
 def draw_pixels(px, py, window, observer, screen, light, work, weights, reach, out):
-    """Draw pixels from the table of the sky.
+    """Draw pixels from the sky-view LUT.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Centres of the pixels, from the picture's left and top edge. [pixel]
-    window : SkyWindow
+    window : SkyViewWindow
         Available part of the table.
     observer, screen, light : Observer, Screen, MarchTables
         Observer, camera with its maps, and tables of the solution.

@@ -28,12 +28,12 @@ _EVEN: Final = (24, 20, 16, 12, 8)
 _MOST_TURNS: Final = 60_000
 #: Fraction scattered within 10° of straight on above which a constituent is peaked.
 _PEAKED: Final = 0.08
-#: Largest number of constituents whose peaks can be kept out of the table of the sky.
+#: Largest number of constituents whose peaks can be kept out of the sky-view LUT.
 MOST_PEAKS: Final = 2
 
 
 def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
-    """Constituents whose phase functions are too sharp for a table of the sky, at most two.
+    """Constituents whose phase functions are too sharp for a sky-view LUT, at most two.
 
     They are those with a peak that scatter most: within 10° of straight on an even phase function
     has 0.8 % of its light, a Rayleigh one 1.1 %.

@@ -15,12 +15,12 @@ from airlight.kernel.ahead import CompiledAhead
 from airlight.kernel.shader_fields import InTexture, shader_fields
 from airlight.pixels.picture_numbers import observer_from, screen_from
 from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
-from airlight.pixels.sky_by_processor import SkyLayers, fill_texels
-from airlight.pixels.sky_window import SkyWindow
+from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_texels
+from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.scene import Camera
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 
-#: Loops of a picture that reads a table of the sky, in the order of their use; and of one that does
+#: Loops of a picture that reads a sky-view LUT, in the order of their use; and of one that does
 #: not.
 DRAWING: Final = (fill_texels, draw_pixels)
 MARCHING: Final = (march_pixels,)
@@ -32,7 +32,7 @@ def compiled_ahead() -> CompiledAhead:
 
 
 def drawing_ahead() -> CompiledAhead:
-    """Start to compile the loops of one picture from a table of the sky, and no others."""
+    """Start to compile the loops of one picture from a sky-view LUT, and no others."""
     return CompiledAhead(f"{__name__}:compile_drawing", DRAWING)
 
 
@@ -43,7 +43,7 @@ def compile_loops() -> None:
 
 
 def compile_drawing() -> None:
-    """Compile the loops of a picture from a table of the sky, or load them."""
+    """Compile the loops of a picture from a sky-view LUT, or load them."""
     for loop, arguments in zip(DRAWING, _arguments()[: len(DRAWING)], strict=True):
         loop(*arguments)
 
@@ -55,7 +55,7 @@ def _arguments() -> list[tuple[Any, ...]]:
     numbers: Any = defaultdict(float)
     numbers |= dict.fromkeys(_screen_numbers(), 0.0)
     observer = observer_from(numbers)
-    layers, window = SkyLayers.none(), SkyWindow.whole(2, 2)
+    layers, window = SkyViewLayers.none(), SkyViewWindow.whole(2, 2)
     screen = screen_from(numbers, Camera(width=1, height=1), None, None, layers)
     weights, rgb, none = np.zeros(3, np.float32), np.zeros((1, 3), np.float32), np.zeros(0)
     pixels = (none, none, window, observer, screen, tables, work, weights, 1.0, rgb)

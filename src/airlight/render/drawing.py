@@ -18,8 +18,8 @@ from airlight.pixels.picture_numbers import (
 from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
 from airlight.pixels.polarising_filter import NONE
 from airlight.pixels.shown import shown_solution
-from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
-from airlight.pixels.sky_window import SkyWindow, sky_window
+from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
+from airlight.pixels.sky_view_window import SkyViewWindow, sky_view_window
 from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
@@ -50,8 +50,8 @@ class Drawing:
 
     Attributes
     ----------
-    window : SkyWindow or None
-        Part of a table of the sky that the picture reads; None where each pixel is marched.
+    window : SkyViewWindow or None
+        Part of a sky-view LUT that the picture reads; None where each pixel is marched.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class Drawing:
         self._observer = observer_from(numbers)
         self.window = None
         if not exact and air:
-            self.window = sky_window(camera, self._observer, light.bottom, light.top)
+            self.window = sky_view_window(camera, self._observer, light.bottom, light.top)
         resolution = march_points(solution)
         self._tables = shown_solution(
             solution, peaks=self.window is not None, points=resolution.points,
@@ -88,13 +88,17 @@ class Drawing:
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
         self._overlay = ground_overlay(medium.ground_lights, medium.ground_clouds)
-        self._screen = screen_from(numbers, camera, self._ground, self._overlay, SkyLayers.none())
+        self._screen = screen_from(
+            numbers, camera, self._ground, self._overlay, SkyViewLayers.none()
+        )
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius
         self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.paths.largest_bend
 
-    def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
-        """Fill the table of the sky, if there is one, before any row is drawn.
+    def fill_sky_view(
+        self, *, cancel: Cancel | None = None, progress: Progress | None = None
+    ) -> None:
+        """Fill the sky-view LUT, if there is one, before any row is drawn.
 
         Parameters
         ----------
@@ -108,7 +112,7 @@ class Drawing:
         """
         if self.window is None:
             return
-        layers = filled_sky(
+        layers = fill_sky_view(
             self._tables, self._observer, self.window, polarised=self._polarised, cancel=cancel,
             progress=progress,
         )  # fmt: skip
@@ -147,7 +151,7 @@ class Drawing:
         """
         screen = self._screen if element is None else self._screen._replace(filter=element)
         pixels = march_pixels if self.window is None else draw_pixels
-        window = SkyWindow.whole(0, 0) if self.window is None else self.window
+        window = SkyViewWindow.whole(0, 0) if self.window is None else self.window
         pixels(
             px, py, window, self._observer, screen, self._tables,
             new_workspace(self._tables), self._weights, self._reach, rgb,

@@ -58,7 +58,9 @@ class EclipsedDrawing(Drawing):
         self._turn = np.ascontiguousarray(eclipsed.axes @ local.T)
         self._colors = color_weights(eclipsed.solution)
 
-    def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
+    def fill_sky_view(
+        self, *, cancel: Cancel | None = None, progress: Progress | None = None
+    ) -> None:
         """Do nothing: there is no sky-view LUT."""
 
     def draw_pixels(

@@ -56,7 +56,7 @@ def render(
         ground; or ``"multiple"``, more often. The star's own disc is visible in the first alone.
     exact : bool
         Whether the air is marched for each pixel. Otherwise the light of the air is read from a
-        table of the sky around the observer, filled by the same march: see docs/pictures.md for
+        sky-view LUT around the observer, filled by the same march: see docs/pictures.md for
         its errors. Pictures of few pixels are always marched.
     disc : bool
         Whether the discs of the lights are drawn.
@@ -177,7 +177,7 @@ def _add_drawn(
         if progress is not None:
             progress(total - blocks + done, total, message)
 
-    drawing.fill_sky(cancel=cancel, progress=filling)
+    drawing.fill_sky_view(cancel=cancel, progress=filling)
 
     def draw(k: int) -> None:
         first, last = k * step, min((k + 1) * step, height)

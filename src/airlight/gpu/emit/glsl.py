@@ -1,7 +1,7 @@
 """GLSL ES 3.00, the language of WebGL2.
 
 It has no pointers: an array that a function fills would be copied in and out, element by element,
-at every call, and compilers are slow on that (Mesa took 264 s for the table of the sky). Hence
+at every call, and compilers are slow on that (Mesa took 264 s for the sky-view LUT). Hence
 arrays are declared in the module, and each function names those that it is called with. No function
 calls itself, and each array is written before it is read, so that nothing else changes.
 """

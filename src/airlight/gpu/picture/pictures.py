@@ -43,9 +43,9 @@ from airlight.pixels.picture_numbers import (
     scene_numbers,
 )
 from airlight.pixels.shown import WAVELENGTHS, as_texels, shown_solution
-from airlight.pixels.sky_by_processor import filled_sky
-from airlight.pixels.sky_table import Observer
-from airlight.pixels.sky_window import COARSEST, SkyWindow
+from airlight.pixels.sky_view import Observer
+from airlight.pixels.sky_view_cpu import fill_sky_view
+from airlight.pixels.sky_view_window import COARSEST, SkyViewWindow
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.march_tables import MarchTables, quadratures
@@ -54,12 +54,12 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Shape of the table of the sky: azimuths over half a turn, and rows of each half.
-SKY_SHAPE: Final = COARSEST
+#: Shape of the sky-view LUT: azimuths over half a turn, and rows of each half.
+SKY_VIEW_SIZE: Final = COARSEST
 #: Shape of that table on a page, where the whole one would take too long while something moves.
-MEDIUM_SKY_SHAPE: Final = (128, 64)
+MEDIUM_SKY_VIEW_SIZE: Final = (128, 64)
 #: Shape of that table on a software device while something moves.
-QUICK_SKY_SHAPE: Final = (64, 64)
+QUICK_SKY_VIEW_SIZE: Final = (64, 64)
 #: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes
 #: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
@@ -68,8 +68,8 @@ _ENTRY: Final = "linear_picture"
 
 
 @dataclass(eq=False)
-class _Sky:
-    """Table of the sky of one light.
+class _SkyView:
+    """Sky-view LUT of one light.
 
     Attributes
     ----------
@@ -92,7 +92,7 @@ class _Sky:
     seen: tuple[Observer, float, float, bool] | None = None
 
     @classmethod
-    def of(cls, device: Device, shape: tuple[int, int]) -> _Sky:
+    def of(cls, device: Device, shape: tuple[int, int]) -> _SkyView:
         count = 3 * shape[0] * shape[1]
         return cls(shape, {name: empty_flat_texture(device, count, 4, name) for name in LAYERS})
 
@@ -104,9 +104,9 @@ class Pictures:
     ----------
     device : Device
         Device from ``open_device``.
-    sky_shape : (int, int)
-        Azimuths and rows of the table of the sky; together a multiple of ``FLAT_WIDTH``.
-    sky_by_processor : bool, optional
+    sky_view_size : (int, int)
+        Azimuths and rows of the sky-view LUT; together a multiple of ``FLAT_WIDTH``.
+    sky_view_on_cpu : bool, optional
         Whether the CPU fills that table; by default on software devices.
 
     Examples
@@ -120,61 +120,63 @@ class Pictures:
     def __init__(
         self,
         device: Device,
-        sky_shape: tuple[int, int] = SKY_SHAPE,
+        sky_view_size: tuple[int, int] = SKY_VIEW_SIZE,
         *,
-        sky_by_processor: bool | None = None,
+        sky_view_on_cpu: bool | None = None,
     ) -> None:
         self.device = device
-        self._by_processor = device.software if sky_by_processor is None else sky_by_processor
+        self._sky_view_on_cpu = device.software if sky_view_on_cpu is None else sky_view_on_cpu
         self._passes = FramePasses(device)
         self._sum = LightSum(device)
-        self._skies: list[_Sky] = []
+        self._sky_views: list[_SkyView] = []
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._given: FloatArray | None = None
         self._shown_tables: MarchTables | None = None
         self._display = DisplayPasses(device)
-        self.sky_shape = sky_shape
+        self.sky_view_size = sky_view_size
 
     @property
-    def sky_shape(self) -> tuple[int, int]:
-        """Azimuths, and rows of each half, of the table of the sky."""
-        return self._sky_shape
+    def sky_view_size(self) -> tuple[int, int]:
+        """Azimuths, and rows of each half, of the sky-view LUT."""
+        return self._sky_view_size
 
-    @sky_shape.setter
-    def sky_shape(self, shape: tuple[int, int]) -> None:
+    @sky_view_size.setter
+    def sky_view_size(self, shape: tuple[int, int]) -> None:
         columns, rows = shape
         whole = columns >= 2 and rows >= 2 and 3 * columns * rows % FLAT_WIDTH == 0
         if not whole or 3 * columns * rows > FLAT_WIDTH * 4096:
-            raise ParameterError("sky_shape", shape, "columns and rows whose product fills rows")
-        self._sky_shape = (columns, rows)
+            raise ParameterError(
+                "sky_view_size", shape, "columns and rows whose product fills rows"
+            )
+        self._sky_view_size = (columns, rows)
         self._forget()
 
     def _forget(self) -> None:
         """Forget what was drawn from other tables."""
-        self._skies = [one for one in self._skies if one.shape == self._sky_shape]
-        if self._textures is not None and not self._skies:
-            self._skies.append(_Sky.of(self.device, self._sky_shape))
-        for number in range(len(self._skies)):
+        self._sky_views = [one for one in self._sky_views if one.shape == self._sky_view_size]
+        if self._textures is not None and not self._sky_views:
+            self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
+        for number in range(len(self._sky_views)):
             self._read(number, None)
         self._display.drawn = None
 
     def _read(self, number: int, law: Float32Array | None) -> None:
         """Let the passes of a light read the solution's tables, and its disc's law if another."""
         assert self._textures is not None
-        sky = self._skies[number]
+        sky = self._sky_views[number]
         textures = {**self._textures.textures, **sky.layers}
         if law is not None:
             sky.disc = textures["disc"] = flat_texture(self.device, law, "disc")
         sky.law, sky.seen = law, None
         self._passes.read(textures, self._textures.places, number)
 
-    def _sky(self, number: int, lit: MomentsSolution) -> _Sky:
-        """Table of the sky of a light of the picture, with the law of its disc."""
-        while len(self._skies) <= number:
-            self._skies.append(_Sky.of(self.device, self._sky_shape))
-            self._read(len(self._skies) - 1, None)
-        sky, law = self._skies[number], None
+    def _sky(self, number: int, lit: MomentsSolution) -> _SkyView:
+        """Sky-view LUT of a light of the picture, with the law of its disc."""
+        while len(self._sky_views) <= number:
+            self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
+            self._read(len(self._sky_views) - 1, None)
+        sky, law = self._sky_views[number], None
         if lit is not self._solution:
             law = as_texels(lit.light.darkening, lit.wavelengths.size)
         same = law is sky.law or (
@@ -238,7 +240,7 @@ class Pictures:
         scene : Scene
             Observer, lights and camera; the pictures of several lights are added on the host.
         exact : bool
-            Whether each pixel is marched; otherwise it reads the table of the sky.
+            Whether each pixel is marched; otherwise it reads the sky-view LUT.
         orders : str
             ``all``, ``single`` or ``multiple``.
         disc : bool
@@ -311,7 +313,7 @@ class Pictures:
         )
         view = target.create_view()
         rgb = zeros((height, width, 3), np.float32)
-        self._fill_sky(number, light, numbers, exact)
+        self._fill_sky_view(number, light, numbers, exact)
         try:
             for first in range(0, height, rows):
                 if cancel is not None and cancel():
@@ -423,7 +425,7 @@ class Pictures:
     ) -> None:
         """Draw linear light of one light into a texture."""
         width, height = int(numbers["width"]), int(numbers["height"])
-        self._fill_sky(number, light, numbers, exact)
+        self._fill_sky_view(number, light, numbers, exact)
         if self.device.software and not exact:
             # Such a device evaluates both sides of every branch: each band has a shader with no
             # more branches than it needs.
@@ -462,8 +464,8 @@ class Pictures:
             "height": size[1],
             "orders": order_number(orders),
             "draws_disc": float(disc and orders == "all" and numbers["disc"] > 0.0),
-            "sky_columns": self._sky_shape[0],
-            "sky_rows": self._sky_shape[1],
+            "sky_columns": self._sky_view_size[0],
+            "sky_rows": self._sky_view_size[1],
             "separated_phases": peaks,
             "draws_air": float(light.air),
         }
@@ -492,10 +494,10 @@ class Pictures:
         reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
         return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
 
-    def _fill_sky(
+    def _fill_sky_view(
         self, number: int, light: LitScene, numbers: Mapping[str, float], exact: bool
     ) -> None:
-        """Fill the table of the sky of a light, unless it is current for observer and light."""
+        """Fill the sky-view LUT of a light, unless it is current for observer and light."""
         sky = self._sky(number, light.solution)
         polarised = numbers["filter"] > 0
         seen = (
@@ -506,8 +508,8 @@ class Pictures:
         )
         if exact or not light.air or seen == sky.seen:
             return
-        if self._by_processor:
-            self._upload_sky(sky, numbers)
+        if self._sky_view_on_cpu:
+            self._upload_sky_view(sky, numbers)
             sky.seen = seen
             return
         passes = [(sky_air_shader(), LAYERS[:2])]
@@ -523,14 +525,14 @@ class Pictures:
             )  # fmt: skip
         sky.seen = seen
 
-    def _upload_sky(self, sky: _Sky, numbers: Mapping[str, float]) -> None:
-        """Upload the table of the sky, marched on the CPU."""
+    def _upload_sky_view(self, sky: _SkyView, numbers: Mapping[str, float]) -> None:
+        """Upload the sky-view LUT, marched on the CPU."""
         assert self._shown_tables is not None
         tables = self._shown_tables._replace(
             rules=quadratures(FEW.points), panels=FEW.panels, star_radius=numbers["star_radius"]
         )
-        layers = filled_sky(
-            tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape),
+        layers = fill_sky_view(
+            tables, observer_from(numbers), SkyViewWindow.whole(*self._sky_view_size),
             polarised=numbers["filter"] > 0,
         )  # fmt: skip
         unread = () if numbers["separated_phases"] else LAYERS[2:4]

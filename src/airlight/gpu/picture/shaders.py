@@ -28,8 +28,8 @@ from airlight.pixels.ground import GROUND_VALUES
 from airlight.pixels.pixel import Screen
 from airlight.pixels.samples import light_of_centre, sampled_light
 from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
-from airlight.pixels.sky_table import Observer, sky_texel
-from airlight.pixels.sky_window import SkyWindow
+from airlight.pixels.sky_view import Observer, sky_view_texel
+from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
 
 #: A reach that leaves out no pixel: shaders look for the star's disc in all. [rad]
@@ -159,7 +159,7 @@ def _sky_shader(
     emitter = Emitter(dialect)
     found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
     made = emitter.add(
-        sky_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
+        sky_view_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
         FRAME.bundle(Observer), FRAME.bundle(MarchTables), march_workspace(emitter), found,
         name=function,
     )  # fmt: skip
@@ -213,10 +213,10 @@ def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -
 
 
 def _whole_window() -> Bundle:
-    """Window of a complete table of the sky, for the emitter; see ``SkyWindow``."""
+    """Window of a complete sky-view LUT, for the emitter; see ``SkyViewWindow``."""
     columns, rows, first = FRAME.uniform("sky_columns"), FRAME.uniform("sky_rows"), Constant(0)
     values = (columns, rows, first, columns, first, rows, first, rows)
-    return Bundle(dict(zip(SkyWindow._fields, values, strict=True)))
+    return Bundle(dict(zip(SkyViewWindow._fields, values, strict=True)))
 
 
 @cache

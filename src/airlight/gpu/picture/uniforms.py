@@ -10,7 +10,7 @@ from airlight.color.displayed import Display
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.kernel.shader_fields import image
 from airlight.pixels.pixel import Screen
-from airlight.pixels.sky_table import Observer
+from airlight.pixels.sky_view import Observer
 from airlight.solvers.moments.march_tables import MarchTables
 
 #: Separate vectors: contributions of the wavelengths to a channel.
@@ -64,7 +64,7 @@ class Lens(NamedTuple):
 FRAME: Final = UniformStruct(
     "frame", (MarchTables, Observer, Screen, Display, Lens, Strip), CHANNELS
 )
-#: Textures of the table of the sky: those of the air, of its two peaks, and of Q and U.
+#: Textures of the sky-view LUT: those of the air, of its two peaks, and of Q and U.
 LAYERS: Final = tuple(
     table.texture
     for table in FRAME.tables.values()

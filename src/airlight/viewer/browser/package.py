@@ -24,7 +24,7 @@ from airlight.gpu.picture.display_shaders import (
     display_shader,
     spread_shader,
 )
-from airlight.gpu.picture.pictures import MEDIUM_SKY_SHAPE, QUICK_SKY_SHAPE, SKY_SHAPE
+from airlight.gpu.picture.pictures import MEDIUM_SKY_VIEW_SIZE, QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE
 from airlight.gpu.picture.shaders import (
     Shader,
     picture_shader,
@@ -59,7 +59,7 @@ _RADII: Final = 1024
 
 def plan() -> dict[str, Any]:
     """Passes of a picture, and offset of each uniform; see ``web/drawing/program.js``."""
-    columns, rows = SKY_SHAPE
+    columns, rows = SKY_VIEW_SIZE
     where = FRAME.layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
@@ -169,9 +169,9 @@ def program() -> dict[str, Any]:
         "plan": plan(),
         "shaders": web_shaders(),
         "sky": {
-            "full": list(SKY_SHAPE),
-            "medium": list(MEDIUM_SKY_SHAPE),
-            "quick": list(QUICK_SKY_SHAPE),
+            "full": list(SKY_VIEW_SIZE),
+            "medium": list(MEDIUM_SKY_VIEW_SIZE),
+            "quick": list(QUICK_SKY_VIEW_SIZE),
         },
         "layers": list(LAYERS),
         "glance": METERED,

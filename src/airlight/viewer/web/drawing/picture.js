@@ -2,7 +2,7 @@
  * Renderer of a planet: its tables on the device, and the passes over them.
  *
  * A description from viewer/browser/package.py has data that are the same for every planet — `plan`
- * and `shaders` (see program.js), `sky` (shapes of the sky table), `layers` (its textures),
+ * and `shaders` (see program.js), `sky` (shapes of the sky-view LUT), `layers` (its textures),
  * `glance` (longer side of the picture from which the exposure is measured), `projections` with
  * their fields of view, `display` (uniforms of a display of 8 bits), `primaries` by name, `orders`,
  * and `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
@@ -26,10 +26,10 @@ import {
 } from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
-/** Time limits of a sky table while the view moves, and while it rests. [ms] */
+/** Time limits of a sky-view LUT while the view moves, and while it rests. [ms] */
 const SMOOTH = 60;
 const PATIENT = 2500;
-/** Time per texel of the sky table on a processor, assumed until it is measured. [ms] */
+/** Time per texel of the sky-view LUT on a processor, assumed until it is measured. [ms] */
 const SLOW = 0.05;
 
 export class Picture {
@@ -54,7 +54,7 @@ export class Picture {
     this.fixed = description;
     this.planet = null;
     this.maps = {};
-    this.skies = ["", ""];
+    this.skyViews = ["", ""];
     this.laws = "";
     this.drawn = "";
     this.spread = "";
@@ -123,7 +123,7 @@ export class Picture {
   async draw(values, width, height, effort, held = false) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
-    await this.drawSky(lights, effort);
+    await this.fillSkyView(lights, effort);
     let exposure = values["display.exposure"];
     let eases = false;
     if (values["display.automatic"]) {
@@ -145,7 +145,7 @@ export class Picture {
     return eases || this.texels(this.shapeFor("resting")) > this.texels(this.shape);
   }
 
-  /** Lights of a view, each with the uniforms of its table of the sky. */
+  /** Lights of a view, each with the uniforms of its sky-view LUT. */
   lightsOf(values) {
     const { fixed, planet } = this;
     const orders = fixed.orders[values["light.orders"]];
@@ -161,7 +161,7 @@ export class Picture {
   /** Draw the picture in linear light, unless only its display has changed. */
   drawLight(lights, width, height) {
     const numbers = lights.map((light) => this.numbersOf(light, width, height));
-    const drawn = JSON.stringify([this.skies, this.shape, this.laws, numbers]);
+    const drawn = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
     if (drawn === this.drawn) return;
     this.program.set("first_row", 0);
     this.program.set("first_column", 0);
@@ -221,23 +221,23 @@ export class Picture {
     this.spread = this.drawn;
   }
 
-  /** Draw the sky tables of the lights, unless they are up to date. */
-  async drawSky(lights, effort) {
+  /** Draw the sky-view LUTs of the lights, unless they are up to date. */
+  async fillSkyView(lights, effort) {
     const { program, fixed, planet } = this;
     const peaks = planet.uniforms.separated_1 >= 0;
-    const keys = lights.map((light) => (light.air ? this.skyKey(light) : ""));
+    const keys = lights.map((light) => (light.air ? this.skyViewKey(light) : ""));
     const shape = this.shapeFor(effort);
     if (lights.length > 1) this.takeLaw(lights[1].law ?? EVEN);
-    const stale = keys.some((key, i) => key && key !== this.skies[i]);
+    const stale = keys.some((key, i) => key && key !== this.skyViews[i]);
     if (!stale && this.texels(this.shape) >= this.texels(shape)) return;
-    if (shape !== this.shape) this.skies = ["", ""];
+    if (shape !== this.shape) this.skyViews = ["", ""];
     this.shape = shape;
     const [columns, rows] = fixed.sky[shape];
     program.setAll({ separated_phases: Number(peaks), sky_columns: columns, sky_rows: rows });
     const began = performance.now();
     let drawn = 0;
     lights.forEach((light, i) => {
-      if (!keys[i] || keys[i] === this.skies[i]) return;
+      if (!keys[i] || keys[i] === this.skyViews[i]) return;
       const suffix = i ? "_2" : "";
       for (const name of fixed.layers) {
         program.resize(name + suffix, ROW, Math.ceil((3 * columns * rows) / ROW));
@@ -248,7 +248,7 @@ export class Picture {
         ...(peaks ? [`sky_peaks${suffix}`] : []),
         ...(light.camera.filter ? [`sky_polarised${suffix}`] : []),
       );
-      this.skies[i] = keys[i];
+      this.skyViews[i] = keys[i];
       drawn += 1;
     });
     // The time is measured occasionally on a GPU, always on a software device.
@@ -260,7 +260,7 @@ export class Picture {
     }
   }
 
-  /** Largest sky table that an effort allows; the very first one is the smallest. */
+  /** Largest sky-view LUT that an effort allows; the very first one is the smallest. */
   shapeFor(effort) {
     if (effort === "best") return "full";
     if (this.shape === null) return "quick";
@@ -283,8 +283,8 @@ export class Picture {
     return numbers;
   }
 
-  /** Everything on which the table of the sky of a light depends. */
-  skyKey({ numbers, camera }) {
+  /** Everything on which the sky-view LUT of a light depends. */
+  skyViewKey({ numbers, camera }) {
     return JSON.stringify([this.solutions, numbers, Boolean(camera.filter)]);
   }
 
@@ -299,7 +299,7 @@ export class Picture {
   async probe(values, size, place) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
-    if (lights.some((one, i) => one.air && this.skies[i] !== this.skyKey(one))) return "";
+    if (lights.some((one, i) => one.air && this.skyViews[i] !== this.skyViewKey(one))) return "";
     const area = [...place, 1, 1];
     const elements = lights[0].camera.filter ? [NONE, ALONG, ASLANT] : [NONE];
     const found = [];

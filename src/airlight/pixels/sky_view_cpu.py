@@ -1,4 +1,4 @@
-"""Table of the sky filled on the CPU: complete, or the part that a picture sees.
+"""Sky-view LUT filled on the CPU: complete, or the part that a picture sees.
 
 It serves pictures drawn on the CPU, and software devices, which run the shader's march about
 fifteen times slower than the compiled one.
@@ -15,8 +15,8 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.pixels.sky_table import Observer, sky_texel
-from airlight.pixels.sky_window import SkyWindow
+from airlight.pixels.sky_view import Observer, sky_view_texel
+from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace
 
 Float32Array = NDArray[np.float32]
@@ -25,8 +25,8 @@ Float32Array = NDArray[np.float32]
 _BLOCK: Final = 256
 
 
-class SkyLayers(NamedTuple):
-    """Table of the sky, all wavelengths: fourth roots, each shape (texels·w,).
+class SkyViewLayers(NamedTuple):
+    """Sky-view LUT, all wavelengths: fourth roots, each shape (texels·w,).
 
     The sky's rows come first, then the ground's, then those of the sky that water mirrors. Layers
     of absent peaked constituents have one value.
@@ -49,7 +49,7 @@ class SkyLayers(NamedTuple):
     stokes_u: Float32Array
 
     @classmethod
-    def none(cls) -> SkyLayers:
+    def none(cls) -> SkyViewLayers:
         """Empty table."""
         empty = np.zeros(1, np.float32)
         return cls(*[empty] * 6)
@@ -71,7 +71,7 @@ def fill_texels(begin, end, window, observer, light, work, layers):
             row = window.rows + window.first_ground + line
             if line >= window.ground_count:
                 row += window.rows - window.ground_count
-        sky_texel(
+        sky_view_texel(
             column, row, window.columns, window.rows, True, peaks, polarised, observer, light,
             work, found,
         )  # fmt: skip
@@ -87,16 +87,16 @@ def fill_texels(begin, end, window, observer, light, work, layers):
                 store(layers.stokes_u, lanes * texel + at, load(found, 5 * lanes + at))
 
 
-def filled_sky(
+def fill_sky_view(
     tables: MarchTables,
     observer: Observer,
-    window: SkyWindow,
+    window: SkyViewWindow,
     *,
     polarised: bool = False,
     cancel: Cancel | None = None,
     progress: Progress | None = None,
-) -> SkyLayers:
-    """Fill the table of the sky.
+) -> SkyViewLayers:
+    """Fill the sky-view LUT.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ def filled_sky(
         Tables of the solution, with the resolution of the march.
     observer : Observer
         Position of observer and star.
-    window : SkyWindow
+    window : SkyViewWindow
         Part of the table to fill.
     polarised : bool
         Whether Q and U are asked.
@@ -113,14 +113,14 @@ def filled_sky(
 
     Returns
     -------
-    SkyLayers
+    SkyViewLayers
         Layers with the lanes of ``tables``.
     """
     texels = window.texels
     if tables.ground.wet:
         texels += window.ground_count * window.column_count
     size = texels * tables.lanes
-    layers = SkyLayers(
+    layers = SkyViewLayers(
         air=np.empty(size, np.float32),
         ground=np.empty(size, np.float32),
         first=np.zeros(size if tables.separated_1 >= 0 else 1, np.float32),

@@ -1,4 +1,4 @@
-"""Table of the sky around one observer: one line of sight a texel.
+"""Sky-view LUT around one observer: one line of sight a texel.
 
 A texel holds fourth roots, so that light that falls e-fold from one texel to the next is still
 accurate to a per cent between them, and nothing is negative. Where some of the ground is water a
@@ -241,7 +241,7 @@ def direction_of_texel(column, row, columns, rows, observer, light):
     Parameters
     ----------
     column, row, columns, rows, observer, light :
-        Arguments of ``sky_texel``.
+        Arguments of ``sky_view_texel``.
 
     Returns
     -------
@@ -275,7 +275,7 @@ def row_coordinate(row, rows, outside):
     Parameters
     ----------
     row, rows : int
-        Arguments of ``sky_texel``.
+        Arguments of ``sky_view_texel``.
     outside : bool
         Whether the observer is outside the shell.
 
@@ -291,7 +291,9 @@ def row_coordinate(row, rows, outside):
 
 
 @inlined
-def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, light, work, result):
+def sky_view_texel(
+    column, row, columns, rows, air, peaks, polarised, observer, light, work, result
+):
     """Texel of the table: fourth roots of the results of ``look``.
 
     Q and U may be negative, and I + Q and I + U are stored.

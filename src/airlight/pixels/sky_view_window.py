@@ -1,4 +1,4 @@
-"""Part of a table of the sky that a picture sees, and resolution of the table."""
+"""Part of a sky-view LUT that a picture sees, and resolution of the table."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.mappings.sky_view import row_from_angle, row_from_impact
-from airlight.pixels.sky_table import Observer
+from airlight.pixels.sky_view import Observer
 from airlight.scene import Camera
 from airlight.scene.projections.projected import projected_rays
 
@@ -27,8 +27,8 @@ _FEWEST_PIXELS_A_TEXEL: Final = 2
 _STEP: Final = 8
 
 
-class SkyWindow(NamedTuple):
-    """Part of a table of the sky that is filled.
+class SkyViewWindow(NamedTuple):
+    """Part of a sky-view LUT that is filled.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ class SkyWindow(NamedTuple):
     ground_count: int
 
     @classmethod
-    def whole(cls, columns: int, rows: int) -> SkyWindow:
+    def whole(cls, columns: int, rows: int) -> SkyViewWindow:
         """Window of a complete table.
 
         Parameters
@@ -66,8 +66,10 @@ class SkyWindow(NamedTuple):
         return (self.sky_count + self.ground_count) * self.column_count
 
 
-def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) -> SkyWindow | None:
-    """Part of the table of the sky that a camera sees.
+def sky_view_window(
+    camera: Camera, observer: Observer, bottom: float, top: float
+) -> SkyViewWindow | None:
+    """Part of the sky-view LUT that a camera sees.
 
     The table is as fine as possible while there are many more pixels than texels.
 
@@ -82,7 +84,7 @@ def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) ->
 
     Returns
     -------
-    SkyWindow or None
+    SkyViewWindow or None
         Window; None where a march of each pixel takes less time.
     """
     # a window of the picture reads the texels that the whole picture has there
@@ -109,7 +111,7 @@ def _window(
     azimuths: tuple[float, float],
     sky: tuple[float, float],
     ground: tuple[float, float],
-) -> SkyWindow:
+) -> SkyViewWindow:
     """Window around ranges of azimuth, in half turns, and of the rows' coordinates."""
     ends: list[int] = []
     for (low, high), count in zip((azimuths, sky, ground), (shape[0], shape[1], shape[1]),
@@ -117,7 +119,7 @@ def _window(
         first = min(max(floor(low * (count - 1)), 0), count - 2)
         last = min(max(ceil(high * (count - 1)), first + 1), count - 1)
         ends += [first, last - first + 1]
-    return SkyWindow(*shape, *ends)
+    return SkyViewWindow(*shape, *ends)
 
 
 def _sampled(first: int, count: int, side: int) -> FloatArray:
