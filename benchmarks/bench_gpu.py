@@ -24,7 +24,7 @@ from airlight.gpu.device.device import Device, NoDevice, open_device
 from airlight.gpu.device.flat import flat_texture, read_texture, update_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.device.pass_times import PassTimes
-from airlight.gpu.picture.pictures import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE, Pictures
+from airlight.gpu.picture.gpu_renderer import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE, GpuRenderer
 
 SIZES = [(960, 540), (1920, 1080)]
 FORMAT = "rgba8unorm"
@@ -47,8 +47,8 @@ def device() -> Device:
 @pytest.fixture(scope="module")
 def pictures(device: Device, earth: Any) -> Any:
     solution = solve(earth, few_wavelengths(4, *earth.wavelength_limits), cache=False)
-    made = Pictures(device)
-    made.show(solution)
+    made = GpuRenderer(device)
+    made.set_solution(solution)
     return made
 
 
@@ -129,7 +129,7 @@ def test_drawn_frame(
 
     def frame() -> None:
         began = process_time()
-        pictures.draw(following(), view, FORMAT, exposure=-2.5, tone_map="aces")
+        pictures.display(following(), view, FORMAT, exposure=-2.5, tone_map="aces")
         device.wait()
         spent.append(process_time() - began)
 
@@ -150,8 +150,8 @@ def test_drawn_frame(
 def test_frame_as_numbers(benchmark: Any, pictures: Any, place: str, exact: bool) -> None:
     # linear light in float32, read back: what ``airlight render --device gpu`` waits for
     following = scenes(place, SIZES[0])
-    pictures.frame(following(), exact=exact)
-    benchmark.pedantic(lambda: pictures.frame(following(), exact=exact), rounds=3)
+    pictures.render(following(), exact=exact)
+    benchmark.pedantic(lambda: pictures.render(following(), exact=exact), rounds=3)
 
 
 @pytest.mark.benchmark(group="a new solution on the GPU")
@@ -160,7 +160,7 @@ def test_show(benchmark: Any, device: Device, pictures: Any, earth: Any) -> None
     solution = solve(earth, few_wavelengths(4, *earth.wavelength_limits), "preview", cache=False)
 
     def show() -> None:
-        pictures.show(solution)
+        pictures.set_solution(solution)
         device.wait()
 
     benchmark(show)

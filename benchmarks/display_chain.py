@@ -134,7 +134,7 @@ def by_device() -> None:
     def shown(glare: float, again: bool) -> None:
         chain.drawn = object() if again else "sky"
         numbers = {**display_numbers(-4.0, "natural", "srgb"), "glare": glare}
-        chain.show(numbers, PIXEL, target, TARGET)
+        chain.display(numbers, PIXEL, target, TARGET)
 
     works = {
         "fill": lambda: fill.draw({}, [target]),

@@ -24,7 +24,7 @@ from PIL import Image, ImageDraw
 
 from airlight import Camera, Scene, load_planet
 from airlight.exports.picture import write_picture
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 
 #: Distance from which a whole planet fills most of a picture, in radii above the ground. [1]
 FAR = 3.2
@@ -154,7 +154,7 @@ def by_processor(names: list[str], width: int) -> Iterator[tuple[str, Image.Imag
     for name in names:
         planet = load_planet(VIEWS[name].planet)
         scene = scene_of(VIEWS[name], planet.bottom_radius, width)
-        frame = paint_scene(planet, scene)
+        frame = render_scene(planet, scene)
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "picture.png"
             write_picture(file, frame)

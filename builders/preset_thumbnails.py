@@ -16,7 +16,7 @@ from pathlib import Path
 from PIL import Image
 
 from airlight import load_planet, write_picture
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 from airlight.planets import Planet
 from airlight.scene.metering import scene_exposure
 from airlight.viewer.gallery.presets import HEIGHT, PRESETS, WIDTH, Preset, families
@@ -37,7 +37,7 @@ def painted(preset: Preset, planet: Planet, quality: str) -> Image.Image:
     scene = preset.look.scene(planet, FINER * WIDTH, FINER * HEIGHT)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "picture.png"
-        frame = paint_scene(planet, scene, quality=quality)
+        frame = render_scene(planet, scene, quality=quality)
         radius = math.radians(planet.star.angular_radius_degrees)
         exposure = scene_exposure(frame.rgb, scene, radius)
         write_picture(file, frame.rgb, exposure=exposure, eye=True, pixel_angle=frame.pixel_angle)

@@ -21,7 +21,7 @@ from airlight.composition.placement import Placement
 from airlight.errors import ParameterError
 from airlight.exports.exr import read_exr
 from airlight.film.view import PlanetView
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 from airlight.planets.reading.reader import planet_text
 from airlight.planets.schema.section import Section
 from airlight.scene.compass import POINTS
@@ -42,14 +42,14 @@ def sky(solved: Callable[..., MomentsSolution]) -> MomentsSolution:
 def test_a_picture_of_a_preset_is_that_of_its_planet_its_file_and_its_solution(
     tmp_path: Path,
 ) -> None:
-    # a second method: solving and drawing by paint_scene
+    # a second method: solving and drawing by render_scene
     file = tmp_path / "mine.toml"
     file.write_text(planet_text(NAME)[0], encoding="utf-8")
     planet = airlight.load_planet(NAME)
-    expected = paint_scene(planet, SMALL).rgb
+    expected = render_scene(planet, SMALL).rgb
     for given in (NAME, file, str(file), planet):
         assert_array_equal(airlight.render(given, SMALL).rgb, expected)
-        assert_array_equal(paint_scene(given, SMALL).rgb, expected)
+        assert_array_equal(render_scene(given, SMALL).rgb, expected)
 
 
 def test_functions_take_presets_planets_and_solutions_alike(sky: MomentsSolution) -> None:
@@ -81,7 +81,7 @@ def test_what_is_no_planet_is_refused_in_one_line(wrong: object) -> None:
         lambda: airlight.observe(wrong, "bond-albedo"),  # type: ignore[arg-type]
         lambda: airlight.bake(wrong),  # type: ignore[arg-type]
         lambda: airlight.load_planet(wrong),  # type: ignore[arg-type]
-        lambda: paint_scene(wrong, SMALL),  # type: ignore[arg-type]
+        lambda: render_scene(wrong, SMALL),  # type: ignore[arg-type]
     ]
     for call in calls:
         with pytest.raises(ParameterError, match=r"planet is .* allowed: a Planet, a solution"):

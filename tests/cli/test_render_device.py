@@ -24,7 +24,7 @@ def rendered(path: Path, *words: str) -> tuple[np.ndarray, dict[str, str]]:
 def test_the_gpu_draws_what_the_processor_renders(
     tmp_path: Path, device: Device, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    # The same wavelengths and weights: 1 %, as tests/gpu/test_pictures.py has it.
+    # The same wavelengths and weights: 1 %, as tests/gpu/test_gpu_renderer.py has it.
     words = ["--wavelengths", "rgb"]
     gpu, said = rendered(tmp_path / "gpu.exr", *words, "--device", "gpu")
     assert capsys.readouterr().err == ""

@@ -22,7 +22,7 @@ from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, VEC4, LocalArray
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.pictures import Pictures, scene_numbers
+from airlight.gpu.picture.gpu_renderer import GpuRenderer, scene_numbers
 from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.sky_view import phases_towards
@@ -41,10 +41,10 @@ def earth(solved: Callable[..., MomentsSolution]) -> MomentsSolution:
 
 
 @pytest.fixture(scope="module")
-def pictures(device: Device, earth: MomentsSolution) -> Pictures:
+def pictures(device: Device, earth: MomentsSolution) -> GpuRenderer:
     """Pictures of it, with a table a quarter as high and as wide as by default."""
-    made = Pictures(device, (64, 64))
-    made.show(earth)
+    made = GpuRenderer(device, (64, 64))
+    made.set_solution(earth)
     return made
 
 
@@ -61,19 +61,19 @@ def flown(altitude: float, earth: MomentsSolution) -> Scene:
 
 
 def means(
-    pictures: Pictures, earth: MomentsSolution, altitudes: np.ndarray
+    pictures: GpuRenderer, earth: MomentsSolution, altitudes: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Mean luminance of each frame by the GPU and by the CPU."""
     found = []
     for altitude in altitudes:
         scene = flown(float(altitude), earth)
-        drawn = pictures.frame(scene, disc=False).rgb, render(earth, scene, exact=True).rgb
+        drawn = pictures.render(scene, disc=False).rgb, render(earth, scene, exact=True).rgb
         found.append([rgb_to_xyz(rgb)[..., 1].mean() for rgb in drawn])
     return tuple(np.array(found).T)  # type: ignore[return-value]
 
 
 def test_no_frame_of_a_flight_to_deep_space_jumps(
-    pictures: Pictures, earth: MomentsSolution, tell: Callable[[str], None]
+    pictures: GpuRenderer, earth: MomentsSolution, tell: Callable[[str], None]
 ) -> None:
     # The CPU marches every pixel and has neither table nor mapping; both treat pixels at the limb
     # alike. Between two frames the GPU may change by as much as the CPU, and by 1e-3 more: the
@@ -91,7 +91,7 @@ def test_no_frame_of_a_flight_to_deep_space_jumps(
 
 
 def test_the_top_of_the_air_is_crossed_without_a_jump(
-    pictures: Pictures, earth: MomentsSolution, tell: Callable[[str], None]
+    pictures: GpuRenderer, earth: MomentsSolution, tell: Callable[[str], None]
 ) -> None:
     # As above, a hundred metres a frame: the table's mapping changes between two of them.
     thickness = earth.medium.thickness
@@ -112,7 +112,7 @@ def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
 
 
 @pytest.fixture(scope="module")
-def stretches(device: Device, pictures: Pictures) -> Callable[[np.ndarray], np.ndarray]:
+def stretches(device: Device, pictures: GpuRenderer) -> Callable[[np.ndarray], np.ndarray]:
     """Radiance per irradiance of air before objects: rows of r, μ, μs, ν, sin(θ/2), length."""
     import wgpu
 

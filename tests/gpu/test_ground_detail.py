@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, render
 from airlight.gpu.device.device import Device
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.ground_detail import PERIOD, finest_cell, ground_detail, smooth_noise
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -52,8 +52,8 @@ def test_the_ground_before_a_low_observer_is_that_of_the_processor(
         camera=camera, altitude=altitude, sun_zenith=93.0, latitude=25.0, longitude=30.0,
         sun_azimuth=105.0, ground="detailed",
     )  # fmt: skip
-    pictures = Pictures(device)
-    pictures.show(solution)
-    wanted, got = render(solution, scene).rgb, pictures.frame(scene).rgb
+    pictures = GpuRenderer(device)
+    pictures.set_solution(solution)
+    wanted, got = render(solution, scene).rgb, pictures.render(scene).rgb
     assert np.ptp(wanted[140]) > 0.1 * wanted[140].mean()  # the ground has detail
     assert_allclose(got, wanted, rtol=2e-3)

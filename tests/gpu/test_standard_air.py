@@ -9,7 +9,7 @@ from marched_pictures import marched
 from airlight import Camera, Scene, load_planet, solve
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import read_texture
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.gpu.picture.uniforms import LAYERS
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -33,10 +33,10 @@ def test_a_marched_picture_has_the_processor_s_radiance(
     # From 35 km lines at the horizon have most panels: with 20 points in each Mesa ended their
     # loops at 65 535 turns, and they were half as bright.
     scene = Scene(altitude=altitude, sun_zenith=sun, camera=CAMERA)
-    pictures = Pictures(device, (64, 64))
-    pictures.show(solution)
+    pictures = GpuRenderer(device, (64, 64))
+    pictures.set_solution(solution)
     wanted = marched(solution, scene, device)
-    rgb = pictures.frame(scene, exact=True).rgb
+    rgb = pictures.render(scene, exact=True).rgb
     bright = wanted.max(axis=2) + 1e-4 * np.quantile(wanted, 0.99)
     error = np.abs(rgb - wanted).max(axis=2) / bright
     near = np.arccos(np.clip(CAMERA.directions() @ scene.sun_direction, -1.0, 1.0)) < 0.04
@@ -50,9 +50,9 @@ def test_the_shader_fills_the_table_as_the_processor_does(
     # exponential, 99 of 100 fourth roots agree to a quarter of 1 %.
     layers = []
     for by_processor in (True, False):
-        pictures = Pictures(device, (64, 32), sky_view_on_cpu=by_processor)
-        pictures.show(solution)
-        pictures.frame(Scene(altitude=200.0, sun_zenith=66.0, camera=CAMERA))
+        pictures = GpuRenderer(device, (64, 32), sky_view_on_cpu=by_processor)
+        pictures.set_solution(solution)
+        pictures.render(Scene(altitude=200.0, sun_zenith=66.0, camera=CAMERA))
         sky = pictures._sky_views[0].layers
         layers.append([read_texture(device, sky[name]) for name in LAYERS[:4]])
     for processor, shader in zip(*layers, strict=True):

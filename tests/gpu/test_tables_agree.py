@@ -402,7 +402,7 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: Functions compared as a whole, because they are one pixel, one texel or one line of sight, with
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
-    "test_pictures.py::test_a_marched_picture_has_the_processor_s_radiance": (
+    "test_gpu_renderer.py::test_a_marched_picture_has_the_processor_s_radiance": (
         "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
         "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
@@ -410,23 +410,23 @@ WHOLE = {
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
         "widen", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
     ),
-    "test_pictures.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
+    "test_gpu_renderer.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
         "bent_to_ground", "sky_view_coordinates", "sky_lookup",
     ),
-    "test_pictures.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
+    "test_gpu_renderer.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
         "polarised_between", "polarised_ratio_columns",
         "filter_shares",
     ),
-    "test_pictures.py::test_the_shader_fills_the_table_as_the_processor_does": (
+    "test_gpu_renderer.py::test_the_shader_fills_the_table_as_the_processor_does": (
         "sky_view_texel", "direction_of_texel",
     ),
-    "test_pictures.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
+    "test_gpu_renderer.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
         "star_disc", "leaving_air", "_point_like", "darkened", "whole_powers",
     ),
     "test_lights.py::test_several_lights_are_shown_as_by_the_processor": ("added_texel",),
-    "test_pictures.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
+    "test_gpu_renderer.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
         "displayed", "dithered", "within_gamut",
     ),
     "test_emitter.py::test_a_construct_computes_what_python_does": ("squared", "cubed"),

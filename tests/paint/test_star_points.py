@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 
 import numpy as np
 import pytest
+from airlight.film.still import PlanetFrameSpec
 from numpy.testing import assert_allclose
 
 from airlight import (
@@ -25,7 +26,6 @@ from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun, sun
 from airlight.ephemeris.sun_vector import meridian_axes
 from airlight.ephemeris.world import WORLDS
 from airlight.film import Quality, load_film
-from airlight.film.still import PlanetStill
 from airlight.paint.star_points import add_catalogue
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.system.stars import stars
@@ -163,14 +163,14 @@ def test_a_film_of_a_planet_has_stars() -> None:
     film = load_film("earth", changes)
     how = Quality(wavelengths=(680.0, 550.0, 440.0), quality="preview")
     still = film.still(0, 96, 54, how)
-    assert isinstance(still, PlanetStill)
+    assert isinstance(still, PlanetFrameSpec)
     dark = replace(still, stars=False)
     assert still.defined_by != dark.defined_by
-    wanted = dark.frame().rgb
+    wanted = dark.render().rgb
     solution = solve(local_ground(
         still.planet, latitude=still.scene.latitude, longitude=still.scene.longitude,
         altitude=still.scene.altitude,
     ), how.wavelengths, how.quality)  # fmt: skip
     add_catalogue(wanted, still.scene, solution, "earth")
     assert wanted.max() > 100.0 * np.median(wanted)
-    assert_allclose(still.frame().rgb, wanted, rtol=1e-6)
+    assert_allclose(still.render().rgb, wanted, rtol=1e-6)

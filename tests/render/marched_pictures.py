@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.gpu.device.device import Device
 from airlight.pixels.lit_scenes import lit_scenes
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -22,8 +22,8 @@ def marched(
     total = np.zeros((camera.height, camera.width, 3), np.float32)
     for seen, lit, _, _ in lit_scenes(scene, solution):
         rgb = np.zeros_like(total)
-        drawing = Drawing(lit, seen, exact=True, edges=not device.software, **options)
-        drawing.draw(0, camera.height, rgb)
+        renderer = CpuRenderer(lit, seen, exact=True, edges=not device.software, **options)
+        renderer.render_rows(0, camera.height, rgb)
         total += rgb
     return total
 
@@ -31,7 +31,7 @@ def marched(
 def centres(solution: MomentsSolution, scene: Scene, **options: Any) -> NDArray[np.float32]:
     """Picture of ``render`` whose pixels show their centres, as single lines of sight do."""
     rgb = np.zeros((scene.camera.height, scene.camera.width, 3), np.float32)
-    drawing = Drawing(solution, scene, edges=False, **options)
-    drawing.fill_sky_view()
-    drawing.draw(0, scene.camera.height, rgb)
+    renderer = CpuRenderer(solution, scene, edges=False, **options)
+    renderer.fill_sky_view()
+    renderer.render_rows(0, scene.camera.height, rgb)
     return rgb

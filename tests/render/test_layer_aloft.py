@@ -16,7 +16,7 @@ from airlight.pixels.march_points import MarchPoints
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Tent
 from airlight.render import render
-from airlight.render.drawing import color_weights
+from airlight.render.cpu_renderer import color_weights
 from airlight.solvers.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]

@@ -13,11 +13,11 @@ from airlight import Camera, MoonLight, Scene, StarLight, load_planet, render
 from airlight.cli.scene_file import SceneOptions, changed
 from airlight.color.xyz import luminance
 from airlight.geometry.disc_overlap import visible_light
-from airlight.paint.paint_scene import paint_scene
-from airlight.paint.paint_system import paint_system
+from airlight.paint.render_scene import render_scene
+from airlight.paint.render_system import render_system
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.occulted_light import DARKEST, light_left
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.solvers.moments.solution import MomentsSolution
 
 NM = (680.0, 550.0, 440.0)
@@ -42,7 +42,7 @@ def discs(scene: Scene, solution: MomentsSolution) -> np.ndarray:
     """Light of the discs alone, linear sRGB."""
     rgb = np.zeros((scene.camera.height, scene.camera.width, 3), np.float32)
     for seen, lit, _, _ in lit_scenes(scene, solution):
-        Drawing(lit, seen, exact=True, air=False).draw(0, scene.camera.height, rgb)
+        CpuRenderer(lit, seen, exact=True, air=False).render_rows(0, scene.camera.height, rgb)
     return rgb
 
 
@@ -139,11 +139,11 @@ def test_the_eclipse_over_london_is_that_of_the_scene() -> None:
     for look, wide in (("sun", 1.2), ("S/35", 90.0)):
         given = SceneOptions(at="51.5,-0.1", time=time, look_at=look, fov=f"{wide}")
         system = changed("solar-eclipse-2017", given)
-        wanted = luminance(paint_system(system, **size, wavelengths=NM, quality="preview").rgb)
+        wanted = luminance(render_system(system, **size, wavelengths=NM, quality="preview").rgb)
         camera = Camera(**size, field_of_view=wide)
         scene = Scene.at(planet, **place, time=time, look_at=look, camera=camera)
         lit = planet.lit_at(scene.time)
-        found = luminance(paint_scene(lit, scene, wavelengths=NM, quality="preview").rgb)
+        found = luminance(render_scene(lit, scene, wavelengths=NM, quality="preview").rgb)
         if look != "sun":
             assert_allclose(np.median(found / wanted), 1.0, atol=0.1)
             continue

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import Camera, Planet, Scene, look_at
 from airlight.color.spectral import rgb_weights
 from airlight.color.xyz import rgb_to_xyz
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.spectra.limb_darkening import solar_darkening
 
@@ -26,9 +26,9 @@ def drawn(
     """Draw a picture with or without the disc, in float64; without the air the disc alone."""
     camera = scene.camera
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
-    drawing = Drawing(solution, scene, disc=disc, air=air)
-    drawing.fill_sky_view()
-    drawing.draw(0, camera.height, rgb)
+    renderer = CpuRenderer(solution, scene, disc=disc, air=air)
+    renderer.fill_sky_view()
+    renderer.render_rows(0, camera.height, rgb)
     return rgb.astype(np.float64)
 
 

@@ -34,9 +34,9 @@ Breaks = Callable[[Window, pytest.MonkeyPatch, BaseException], None]
 
 
 class Idle:
-    """Painter that is never called, since nothing is ever solved."""
+    """PictureSource that is never called, since nothing is ever solved."""
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         raise AssertionError("nothing was solved")
 
     def close(self) -> None:

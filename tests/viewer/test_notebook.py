@@ -18,7 +18,7 @@ from PIL import Image
 from airlight import solve
 from airlight.color.display import to_display
 from airlight.kernel.compiling import Compiling
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.planets import load_planet
 from airlight.viewer.background.solving import Solving
 from airlight.viewer.parameters.view_parameters import scene_of
@@ -180,7 +180,7 @@ def test_the_kernel_draws_what_a_browser_asks_for(viewer: Any, solution: Any) ->
     assert drawn["exposure"] == -2.0
     got = np.asarray(Image.open(io.BytesIO(drawn["png"])).convert("RGB"))
     scene = scene_of(view, 40, 24)
-    light = ScenePainter().frame(solution, scene)
+    light = Renderer().render(solution, scene)
     wanted = to_display(
         light.rgb, -2.0, str(view["display.tone_map"]), eye=True,
         glare=float(view["display.glare"]), pixel_angle=light.pixel_angle,

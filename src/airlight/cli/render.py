@@ -17,7 +17,7 @@ from airlight.errors import ParameterError
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
     from airlight.exports.picture import Written
-    from airlight.paint.drawing_device import Choice
+    from airlight.paint.rendering_device import Choice
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
@@ -225,7 +225,7 @@ def render(
             roll=roll if roll != "0deg" else None,
             projection=projection if projection != "perspective" else None,
         )  # fmt: skip
-        frame, window = scene_file.painted(
+        frame, window = scene_file.rendered(
             planet, given, size, crop, wavelengths, quality, samples if samples > 1 else None,
             whole=whole, cache=not no_cache,
             beside={
@@ -296,7 +296,7 @@ def render(
         scene = scene.north_up()
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)
-    frame = _painted(
+    frame = _rendered(
         world, scene, wavelengths, quality, device, polarisation=not no_polarisation, exact=exact,
         samples=samples, stokes=stokes or show is not None, stars=stars, cache=not no_cache,
         local=ground_albedo is None,
@@ -409,7 +409,7 @@ def _target(
     return zenith, azimuth if look_at is not None else _ACROSS
 
 
-def _painted(
+def _rendered(
     planet: Planet,
     scene: Scene,
     wavelengths: str | None,
@@ -425,7 +425,7 @@ def _painted(
     local: bool,
 ) -> Frame:
     """The frame, with progress on the standard error stream."""
-    from airlight.paint.paint_scene import FEWEST, paint_scene
+    from airlight.paint.render_scene import FEWEST, render_scene
 
     nm = None if wavelengths is None else options.wavelengths(wavelengths, planet)
     if nm is not None and len(nm) < FEWEST:
@@ -436,7 +436,7 @@ def _painted(
         note(f"the processor renders instead: {reason}")
 
     with shown_progress() as report:
-        return paint_scene(
+        return render_scene(
             planet, scene, wavelengths=nm, quality=quality, polarisation=polarisation,
             device=device, exact=exact, samples=samples, stokes=stokes, cache=cache, local=local,
             stars=stars, refused=refused, progress=report,

@@ -50,7 +50,7 @@ class SceneOptions:
     changes: list[str] | None = None
 
 
-def painted(
+def rendered(
     name: str,
     given: SceneOptions,
     size: str | None,
@@ -83,7 +83,7 @@ def painted(
     ParameterError
         If one of them is given, or a change is not possible.
     """
-    from airlight.paint.paint_system import paint_system
+    from airlight.paint.render_system import render_system
 
     for option, value in beside.items():
         if value:
@@ -98,7 +98,7 @@ def painted(
             raise ParameterError("--wavelengths", wavelengths, "none for a scene without air")
         nm = options.wavelengths(wavelengths, first)
     with shown_progress() as report:
-        frame = paint_system(
+        frame = render_system(
             system, width=columns, height=rows, wavelengths=nm, quality=quality,
             samples=samples, crop=None if whole else window, cache=cache, progress=report,
         )  # fmt: skip

@@ -122,7 +122,7 @@ def sky(
     from airlight.cli.render import check_glare, check_tone_map
     from airlight.environment.environment_map import environment_map
     from airlight.environment.files import check_beside, write_map
-    from airlight.paint.paint_scene import FEWEST
+    from airlight.paint.render_scene import FEWEST
     from airlight.paint.star_points import check_stars
     from airlight.scene import Camera, Scene
 

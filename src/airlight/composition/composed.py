@@ -25,7 +25,7 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers import Solution
@@ -169,7 +169,7 @@ def compose(
         raise ParameterError("solution", type(solution).__name__, "a solution of moments")
     view = viewpoint(camera, place, solution.medium.bottom_radius)
     pictures = [
-        _Picture(seen, lit, view, exact, disc)
+        _LightRenderer(seen, lit, view, exact, disc)
         for seen, lit, _, _ in lit_scenes(view.scene, solution)
     ]
     surface = SurfaceLight(solution, white)
@@ -275,7 +275,7 @@ def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> No
         raise ParameterError(name, float(values[wrong][0]), allowed + others)
 
 
-class _Picture:
+class _LightRenderer:
     """Air and sky of a picture by one light."""
 
     def __init__(
@@ -285,7 +285,7 @@ class _Picture:
         self._axes = scene.camera.axes
         self.colors = solution.lights[0].colors()
         self._air = Air(solution, scene)
-        self._drawing = Drawing(solution, scene, exact=exact, disc=disc)
+        self._renderer = CpuRenderer(solution, scene, exact=exact, disc=disc)
         self._filled = False
         r = solution.medium.bottom_radius + scene.altitude
         self._relight = Relight(solution, r, scene.sun_direction)
@@ -307,7 +307,7 @@ class _Picture:
     def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
         """Linear sRGB of what is behind some pixels of a band: sky or the planet's ground."""
         if not self._filled:
-            self._drawing.fill_sky_view()
+            self._renderer.fill_sky_view()
             self._filled = True
         j, i = np.nonzero(pixels)
         px = np.asarray(self._view.left + 0.5 + i, np.float64)
@@ -316,7 +316,7 @@ class _Picture:
 
         def run(index: int) -> None:
             part = slice(index * _BLOCK, (index + 1) * _BLOCK)
-            self._drawing.draw_pixels(px[part], py[part], out[part])
+            self._renderer.render_pixels(px[part], py[part], out[part])
 
         run_blocks(run, -(-px.size // _BLOCK))
         return out

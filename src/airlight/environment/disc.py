@@ -20,7 +20,7 @@ from airlight.environment.gamut import grey_of, without_negatives
 from airlight.environment.ground import horizon_cosine
 from airlight.environment.texels import texel_solid_angles, texels_of
 from airlight.pixels.lit_scenes import LitScene
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene.apparent_sun import apparent_altitude
 from airlight.scene.camera import Camera
 
@@ -146,9 +146,9 @@ def seen_disc(lit: LitScene) -> Disc | None:
     camera = _close_camera(lit)
     if camera is None:
         return None
-    drawing = Drawing(solution, replace(scene, camera=camera), exact=True, air=False)
+    renderer = CpuRenderer(solution, replace(scene, camera=camera), exact=True, air=False)
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
-    drawing.draw(0, camera.height, rgb)
+    renderer.render_rows(0, camera.height, rgb)
     lit_pixels = np.any(rgb != 0.0, axis=-1)
     if not lit_pixels.any():
         return None

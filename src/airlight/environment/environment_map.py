@@ -16,7 +16,7 @@ from airlight.environment.gamut import GamutChange, bring_into_gamut
 from airlight.environment.ground import GROUNDS, blacken_ground, grey_ground
 from airlight.environment.texels import texel_solid_angles
 from airlight.errors import ParameterError
-from airlight.paint.paint_scene import paint_solved
+from airlight.paint.render_scene import render_with_solution
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.scene.basin import on_basin_floor
@@ -26,7 +26,7 @@ from airlight.scene.local_ground import local_ground
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
-    from airlight.paint.drawing_device import Choice
+    from airlight.paint.rendering_device import Choice
     from airlight.scene import Scene
     from airlight.units import Measures
 
@@ -157,9 +157,9 @@ def environment_map(
         Whether the scene's latitude and longitude are meant: otherwise the air is lit by the mean
         of the planet's ground.
     local : bool
-        Whether the planet is solved for the ground around a meant place, as by ``paint_scene``.
+        Whether the planet is solved for the ground around a meant place, as by ``render_scene``.
     wavelengths, quality, polarisation, device, exact, stars, cache, refused, progress, cancel :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
 
     Returns
     -------
@@ -168,7 +168,7 @@ def environment_map(
     Raises
     ------
     ParameterError, ConvergenceError, Cancelled
-        As ``paint_scene``; for an unknown ``sun`` or ``ground``, or a camera with a polarising
+        As ``render_scene``; for an unknown ``sun`` or ``ground``, or a camera with a polarising
         filter.
     """
     for name, value, allowed in (("sun", sun, SUNS), ("ground", ground, GROUNDS)):
@@ -185,7 +185,7 @@ def environment_map(
         )
     if ground == "neutral":
         planet = grey_ground(planet)
-    frame, solution = paint_solved(
+    frame, solution = render_with_solution(
         planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
         device=device, exact=exact, disc=False, cache=cache, local=False, stars=stars,
         refused=refused, progress=progress, cancel=cancel,

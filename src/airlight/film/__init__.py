@@ -5,7 +5,7 @@ from __future__ import annotations
 from airlight.film.animate import Animated, animate
 from airlight.film.film import Film
 from airlight.film.finish import Finish
+from airlight.film.frame_spec import Quality
 from airlight.film.reading import load_film
-from airlight.film.still import Quality
 
 __all__ = ["Animated", "Film", "Finish", "Quality", "animate", "load_film"]

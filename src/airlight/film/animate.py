@@ -16,9 +16,9 @@ from airlight.film.exposure_curve import ExposureCurve, metered_numbers
 from airlight.film.film import Film
 from airlight.film.finish import Finish, finished
 from airlight.film.frame_checksum import BLANK, CHECKSUM, with_checksum
+from airlight.film.frame_spec import FrameSpec, Quality, distinct_solutions
 from airlight.film.frames_folder import FINGERPRINT, FramesFolder
 from airlight.film.movie import check_movie, write_movie
-from airlight.film.still import Quality, Still, distinct_solutions
 from airlight.kernel import disk
 from airlight.kernel.cost import announce_all
 from airlight.scene.metering import METERED
@@ -34,7 +34,7 @@ _KEPT: Final = 512
 #: Frames by which the number of a film's solutions is estimated.
 _SAMPLED: Final = 32
 #: Source that draws frames.
-_SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("still.py", "finish.py"))
+_SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("frame_spec.py", "finish.py"))
 
 
 def _code() -> str:
@@ -131,7 +131,7 @@ def animate(
     frames = FramesFolder(Path(folder), name or film.name, finish.suffix, film.plan.count)
     say = told or (lambda line: None)
     for number in {0, film.plan.count // 2, film.plan.count - 1}:
-        job.still(number)  # refuse here what a worker would refuse after some time
+        job.frame_spec(number)  # refuse here what a worker would refuse after some time
     if movie is not None:
         check_movie(Path(movie), "movie")
     with frames.claimed(), contextlib.ExitStack() as stack:
@@ -185,22 +185,22 @@ class _Job:
     ) -> None:  # fmt: skip
         self._film, self._size, self._how = film, (width, height), how
         self._finish, self._exposure, self._progress = finish, exposure, progress
-        self._stills: dict[int, Still] = {}
+        self._specs: dict[int, FrameSpec] = {}
         self._digests: dict[int, str] = {}
         self._curve: Callable[[int], float] | None = None
 
-    def still(self, number: int) -> Still:
-        if number not in self._stills:
-            if len(self._stills) >= _KEPT:
-                self._stills.clear()
-            self._stills[number] = self._film.still(number, *self._size, self._how)
-        return self._stills[number]
+    def frame_spec(self, number: int) -> FrameSpec:
+        if number not in self._specs:
+            if len(self._specs) >= _KEPT:
+                self._specs.clear()
+            self._specs[number] = self._film.frame_spec(number, *self._size, self._how)
+        return self._specs[number]
 
     def _digest(self, number: int) -> str:
         """Fingerprint of a frame's light."""
         if number not in self._digests:
-            still = self.still(number)
-            self._digests[number] = digest((still.defined_by, _code()), still.files)
+            spec = self.frame_spec(number)
+            self._digests[number] = digest((spec.defined_by, _code()), spec.files)
         return self._digests[number]
 
     # --- exposure -----------------------------------------------------------------------------
@@ -217,7 +217,7 @@ class _Job:
         found = {number: self._kept_exposure(number) for number in numbers}
         unknown = [number for number, value in found.items() if value is None]
         if unknown:
-            tasks = ((number, (self.still(number), _code())) for number in unknown)
+            tasks = ((number, (self.frame_spec(number), _code())) for number in unknown)
             for done, (number, value) in enumerate(opened().run(metered_exposure, tasks)):
                 disk.save(self._key(number), {"exposure": np.array(value)})
                 found[number] = value
@@ -253,7 +253,7 @@ class _Job:
         """Tasks of ``drawn_frame``."""
         for number in numbers:
             yield number, (
-                self.still(number), self._finish, self._exposure_of(number), self._eye,
+                self.frame_spec(number), self._finish, self._exposure_of(number), self._eye,
                 self.fingerprint(number), _code(),
             )  # fmt: skip
 
@@ -261,7 +261,7 @@ class _Job:
         """Announce frames that take long together, and solutions if they have several."""
         count = self._film.plan.count
         sampled = min(count, _SAMPLED)
-        some = [self.still(count * k // sampled) for k in range(sampled)]
+        some = [self.frame_spec(count * k // sampled) for k in range(sampled)]
         changes = distinct_solutions(some)
         cost = some[0].cost()
         # A single solution announces itself, if it is not on disk.
@@ -276,7 +276,7 @@ class _Job:
     def prepare(self, runner: Runner) -> None:
         """Solve once, here and on each other machine, what all frames share."""
         count = self._film.plan.count
-        some = [self.still(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
+        some = [self.frame_spec(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
         if distinct_solutions(some) == 1:
             some[0].prepare(self._progress)
             runner.once_per_machine(prepared, some[0], _code())
@@ -285,26 +285,26 @@ class _Job:
 # --- on a worker ------------------------------------------------------------------------------
 
 
-def prepared(still: Still, code: str) -> None:
-    """Solve what a still needs, and keep it on the disk of this machine."""
+def prepared(spec: FrameSpec, code: str) -> None:
+    """Solve what a frame needs, and keep it on the disk of this machine."""
     check_code(code, *_SOURCES)
-    still.prepare()
+    spec.prepare()
 
 
-def metered_exposure(still: Still, code: str) -> float:
-    """Exposure of a still by a small picture of it. [EV]"""
+def metered_exposure(spec: FrameSpec, code: str) -> float:
+    """Exposure of a frame by a small picture of it. [EV]"""
     check_code(code, *_SOURCES)
-    return float(still.frame(METERED).exposure)
+    return float(spec.render(METERED).exposure)
 
 
 def drawn_frame(
-    still: Still, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
+    spec: FrameSpec, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
 ) -> bytes:
     """Contents of a frame's file, with its fingerprint and its checksum in the header.
 
     Parameters
     ----------
-    still : Still
+    spec : FrameSpec
         Frame.
     finish : Finish
         Format and display.
@@ -323,5 +323,5 @@ def drawn_frame(
         If the source of this machine is another.
     """
     check_code(code, *_SOURCES)
-    told = {**still.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
-    return with_checksum(finished(still.frame(), finish, exposure, eye, told))
+    told = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
+    return with_checksum(finished(spec.render(), finish, exposure, eye, told))

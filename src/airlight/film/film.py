@@ -1,4 +1,4 @@
-"""``Film``: a planet or a scene with a plan, which becomes stills."""
+"""``Film``: a planet or a scene with a plan, which becomes specs."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
+from airlight.film.frame_spec import FrameSpec, PlanetFrameSpec, Quality, SystemFrameSpec
 from airlight.film.plan import FilmPlan
-from airlight.film.still import PlanetStill, Quality, Still, SystemStill
 from airlight.film.view import PlanetView
 from airlight.planets.planet import Planet
 from airlight.planets.reading.overrides import FIELD
@@ -52,7 +52,7 @@ class Film:
     folder: Path | None = None
     view: Tables | None = field(default=None)
 
-    def still(self, number: int, width: int, height: int, how: Quality) -> Still:
+    def frame_spec(self, number: int, width: int, height: int, how: Quality) -> FrameSpec:
         """Frame of the film before it is drawn.
 
         Parameters
@@ -75,10 +75,10 @@ class Film:
             time = self._time(number, view, planet)
             scene = view.scene(planet, time, width, height)
             planet, scene = on_basin_floor(planet, scene)
-            return PlanetStill(planet=planet, scene=scene, how=how, stars=view.stars)
+            return PlanetFrameSpec(planet=planet, scene=scene, how=how, stars=view.stars)
         system = self._system_at(changes, self._time(number))
         system.check_distances()
-        return SystemStill(system=system, width=width, height=height, how=how)
+        return SystemFrameSpec(system=system, width=width, height=height, how=how)
 
     @property
     def projection(self) -> str:

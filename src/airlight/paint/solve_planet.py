@@ -19,7 +19,7 @@ from airlight import solvers
 from airlight.errors import ConvergenceError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.capacity import fits
-from airlight.paint.drawing_device import Choice, live_device
+from airlight.paint.rendering_device import Choice, live_device
 from airlight.planets.medium import Medium
 from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths

@@ -147,7 +147,7 @@ def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
 
 
 @compiled_loop
-def draw_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, out):
+def render_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, out):
     """Draw pixels of a planet in the shadow of a moon.
 
     Parameters

@@ -14,7 +14,7 @@ import numpy as np
 from airlight.kernel.ahead import CompiledAhead
 from airlight.kernel.shader_fields import InTexture, shader_fields
 from airlight.pixels.picture_numbers import observer_from, screen_from
-from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
+from airlight.pixels.render_cpu import march_pixels, render_pixels
 from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_texels
 from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.scene import Camera
@@ -22,7 +22,7 @@ from airlight.solvers.moments.march_tables import MarchTables, new_workspace, qu
 
 #: Loops of a picture that reads a sky-view LUT, in the order of their use; and of one that does
 #: not.
-DRAWING: Final = (fill_texels, draw_pixels)
+DRAWING: Final = (fill_texels, render_pixels)
 MARCHING: Final = (march_pixels,)
 
 

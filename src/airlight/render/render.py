@@ -17,7 +17,7 @@ from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.polarising_filter import ALONG, ASLANT
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike, load_planet
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -48,7 +48,7 @@ def render(
     ----------
     solution : MomentsSolution, Planet, str or Path
         Solution of at least three wavelengths; or a planet, the name of a preset or a path, which
-        is solved as by ``paint_scene``: for the ground around the observer, at sixteen wavelengths.
+        is solved as by ``render_scene``: for the ground around the observer, at sixteen wavelengths.
     scene : Scene
         Observer, lights and camera; each light takes as long as the first.
     orders : str
@@ -110,12 +110,12 @@ def render(
     layers = zeros((len(elements), height, width, 3), np.float32)
     with timed(kind, drawn * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
         for number, (seen, lit, air, _) in enumerate(pictures):
-            drawing = Drawing(
+            renderer = CpuRenderer(
                 lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
                 stokes=stokes,
             )  # fmt: skip
             share = None if progress is None else _shared(progress, number, len(pictures))
-            _add_drawn(layers, drawing, elements, share, cancel, black=number == 0)
+            _add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
     return Frame(
         rgb=layers[0],
@@ -149,9 +149,9 @@ def _shared(progress: Progress, number: int, count: int) -> Progress:
     return lambda done, total, message: progress(number * total + done, count * total, message)
 
 
-def _add_drawn(
+def _add_rendered(
     layers: Float32Array,
-    drawing: Drawing,
+    renderer: CpuRenderer,
     elements: Sequence[int | None],
     progress: Progress | None,
     cancel: Cancel | None,
@@ -167,7 +167,7 @@ def _add_drawn(
     step = max(1, _BLOCK_PIXELS // width)
     blocks = -(-height // step)
     # Filling the table counts as much as drawing the rows.
-    total = blocks if drawing.window is None else 2 * blocks
+    total = blocks if renderer.window is None else 2 * blocks
 
     def filling(done: int, count: int, message: str) -> None:
         if progress is not None:
@@ -177,12 +177,12 @@ def _add_drawn(
         if progress is not None:
             progress(total - blocks + done, total, message)
 
-    drawing.fill_sky_view(cancel=cancel, progress=filling)
+    renderer.fill_sky_view(cancel=cancel, progress=filling)
 
     def draw(k: int) -> None:
         first, last = k * step, min((k + 1) * step, height)
         for element, rgb, whole in zip(elements, lit, layers, strict=True):
-            drawing.draw(first, last, rgb, element)
+            renderer.render_rows(first, last, rgb, element)
             if not black:
                 whole[first:last] += rgb[first:last]
                 release(whole[first:last])

@@ -62,7 +62,7 @@ class DisplayPasses:
             self._groups.clear()
         return self._picture.create_view()
 
-    def show(
+    def display(
         self, numbers: Mapping[str, float], pixel_angle: float, view: Any, target_format: str
     ) -> None:
         """Display the picture.

@@ -28,7 +28,7 @@ class LightSum:
         self._size = (0, 0)
         self._passes: dict[str, FragmentPass] = {}
 
-    def draw(
+    def render(
         self,
         parts: Sequence[Callable[[Any, str], None]],
         view: Any,

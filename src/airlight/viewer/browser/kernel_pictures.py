@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.display import to_display
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.background.preparing import Preparing
@@ -98,10 +98,10 @@ class KernelPictures:
 
     def _work(self) -> None:
         preparing = self.preparing
-        painter = ScenePainter(ahead=None if preparing is None else preparing.ahead)
+        renderer = Renderer(ahead=None if preparing is None else preparing.ahead)
         while (order := self._orders.get()) is not None and not self._closing:
             try:
-                drawn = self._drawn(painter, order)
+                drawn = self._drawn(renderer, order)
             except Exception as failure:
                 # The thread must survive any failure of one picture, to draw the next.
                 drawn = {"error": one_line(failure)}
@@ -110,11 +110,11 @@ class KernelPictures:
             self._drew = True
             if not self._closing:
                 self._answer({"number": order.number, **drawn})
-        painter.close()
+        renderer.close()
 
-    def _drawn(self, painter: ScenePainter, order: Order) -> dict[str, Any]:
+    def _drawn(self, renderer: Renderer, order: Order) -> dict[str, Any]:
         view, scene = order.view, scene_of(order.view, *order.size)
-        frame = painter.frame(
+        frame = renderer.render(
             order.solution, scene, orders=str(view["light.orders"]), cancel=lambda: self._closing
         )
         exposure = float(view["display.exposure"])

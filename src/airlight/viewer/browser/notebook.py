@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import AirlightError
-from airlight.paint.drawing_device import any_device
+from airlight.paint.rendering_device import any_device
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import texel_wavelengths
 from airlight.viewer.background.solving import Solving

@@ -24,7 +24,11 @@ from airlight.gpu.picture.display_shaders import (
     display_shader,
     spread_shader,
 )
-from airlight.gpu.picture.pictures import MEDIUM_SKY_VIEW_SIZE, QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE
+from airlight.gpu.picture.gpu_renderer import (
+    MEDIUM_SKY_VIEW_SIZE,
+    QUICK_SKY_VIEW_SIZE,
+    SKY_VIEW_SIZE,
+)
 from airlight.gpu.picture.shaders import (
     Shader,
     picture_shader,

@@ -1,4 +1,4 @@
-"""Request for a picture, the picture, and the protocol of painters that turn one into the other."""
+"""Request for a picture, the picture, and the protocol of renderers that turn one into the other."""
 
 from __future__ import annotations
 
@@ -109,10 +109,10 @@ class Picture:
     by: str
 
 
-class Painter(Protocol):
+class PictureSource(Protocol):
     """Renderer of pictures; all methods are called on one thread, which is not the window's."""
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """Yield pictures of a request, each finer than the one before.
 
         Parameters
@@ -133,4 +133,4 @@ class Painter(Protocol):
         """
 
     def close(self) -> None:
-        """End the painter's threads."""
+        """End the renderer's threads."""

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.paint.scene_painter import LIVE_FORMAT
+from airlight.paint.renderer import LIVE_FORMAT
 
 
 class PictureTexture:

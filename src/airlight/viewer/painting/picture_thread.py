@@ -7,22 +7,22 @@ from collections.abc import Callable
 
 from airlight.errors import Cancelled
 from airlight.viewer.background.error_line import one_line
-from airlight.viewer.painting.picture_source import Painter, Picture, Request
+from airlight.viewer.painting.picture_source import Picture, PictureSource, Request
 
 
 class PictureThread:
-    """Thread that runs a painter on the latest request.
+    """Thread that runs a renderer on the latest request.
 
     Parameters
     ----------
-    painter : Painter
+    renderer : PictureSource
         Called on the thread only, and closed there.
     wake : callable
         Function without arguments, called on the thread after each new picture.
     """
 
-    def __init__(self, painter: Painter, wake: Callable[[], None]) -> None:
-        self._painter = painter
+    def __init__(self, renderer: PictureSource, wake: Callable[[], None]) -> None:
+        self._renderer = renderer
         self._wake = wake
         self._news = threading.Condition()
         self._wanted: Request | None = None
@@ -70,7 +70,7 @@ class PictureThread:
         while True:
             request = self._next(last)
             if request is None:
-                self._painter.close()
+                self._renderer.close()
                 return
             error = ""
             try:
@@ -97,7 +97,7 @@ class PictureThread:
         def stale() -> bool:
             return self._closing or self._wanted is not request
 
-        for picture in self._painter.paint(request, stale):
+        for picture in self._renderer.paint(request, stale):
             self._picture = picture
             self._wake()
             if stale():

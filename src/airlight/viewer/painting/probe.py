@@ -20,7 +20,7 @@ from airlight.errors import ParameterError
 from airlight.pixels.disc_shading import disc_powers, shading_numbers
 from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.occulted_light import DARKEST
-from airlight.render.drawing import color_weights
+from airlight.render.cpu_renderer import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
 from airlight.scene.camera import Camera

@@ -18,7 +18,7 @@ _LONGEST: Final = 0.1
 
 
 class Adaptation:
-    """Exposure that a session's pictures share, used from the threads of its painters.
+    """Exposure that a session's pictures share, used from the threads of its renderers.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ from airlight.color.exposure import eased
 from airlight.errors import Cancelled, FileError
 from airlight.exports.whole_file import whole_file
 from airlight.kernel.threads import Cancel, Progress
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.planets.parameters import replace
 from airlight.scene import Scene
 from airlight.scene.sun_time import sun_at, time_of
@@ -146,11 +146,11 @@ def _frames(
 ) -> Iterator[Image]:
     from PIL import Image
 
-    painter, request, exposure = ScenePainter(), picture.request, picture.exposure
+    renderer, request, exposure = Renderer(), picture.request, picture.exposure
     for index, scene in enumerate(scenes):
         if cancel():
             raise Cancelled("the film")
-        frame = painter.frame(request.solution, scene, orders=request.orders, cancel=cancel)
+        frame = renderer.render(request.solution, scene, orders=request.orders, cancel=cancel)
         if request.automatic and not request.held:
             exposure = eased(exposure, frame.exposure + request.exposure, 1.0 / RATE, TIME_CONSTANT)
         shown = to_display(

@@ -1,4 +1,4 @@
-"""Sides of the comparison, each with a solver thread and a painter thread."""
+"""Sides of the comparison, each with a solver thread and a renderer thread."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Final, cast
 from airlight.paint.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
 from airlight.viewer.background.solving import Solved, SolverStatus, Solving
-from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request
+from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 from airlight.viewer.session.compared_side import SessionSide
@@ -25,8 +25,8 @@ class Sides:
     Parameters
     ----------
     session : Session
-    painter : callable
-        Factory of painters, called once per side.
+    renderer : callable
+        Factory of renderers, called once per side.
     solver : PlanetSolver, optional
         Solver, called on the threads of ``Solving``; by default the processor's.
     wake : callable
@@ -36,12 +36,12 @@ class Sides:
     def __init__(
         self,
         session: Session,
-        painter: Callable[[], Painter],
+        renderer: Callable[[], PictureSource],
         solver: PlanetSolver | None,
         wake: Callable[[], None],
     ) -> None:
         self._session = session
-        self._make_painter = painter
+        self._make_renderer = renderer
         self._solver = solver
         self._wake = wake
         self._solvings: dict[str, Solving] = {}
@@ -61,7 +61,7 @@ class Sides:
 
     def _want(self, side: str) -> None:
         if side not in self._solvings:
-            self._threads[side] = PictureThread(self._make_painter(), self._wake)
+            self._threads[side] = PictureThread(self._make_renderer(), self._wake)
             self._solvings[side] = Solving(
                 SessionSide(self._session, side),
                 solver=self._solver,

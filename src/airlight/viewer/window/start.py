@@ -15,15 +15,15 @@ from airlight.errors import FileError
 from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
 from airlight.kernel.ahead import CompiledAhead
-from airlight.paint.drawing_device import Choice, live_device
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
+from airlight.paint.rendering_device import Choice, live_device
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.reading.reader import read_tables
 from airlight.scene import look_at
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.first_view import first_view
-from airlight.viewer.painting.picture_painter import PicturePainter
-from airlight.viewer.painting.picture_source import Painter
+from airlight.viewer.painting.picture_source import PictureSource
+from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import from_fragment
 from airlight.viewer.session.session import Session
@@ -134,9 +134,9 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     preparing = Preparing(canvas.wake)
     try:
         device = open_device()
-        painter = painter_by(start.device, device, preparing.ahead)
+        renderer = renderer_by(start.device, device, preparing.ahead)
         solver = live_solver(start.device, device, lambda: _is_plain(session))
-        window = Window(session, canvas, device.device, painter, solver, preparing)
+        window = Window(session, canvas, device.device, renderer, solver, preparing)
         if start.other is not None:
             window.panel.compare_with(start.other)
     except BaseException as error:
@@ -198,13 +198,13 @@ def _session_of(planet: str) -> Session:
     return session
 
 
-def painter_by(
+def renderer_by(
     choice: Choice, device: Device, ahead: CompiledAhead | None = None
-) -> Callable[[], Painter]:
-    """Factory of painters for the graphics device or the processor, which waits for its loops."""
+) -> Callable[[], PictureSource]:
+    """Factory of renderers for the graphics device or the processor, which waits for its loops."""
 
-    def make() -> Painter:
-        return PicturePainter(device.device, ScenePainter(live_device(choice, device), ahead))
+    def make() -> PictureSource:
+        return SideRenderer(device.device, Renderer(live_device(choice, device), ahead))
 
     return make
 

@@ -9,7 +9,7 @@ from typing import Final
 
 from airlight.errors import AirlightError
 from airlight.exports.picture import picture_suffix, write_picture
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.plain_text import plain
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
@@ -97,7 +97,7 @@ class Saving:
 
     def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> None:
         try:
-            frame = ScenePainter().frame(
+            frame = Renderer().render(
                 request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
                 progress=self._progress,
             )  # fmt: skip

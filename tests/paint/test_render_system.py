@@ -12,8 +12,8 @@ import airlight
 from airlight.color.glare import Glare
 from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
-from airlight.paint.paint_scene import paint_scene
-from airlight.paint.paint_system import paint_system
+from airlight.paint.render_scene import render_scene
+from airlight.paint.render_system import render_system
 from airlight.paint.scene_lights import SceneLights
 from airlight.scene import Camera, Scene
 from airlight.scene.local_ground import local_ground
@@ -37,7 +37,7 @@ def system(*bodies: Body, lights: tuple[Light, ...], observer: Observer, view: V
 
 
 def drawn(scene: System, **options: object) -> np.ndarray:
-    return paint_system(scene, **(SIZE | {"wavelengths": NM, "quality": "preview"} | options)).rgb
+    return render_system(scene, **(SIZE | {"wavelengths": NM, "quality": "preview"} | options)).rgb
 
 
 @pytest.mark.parametrize(("altitude", "polariser"), [(2.0, 35.0), (400e3, None)])
@@ -207,9 +207,9 @@ def test_options_out_of_range_are_refused() -> None:
         observer=Observer(position=(0.0, 0.0, 0.0)), view=View(look_at="moon"),
     )  # fmt: skip
     with pytest.raises(ParameterError, match=r"samples is 17; allowed: 1 to 16"):
-        paint_system(scene, samples=17)
+        render_system(scene, samples=17)
     with pytest.raises(ParameterError, match=r"wavelengths"):
-        paint_system(scene, wavelengths=(550.0,))
+        render_system(scene, wavelengths=(550.0,))
 
 
 def test_stars_have_their_light_and_their_place() -> None:
@@ -284,7 +284,7 @@ def test_a_low_light_looked_at_is_in_the_middle_of_the_picture(
     )  # fmt: skip
     camera = Camera(**SIZE, look_zenith=angle, field_of_view=1.5)
     scene = Scene(altitude=altitude, sun_zenith=zenith, camera=camera)
-    alone = paint_scene(planet, scene, wavelengths=NM, quality="preview").rgb
+    alone = render_scene(planet, scene, wavelengths=NM, quality="preview").rgb
     for found in (bright, luminance(alone)):
         row, column = np.nonzero(found > 0.3 * found.max())
         assert abs(0.5 * (row.min() + row.max()) - 19.5) <= 2.0
@@ -300,11 +300,11 @@ def test_a_star_limits_the_exposure_of_a_scene(field_of_view: float) -> None:
         observer=Observer(position=(0.0, 0.0, 0.0)),
         view=View(look_at="sun", field_of_view=field_of_view),
     )  # fmt: skip
-    frame = paint_system(scene, **SIZE, wavelengths=NM, quality="preview")
+    frame = render_system(scene, **SIZE, wavelengths=NM, quality="preview")
     bright = luminance(frame.rgb.astype(float))
     shown = 2.0**frame.exposure * luminance(Glare(frame.rgb, frame.pixel_angle).rows(0, 40))
     of_disc = bright > 0.01 * bright.max()
     assert shown.max() > 0.5
     assert np.mean((shown > 1.5) & ~of_disc) < 0.06
     away = replace(scene, view=View(look_at="moon", field_of_view=field_of_view))
-    assert paint_system(away, **SIZE, wavelengths=NM, quality="preview").scene is None
+    assert render_system(away, **SIZE, wavelengths=NM, quality="preview").scene is None

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.pixels.eclipsed_pixel import draw_eclipsed
-from airlight.render.drawing import Drawing, color_weights
+from airlight.pixels.eclipsed_pixel import render_eclipsed
+from airlight.render.cpu_renderer import CpuRenderer, color_weights
 from airlight.scene import Scene
 from airlight.solvers.eclipsed.shadow_tables import new_shadow_workspace
 from airlight.solvers.eclipsed.solution import EclipsedSolution
@@ -31,7 +31,7 @@ def check_unfiltered(scene: Scene) -> None:
         raise ParameterError("camera.polariser", angle, "none where a moon's shadow is drawn")
 
 
-class EclipsedDrawing(Drawing):
+class EclipseRenderer(CpuRenderer):
     """Picture by a star that a moon hides in part; each pixel is marched.
 
     Parameters
@@ -63,10 +63,10 @@ class EclipsedDrawing(Drawing):
     ) -> None:
         """Do nothing: there is no sky-view LUT."""
 
-    def draw_pixels(
+    def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """See ``Drawing``; there is no picture of Q or U.
+        """See ``CpuRenderer``; there is no picture of Q or U.
 
         Raises
         ------
@@ -76,7 +76,7 @@ class EclipsedDrawing(Drawing):
         if element is not None:
             raise ParameterError("stokes", True, "False where a moon's shadow is drawn")
         out = np.empty((px.size, self._tables.lanes), np.float32)
-        draw_eclipsed(
+        render_eclipsed(
             px, py, self._turn, self._observer, self._screen, self._tables, self._shadow,
             new_workspace(self._tables), new_shadow_workspace(self._shadow), out,
         )  # fmt: skip

@@ -1,7 +1,7 @@
 """Device that solves and draws, and the reason if it is not the requested one.
 
 A still picture leaves a software device out unless it is requested by name. Live pictures take one,
-since the processor finishes them (``ScenePainter``), and solves in its place (``solve_planet``).
+since the processor finishes them (``Renderer``), and solves in its place (``solve_planet``).
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def any_device() -> Device | None:
         return None
 
 
-def drawing_device(
+def rendering_device(
     choice: Choice,
     planet: Planet,
     wavelengths: int,

@@ -15,8 +15,8 @@ from airlight.pixels.picture_numbers import (
     scene_numbers,
     screen_from,
 )
-from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
 from airlight.pixels.polarising_filter import NONE
+from airlight.pixels.render_cpu import march_pixels, render_pixels
 from airlight.pixels.shown import shown_solution
 from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
 from airlight.pixels.sky_view_window import SkyViewWindow, sky_view_window
@@ -30,7 +30,7 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 
-class Drawing:
+class CpuRenderer:
     """Picture by one light, with all inputs of its rows.
 
     Parameters
@@ -118,7 +118,9 @@ class Drawing:
         )  # fmt: skip
         self._screen = screen_from(self._numbers, self._camera, self._ground, self._overlay, layers)
 
-    def draw(self, first: int, last: int, rgb: Float32Array, element: int | None = None) -> None:
+    def render_rows(
+        self, first: int, last: int, rgb: Float32Array, element: int | None = None
+    ) -> None:
         """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
 
         Parameters
@@ -133,9 +135,9 @@ class Drawing:
         px = np.arange(rgb.shape[1]) + (self._camera.left + 0.5)
         py = np.arange(first, last) + (self._camera.top + 0.5)
         x, y = np.meshgrid(px, py)
-        self.draw_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3), element)
+        self.render_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3), element)
 
-    def draw_pixels(
+    def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
         """Draw pixels anywhere in the picture, linear sRGB.
@@ -150,7 +152,7 @@ class Drawing:
             As in ``draw``.
         """
         screen = self._screen if element is None else self._screen._replace(filter=element)
-        pixels = march_pixels if self.window is None else draw_pixels
+        pixels = march_pixels if self.window is None else render_pixels
         window = SkyViewWindow.whole(0, 0) if self.window is None else self.window
         pixels(
             px, py, window, self._observer, screen, self._tables,

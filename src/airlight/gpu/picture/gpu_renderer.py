@@ -1,4 +1,4 @@
-"""``Pictures``: the view of a camera, drawn by the GPU from a solution."""
+"""``GpuRenderer``: the view of a camera, drawn by the GPU from a solution."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class _SkyView:
         return cls(shape, {name: empty_flat_texture(device, count, 4, name) for name in LAYERS})
 
 
-class Pictures:
+class GpuRenderer:
     """Renderer of one solution at a time, for any scene.
 
     Parameters
@@ -112,9 +112,9 @@ class Pictures:
     Examples
     --------
     >>> from airlight.gpu.device.device import open_device  # doctest: +SKIP
-    >>> pictures = Pictures(open_device())  # doctest: +SKIP
-    >>> pictures.show(solution)  # doctest: +SKIP
-    >>> frame = pictures.frame(Scene())  # doctest: +SKIP
+    >>> pictures = GpuRenderer(open_device())  # doctest: +SKIP
+    >>> pictures.set_solution(solution)  # doctest: +SKIP
+    >>> frame = pictures.render(Scene())  # doctest: +SKIP
     """
 
     def __init__(
@@ -186,7 +186,7 @@ class Pictures:
             self._read(number, law)
         return sky
 
-    def show(
+    def set_solution(
         self, solution: MomentsSolution, weights: FloatArray | None = None, *, maps: bool = True
     ) -> None:
         """Set the solution that is drawn from now on.
@@ -222,7 +222,7 @@ class Pictures:
         self._solution = solution
         self._forget()
 
-    def frame(
+    def render(
         self,
         scene: Scene,
         *,
@@ -272,7 +272,7 @@ class Pictures:
         drawn = width * height * checked_samples(samples) ** 2 * len(lights)
         with timed(DEVICE, drawn, f"a picture of {width}x{height} pixels"):
             frames = [
-                self._frame(number, one, exact, orders, disc, samples, progress, cancel)
+                self._render(number, one, exact, orders, disc, samples, progress, cancel)
                 for number, one in enumerate(lights)
             ]
         if len(frames) == 1:
@@ -281,7 +281,7 @@ class Pictures:
             np.add(frames[0].rgb, one.rgb, out=frames[0].rgb)
         return replace(frames[0], scene=scene)
 
-    def _frame(
+    def _render(
         self,
         number: int,
         light: LitScene,
@@ -345,7 +345,7 @@ class Pictures:
             origin=(camera.left, camera.top),
         )
 
-    def draw(
+    def display(
         self,
         scene: Scene,
         view: Any,
@@ -395,26 +395,26 @@ class Pictures:
         lights = lit_scenes(scene, self._shown())
         numbers = [self._numbers(one, (width, height), exact, orders, disc) for one in lights]
         parts = [
-            partial(self._draw_light, *one, exact)
+            partial(self._render_light, *one, exact)
             for one in zip(range(len(lights)), lights, numbers, strict=True)
         ]
         if exposure is None:
-            self._sum.draw(parts, view, (width, height), target_format)
+            self._sum.render(parts, view, (width, height), target_format)
             return
         kept = self._display
         picture = kept.picture(width, height)
         drawn = exact, tuple(self._passes.packed(one).tobytes() for one in numbers)
         if kept.drawn != drawn:
             kept.drawn = None
-            self._sum.draw(parts, picture, (width, height), LINEAR)
+            self._sum.render(parts, picture, (width, height), LINEAR)
             kept.drawn = drawn
         shown = {
             **display_numbers(exposure, tone_map, encoding), "glare": checked_amount(glare),
             "circle": scene.camera.circle is not None, **(uniforms or {}),
         }  # fmt: skip
-        kept.show(shown, scene.camera.glare_angle, view, target_format)
+        kept.display(shown, scene.camera.glare_angle, view, target_format)
 
-    def _draw_light(
+    def _render_light(
         self,
         number: int,
         light: LitScene,

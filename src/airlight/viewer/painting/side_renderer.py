@@ -1,4 +1,4 @@
-"""Painter of a side of the window: steps of a live picture, exposed, as textures."""
+"""PictureSource of a side of the window: steps of a live picture, exposed, as textures."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from airlight.color.display import to_display
 from airlight.color.exposure import MOST_EXPOSURE
-from airlight.paint.scene_painter import LivePicture, ScenePainter
+from airlight.paint.renderer import LiveFrame, Renderer
 from airlight.scene.metering import METERED, scene_exposure
 from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request
@@ -18,26 +18,26 @@ from airlight.viewer.painting.picture_texture import Canvases
 _PAUSE: Final = 1.0 / 60.0
 
 
-class PicturePainter:
-    """``Painter`` that asks a ``ScenePainter`` for each step.
+class SideRenderer:
+    """``PictureSource`` that asks a ``Renderer`` for each step.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
         Device that holds the pictures.
-    painter : ScenePainter
-        Policy of who draws; it is closed with this painter.
+    renderer : Renderer
+        Policy of who draws; it is closed with this renderer.
     """
 
-    def __init__(self, device: Any, painter: ScenePainter) -> None:
+    def __init__(self, device: Any, renderer: Renderer) -> None:
         self._canvases = Canvases(device)
-        self._painter = painter
+        self._renderer = renderer
         self._measured: tuple[Request, float] | None = None
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
-        """See ``Painter.paint``."""
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        """See ``PictureSource.render``."""
         picture: Picture | None = None
-        for step in self._painter.live(
+        for step in self._renderer.live(
             request.solution, request.scene, orders=request.orders, stale=stale
         ):
             picture = self._shown(request, step)
@@ -49,16 +49,16 @@ class PicturePainter:
             yield picture
 
     def close(self) -> None:
-        """See ``Painter.close``."""
-        self._painter.close()
+        """See ``PictureSource.close``."""
+        self._renderer.close()
 
-    def _shown(self, request: Request, step: LivePicture) -> Picture:
+    def _shown(self, request: Request, step: LiveFrame) -> Picture:
         started, camera = perf_counter(), step.scene.camera
         exposure, settled = self._exposure(request, step)
         texture = self._canvases.next()
         if step.frame is None:
             texture.resize(camera.width, camera.height)
-            step.draw(
+            step.display(
                 texture.view, exposure=exposure, tone_map=request.tone_map,
                 uniforms=request.uniforms,
             )  # fmt: skip
@@ -82,7 +82,7 @@ class PicturePainter:
             by=step.by,
         )
 
-    def _exposure(self, request: Request, step: LivePicture) -> tuple[float, bool]:
+    def _exposure(self, request: Request, step: LiveFrame) -> tuple[float, bool]:
         """Exposure of a step, with the automatic one if that is on [EV], and whether it stays."""
         exposure, settled = request.exposure, True
         if request.automatic:
@@ -94,7 +94,7 @@ class PicturePainter:
                 settled = request.held or adaptation.reached(measured)
         return min(max(exposure, -MOST_EXPOSURE), MOST_EXPOSURE), settled
 
-    def _automatic(self, request: Request, step: LivePicture) -> float:
+    def _automatic(self, request: Request, step: LiveFrame) -> float:
         """Measured exposure; a device draws for it, so that of the same light is kept. [EV]"""
         radius = request.solution.lights[0].angular_radius
         if step.frame is not None:

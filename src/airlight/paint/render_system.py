@@ -1,11 +1,11 @@
-"""``paint_system``: several bodies, with and without air, in one picture.
+"""``render_system``: several bodies, with and without air, in one picture.
 
 Each line of sight is followed from the observer on: it passes the air of the bodies that it meets,
 which dims it, bends it and adds its own light, until it ends on a surface, on a star's disc, or in
 the dark. Bodies do not overlap, so their order along every line is that of the power of the
 observer's point, d² - R².
 
-A planet with air is drawn by ``Drawing``, as in a picture of it alone, once for each light. What
+A planet with air is drawn by ``CpuRenderer``, as in a picture of it alone, once for each light. What
 stands behind air is sampled line by line.
 """
 
@@ -22,14 +22,14 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.paint.corona import OUTERMOST, corona
-from airlight.paint.eclipsed_air import planet_drawing
 from airlight.paint.local_frame import camera_angles, level_axes, metered_scene
+from airlight.paint.planet_renderer import planet_renderer
 from airlight.paint.scene_lights import SceneLights
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_points, raised_points
 from airlight.planets.light_source import LightSource
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.through_air import through_air
 from airlight.scene import Camera, Scene
 from airlight.scene.frame import Frame
@@ -62,7 +62,7 @@ _LINES: Final = 1 << 15
 _FAINTEST: Final = 1e-12
 
 
-def paint_system(
+def render_system(
     system: System,
     *,
     width: int = 1280,
@@ -118,9 +118,9 @@ def paint_system(
     if wavelengths is not None and len(wavelengths) < 3:
         raise ParameterError("wavelengths", list(wavelengths), "3 or more, or none given")
     system.check_distances()
-    picture = _Picture(system, width, height, wavelengths, quality, samples, crop=crop,
+    renderer = _SystemRenderer(system, width, height, wavelengths, quality, samples, crop=crop,
                        cache=cache, progress=progress, cancel=cancel)  # fmt: skip
-    return picture.frame(progress, cancel)
+    return renderer.render(progress, cancel)
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,7 +139,7 @@ class _Air:
         return np.asarray(local @ self.axes)
 
 
-class _Picture:
+class _SystemRenderer:
     def __init__(
         self,
         system: System,
@@ -230,11 +230,11 @@ class _Picture:
             lit = solution.lit_by(source, beside=number > 0)
             local = level_axes(up, self.lights.towards(light, body.centre[None])[0])
             scene = self._scene(body, light, up, local, latitude, longitude, altitude)
-            drawing = planet_drawing(
+            renderer = planet_renderer(
                 self.lights, light, body, lit, scene, local, cache=self.cache, progress=progress,
                 cancel=cancel,
             )  # fmt: skip
-            layer += self._drawn(drawing, progress, cancel)
+            layer += self._rendered_by(renderer, progress, cancel)
         return _Air(body, solution, altitude, level_axes(up), layer)
 
     def _scene(
@@ -261,22 +261,22 @@ class _Picture:
             ground="detailed",
         )
 
-    def _drawn(
-        self, drawing: Drawing, progress: Progress | None, cancel: Cancel | None
+    def _rendered_by(
+        self, renderer: CpuRenderer, progress: Progress | None, cancel: Cancel | None
     ) -> Float32Array:
         height, width = self.camera.rows, self.camera.columns
         rgb = np.zeros((height, width, 3), np.float32)
-        drawing.fill_sky_view(cancel=cancel, progress=progress)
+        renderer.fill_sky_view(cancel=cancel, progress=progress)
         step = max(1, _BLOCK_PIXELS // width)
         run_blocks(
-            lambda k: drawing.draw(k * step, min((k + 1) * step, height), rgb),
+            lambda k: renderer.render_rows(k * step, min((k + 1) * step, height), rgb),
             -(-height // step), cancel=cancel, progress=progress, message="rendering air",
         )  # fmt: skip
         return rgb
 
     # --- lines of sight -----------------------------------------------------------------------
 
-    def frame(self, progress: Progress | None, cancel: Cancel | None) -> Frame:
+    def render(self, progress: Progress | None, cancel: Cancel | None) -> Frame:
         height, width = self.camera.rows, self.camera.columns
         rgb = np.zeros((height, width, 3))
         step = max(1, _BLOCK_PIXELS // width)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from airlight.distribution.fingerprint import digest
 from airlight.kernel.cost import LINES
-from airlight.paint.paint_system import paint_system
+from airlight.paint.render_system import render_system
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_catalogue
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -56,10 +56,10 @@ class Quality:
     exact: bool = False
 
 
-class Still(Protocol):
+class FrameSpec(Protocol):
     """One frame before it is drawn."""
 
-    def frame(self, width: int | None = None) -> Frame:
+    def render(self, width: int | None = None) -> Frame:
         """Draw the frame.
 
         Parameters
@@ -76,7 +76,7 @@ class Still(Protocol):
 
     @property
     def solved_for(self) -> object:
-        """Value that is equal for stills of one solution."""
+        """Value that is equal for specs of one solution."""
 
     @property
     def defined_by(self) -> object:
@@ -91,8 +91,8 @@ class Still(Protocol):
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlanetStill:
-    """Frame of one planet, as ``airlight.paint.paint_scene`` draws it.
+class PlanetFrameSpec:
+    """Frame of one planet, as ``airlight.paint.render_scene`` draws it.
 
     The air is solved in the light of the planet's file, and shown in that of the scene's time.
 
@@ -113,8 +113,8 @@ class PlanetStill:
     how: Quality
     stars: bool = False
 
-    def frame(self, width: int | None = None) -> Frame:
-        """See ``Still``."""
+    def render(self, width: int | None = None) -> Frame:
+        """See ``FrameSpec``."""
         solution, scene = self._solution(), self.scene
         if scene.time is not None:
             now = self.planet.lit_at(scene.time)
@@ -129,11 +129,11 @@ class PlanetStill:
         return frame
 
     def prepare(self, progress: Progress | None = None) -> None:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         self._solution(progress)
 
     def cost(self) -> dict[str, float]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         how, camera = self.how, self.scene.camera
         nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
         drawn = camera.width * camera.height * (how.samples or 1) ** 2 * len(nm)
@@ -163,7 +163,7 @@ class PlanetStill:
 
     @property
     def solved_for(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         scene = self.scene
         place = (scene.latitude, scene.longitude, scene.altitude)
         mapped = self.planet.ground.map is not None or self.planet.ground.clouds is not None
@@ -171,22 +171,22 @@ class PlanetStill:
 
     @property
     def defined_by(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         return self.planet, self.scene, self.how, self.stars
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         return _ground_files(self.planet)
 
     def metadata(self) -> dict[str, str]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         return {"planet": self.planet.name, **self.scene.metadata()}
 
 
 @dataclass(frozen=True, kw_only=True)
-class SystemStill:
-    """Frame of a scene of several bodies, as ``airlight.paint.paint_system`` draws it.
+class SystemFrameSpec:
+    """Frame of a scene of several bodies, as ``airlight.paint.render_system`` draws it.
 
     Attributes
     ----------
@@ -203,22 +203,22 @@ class SystemStill:
     height: int
     how: Quality
 
-    def frame(self, width: int | None = None) -> Frame:
-        """See ``Still``."""
+    def render(self, width: int | None = None) -> Frame:
+        """See ``FrameSpec``."""
         columns, rows = self.width, self.height
         if width is not None:
             columns, rows = _reduced(self.system.view.projection, columns, rows, width)
-        return self._drawn(columns, rows)
+        return self._render(columns, rows)
 
-    def _drawn(self, width: int, height: int, progress: Progress | None = None) -> Frame:
+    def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
         how = self.how
-        return paint_system(
+        return render_system(
             self.system, width=width, height=height, wavelengths=how.wavelengths,
             quality=how.quality, samples=how.samples, progress=progress,
         )  # fmt: skip
 
     def cost(self) -> dict[str, float]:
-        """See ``Still``; samples at the edges of bodies are not counted."""
+        """See ``FrameSpec``; samples at the edges of bodies are not counted."""
         how, planets = self.how, self.system.planets.values()
         counts = [
             len(picture_wavelengths(one) if how.wavelengths is None else how.wavelengths)
@@ -229,25 +229,25 @@ class SystemStill:
                 "solve": solves}  # fmt: skip
 
     def prepare(self, progress: Progress | None = None) -> None:
-        """See ``Still``."""
-        self._drawn(*_reduced(self.system.view.projection, self.width, self.height, 16), progress)
+        """See ``FrameSpec``."""
+        self._render(*_reduced(self.system.view.projection, self.width, self.height, 16), progress)
 
     @property
     def solved_for(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         observer, changes = self.system.observer, self.system.changes
         moving = any(body.ground.map is not None for body in self.system.planets.values())
         return changes, self.system.bodies if moving else None, observer if moving else None
 
     @property
     def defined_by(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         system, size = self.system, (self.width, self.height)
         return system, system.planets, size, self.how
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         found = [file for one in self.system.planets.values() for file in _ground_files(one)]
         maps = [body.map for body in self.system.bodies if body.map is not None]
         beside = self.system.folder
@@ -257,7 +257,7 @@ class SystemStill:
         return tuple(found)
 
     def metadata(self) -> dict[str, str]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         moment = self.system.time
         return {} if moment is None else {"time": moment.isoformat()}
 
@@ -286,7 +286,7 @@ def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, 
     return (columns, rows) if form.fits(columns, rows) else form.sized(most)
 
 
-def distinct_solutions(stills: Sequence[Still]) -> int:
+def distinct_solutions(specs: Sequence[FrameSpec]) -> int:
     """Number of changes of the solution from still to still, and 1."""
-    keys = [one.solved_for for one in stills]
+    keys = [one.solved_for for one in specs]
     return 1 + sum(a != b for a, b in pairwise(keys))

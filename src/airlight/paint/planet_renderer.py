@@ -11,8 +11,8 @@ from airlight.geometry.occulted_star import OccultedStar, occulted_star
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.scene_lights import SceneLights
 from airlight.planets.light_source import LightSource
-from airlight.render.drawing import Drawing
-from airlight.render.eclipsed_drawing import EclipsedDrawing, check_unfiltered
+from airlight.render.cpu_renderer import CpuRenderer
+from airlight.render.eclipse_renderer import EclipseRenderer, check_unfiltered
 from airlight.scene import Scene
 from airlight.solvers.eclipsed.solution import EclipsedSolution
 from airlight.solvers.moments.solution import MomentsSolution
@@ -22,7 +22,7 @@ from airlight.system.light import Light
 FloatArray = NDArray[np.float64]
 
 
-def planet_drawing(
+def planet_renderer(
     lights: SceneLights,
     light: Light,
     body: Body,
@@ -33,7 +33,7 @@ def planet_drawing(
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Drawing:
+) -> CpuRenderer:
     """Picture of a planet by one light, in the shadow of a moon if one falls on its air.
 
     Parameters
@@ -49,7 +49,7 @@ def planet_drawing(
     local : array, shape (3, 3)
         Axes of that frame in the scene's, as rows. [1]
     cache, progress, cancel :
-        See ``paint_system``.
+        See ``render_system``.
 
     Raises
     ------
@@ -57,15 +57,15 @@ def planet_drawing(
         If the camera has a polarising filter, and a shadow falls.
     """
     source = lights.seen_from(light, body)
-    star = None if light.star is None else moon_before(lights, light, body, source)
+    star = None if light.star is None else occulting_moon(lights, light, body, source)
     if star is None:
-        return Drawing(lit, scene, disc=False)
+        return CpuRenderer(lit, scene, disc=False)
     check_unfiltered(scene)  # before the minutes that a shadow takes
     eclipsed = EclipsedSolution(lit, star, cache=cache, progress=progress, cancel=cancel)
-    return EclipsedDrawing(eclipsed, scene, local)
+    return EclipseRenderer(eclipsed, scene, local)
 
 
-def moon_before(
+def occulting_moon(
     lights: SceneLights, star: Light, body: Body, source: LightSource
 ) -> OccultedStar | None:
     """Body without air that hides a part of a star from the air of a planet; None if there is none.

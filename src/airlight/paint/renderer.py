@@ -1,4 +1,4 @@
-"""``ScenePainter``: who draws the view of a solution, and in which steps it becomes visible.
+"""``Renderer``: who draws the view of a solution, and in which steps it becomes visible.
 
 The policy of command line, window and saved pictures alike:
 
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from airlight.gpu.device.device import Device
-    from airlight.gpu.picture.pictures import Pictures
+    from airlight.gpu.picture.gpu_renderer import GpuRenderer
     from airlight.kernel.ahead import CompiledAhead
     from airlight.kernel.threads import Cancel, Progress
     from airlight.scene import Scene
@@ -70,7 +70,7 @@ _TINY: Final = 16.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LivePicture:
+class LiveFrame:
     """Step of a live picture: a frame, or a device that is ready to draw one into a texture.
 
     Attributes
@@ -85,7 +85,7 @@ class LivePicture:
         Time to render the frame; 0 for a device. [s]
     frame : Frame or None
         Linear sRGB radiance; None where a device draws.
-    pictures : Pictures or None
+    pictures : GpuRenderer or None
         Renderer with the solution, where a device draws.
     """
 
@@ -94,7 +94,7 @@ class LivePicture:
     finished: bool
     seconds: float = 0.0
     frame: Frame | None = None
-    pictures: Pictures | None = None
+    pictures: GpuRenderer | None = None
 
     @property
     def by(self) -> str:
@@ -109,9 +109,9 @@ class LivePicture:
             return self.frame.rgb
         assert self.pictures is not None
         small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
-        return self.pictures.frame(small, orders=self.orders).rgb
+        return self.pictures.render(small, orders=self.orders).rgb
 
-    def draw(
+    def display(
         self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
     ) -> None:
         """Draw into a texture of ``LIVE_FORMAT``, where a device draws.
@@ -121,22 +121,22 @@ class LivePicture:
         view : wgpu.GPUTextureView
             View of the target, which has the size of the scene's camera.
         exposure, tone_map, uniforms :
-            Arguments of ``Pictures.draw``.
+            Arguments of ``GpuRenderer.display``.
         """
         assert self.pictures is not None
-        self.pictures.draw(
+        self.pictures.display(
             self.scene, view, LIVE_FORMAT, orders=self.orders, exposure=exposure,
             tone_map=tone_map, uniforms=uniforms,
         )  # fmt: skip
 
 
-class ScenePainter:
+class Renderer:
     """Painter of any number of pictures; it keeps its device, shaders and textures between them.
 
     Parameters
     ----------
     device : Device, optional
-        Device that draws, see ``drawing_device``; without one the processor does.
+        Device that draws, see ``rendering_device``; without one the processor does.
     ahead : CompiledAhead, optional
         Process that compiles the processor's loops, which pictures wait for.
     """
@@ -144,16 +144,16 @@ class ScenePainter:
     def __init__(self, device: Device | None = None, ahead: CompiledAhead | None = None) -> None:
         self._device = device
         self._ahead = ahead
-        self._pictures: Pictures | None = None
+        self._pictures: GpuRenderer | None = None
         self._shown: object = None
         self._compiling: threading.Thread | None = None
         self._compiled = device is None
         self._closing = False
         self._began = False
         self._rate = _FIRST_GUESS
-        self._last: tuple[MomentsSolution, LivePicture] | None = None  # finished by the processor
+        self._last: tuple[MomentsSolution, LiveFrame] | None = None  # finished by the processor
 
-    def frame(
+    def render(
         self,
         solution: MomentsSolution,
         scene: Scene,
@@ -214,9 +214,9 @@ class ScenePainter:
             if stokes:
                 raise ParameterError("stokes", True, "False where a device draws")
             pictures = self._renderer(live=False)
-            pictures.show(solution, weights)
+            pictures.set_solution(solution, weights)
             self._shown = None
-            frame = pictures.frame(
+            frame = pictures.render(
                 scene, exact=exact, orders=orders, disc=disc, samples=samples, progress=progress,
                 cancel=cancel,
             )  # fmt: skip
@@ -229,7 +229,7 @@ class ScenePainter:
         *,
         orders: str = "all",
         stale: Callable[[], bool],
-    ) -> Iterator[LivePicture]:
+    ) -> Iterator[LiveFrame]:
         """Draw a picture step by step, each finer than the one before; the last is finished.
 
         Parameters
@@ -241,14 +241,14 @@ class ScenePainter:
 
         Yields
         ------
-        LivePicture
+        LiveFrame
 
         Raises
         ------
         Cancelled
             If the request became stale while the processor was drawing.
         """
-        picture = LivePicture(scene=scene, orders=orders, finished=True)
+        picture = LiveFrame(scene=scene, orders=orders, finished=True)
         if self._device is None:
             yield from self._by_processor(solution, picture, stale)
             return
@@ -283,11 +283,11 @@ class ScenePainter:
     def _by_processor(
         self,
         solution: MomentsSolution,
-        picture: LivePicture,
+        picture: LiveFrame,
         stale: Callable[[], bool],
         *,
         coarse: bool = True,
-    ) -> Iterator[LivePicture]:
+    ) -> Iterator[LiveFrame]:
         if self._last is not None and self._knows(solution, picture):
             yield self._last[1]
             return
@@ -324,7 +324,7 @@ class ScenePainter:
             part *= _STEP
         yield 1.0
 
-    def _knows(self, solution: MomentsSolution, picture: LivePicture) -> bool:
+    def _knows(self, solution: MomentsSolution, picture: LiveFrame) -> bool:
         """Whether the processor's last finished picture shows the same light."""
         if self._last is None:
             return False
@@ -333,14 +333,18 @@ class ScenePainter:
 
     # --- by a device --------------------------------------------------------------------------
 
-    def _renderer(self, *, live: bool) -> Pictures:
+    def _renderer(self, *, live: bool) -> GpuRenderer:
         """Renderer with the sky-view LUT that the device fills quickly enough."""
-        from airlight.gpu.picture.pictures import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE, Pictures
+        from airlight.gpu.picture.gpu_renderer import (
+            QUICK_SKY_VIEW_SIZE,
+            SKY_VIEW_SIZE,
+            GpuRenderer,
+        )
 
         assert self._device is not None
         shape = QUICK_SKY_VIEW_SIZE if live and self._device.software else SKY_VIEW_SIZE
         if self._pictures is None:
-            self._pictures = Pictures(self._device, shape)
+            self._pictures = GpuRenderer(self._device, shape)
         elif self._pictures.sky_view_size != shape:
             self._pictures.sky_view_size = shape
         return self._pictures
@@ -351,7 +355,7 @@ class ScenePainter:
         if solution is self._shown:
             return True
         try:
-            pictures.show(solution)
+            pictures.set_solution(solution)
         except ParameterError:  # too many wavelengths or constituents
             self._shown = None
             return False
@@ -359,8 +363,8 @@ class ScenePainter:
         return True
 
     def _while_compiling(
-        self, solution: MomentsSolution, picture: LivePicture, stale: Callable[[], bool]
-    ) -> Iterator[LivePicture]:
+        self, solution: MomentsSolution, picture: LiveFrame, stale: Callable[[], bool]
+    ) -> Iterator[LiveFrame]:
         assert self._device is not None
         if self._compiling is None:
             self._compiling = threading.Thread(
@@ -383,7 +387,7 @@ class ScenePainter:
         while not self._compiled and not stale():
             time.sleep(_POLL)
 
-    def _compile(self, solution: MomentsSolution, picture: LivePicture) -> None:
+    def _compile(self, solution: MomentsSolution, picture: LiveFrame) -> None:
         """Draw one very small picture, which compiles the shaders.
 
         A software device compiles them in the queue in which the window's frames wait. It therefore
@@ -398,7 +402,7 @@ class ScenePainter:
                 assert self._pictures is not None
                 if self._device.software and not self._closing:
                     apart = type(self._pictures)(self._device.apart(), self._pictures.sky_view_size)
-                    apart.show(solution, maps=False)
+                    apart.set_solution(solution, maps=False)
                     _draw_small(replace(picture, pictures=apart))
                 if not self._closing:
                     _draw_small(replace(picture, pictures=self._pictures))
@@ -407,7 +411,7 @@ class ScenePainter:
             give_back()
 
 
-def _draw_small(picture: LivePicture) -> None:
+def _draw_small(picture: LiveFrame) -> None:
     """Draw a picture of a few pixels, by all shaders."""
     import wgpu
 
@@ -419,5 +423,5 @@ def _draw_small(picture: LivePicture) -> None:
         usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
     )
     ready = replace(picture, scene=small)
-    ready.draw(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
+    ready.display(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
     ready.linear(_TINY)

@@ -1,4 +1,4 @@
-"""``paint_scene``: a planet and a scene become a frame, on the CPU or on a device."""
+"""``render_scene``: a planet and a scene become a frame, on the CPU or on a device."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import thread_count
-from airlight.paint.drawing_device import Choice, drawing_device
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
+from airlight.paint.rendering_device import Choice, rendering_device
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_catalogue, check_stars
 from airlight.pixels.sky_view_window import is_always_read
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 FEWEST: Final = 3
 
 
-class PaintedScene(NamedTuple):
+class RenderedScene(NamedTuple):
     """Picture of a scene, and the solution that it shows.
 
     Attributes
@@ -55,7 +55,7 @@ class PaintedScene(NamedTuple):
     solution: MomentsSolution
 
 
-def paint_scene(
+def render_scene(
     planet: PlanetLike,
     scene: Scene,
     *,
@@ -133,11 +133,11 @@ def paint_scene(
     >>> from airlight import Camera, Scene, load_planet
     >>> earth = load_planet("earth-atmosphere-plus")
     >>> scene = Scene(altitude=2.0, sun_zenith=60.0, camera=Camera(width=8, height=6))
-    >>> frame = paint_scene(earth, scene, wavelengths=(680, 550, 440), quality="preview")
+    >>> frame = render_scene(earth, scene, wavelengths=(680, 550, 440), quality="preview")
     >>> frame.rgb.shape, frame.metadata["device"]
     ((6, 8, 3), 'processor')
     """
-    painted = paint_solved(
+    painted = render_with_solution(
         planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
         device=device, exact=exact, orders=orders, samples=samples, stokes=stokes, cache=cache,
         local=local, stars=stars, refused=refused, progress=progress, cancel=cancel,
@@ -145,7 +145,7 @@ def paint_scene(
     return painted.frame
 
 
-def paint_solved(
+def render_with_solution(
     planet: PlanetLike,
     scene: Scene,
     *,
@@ -164,28 +164,28 @@ def paint_solved(
     refused: Callable[[str], None] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> PaintedScene:
-    """Draw a scene as ``paint_scene`` does, and keep the solution.
+) -> RenderedScene:
+    """Draw a scene as ``render_scene`` does, and keep the solution.
 
     Parameters
     ----------
     planet, scene, wavelengths, quality, polarisation, device, exact, orders, samples, stokes :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
     cache, local, stars :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
     disc : bool
         Whether the discs of the lights are drawn.
     refused, progress, cancel :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
 
     Returns
     -------
-    PaintedScene
+    RenderedScene
 
     Raises
     ------
     ParameterError, ConvergenceError, Cancelled
-        As ``paint_scene``.
+        As ``render_scene``.
     """
     planet = load_planet(planet, progress=progress, cancel=cancel)
     if stars:
@@ -201,7 +201,7 @@ def paint_solved(
         device = "cpu"
     check_drawn(scene.camera.columns, scene.camera.rows, 3 if stokes else 1)
     count = LIVE if nm is None else len(nm)
-    chosen = drawing_device(device, planet, count, scene.camera.columns, refused)
+    chosen = rendering_device(device, planet, count, scene.camera.columns, refused)
     weights, told = None, {}
     if nm is None:
         by_default = picture_wavelengths if chosen is None else texel_wavelengths
@@ -227,7 +227,7 @@ def paint_solved(
             planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
             cancel=cancel,
         )  # fmt: skip
-    frame = ScenePainter(chosen).frame(
+    frame = Renderer(chosen).render(
         solution, scene, exact=exact, orders=orders, disc=disc, samples=samples, stokes=stokes,
         weights=weights, progress=progress, cancel=cancel,
     )  # fmt: skip
@@ -236,7 +236,7 @@ def paint_solved(
         told["stars"] = "to magnitude 6.5"
     if solution.report.ground:
         told["solved_ground"] = solution.report.ground
-    return PaintedScene(replace(frame, metadata={**frame.metadata, **told}), solution)
+    return RenderedScene(replace(frame, metadata={**frame.metadata, **told}), solution)
 
 
 @contextmanager
