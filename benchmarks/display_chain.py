@@ -119,7 +119,7 @@ def by_device() -> None:
     from airlight.gpu.device.device import open_device
     from airlight.gpu.device.fragment_pass import FragmentPass
     from airlight.gpu.picture.display_passes import LINEAR, DisplayPasses
-    from airlight.pixels.picture_numbers import display_numbers
+    from airlight.pixels.view_uniforms import display_uniforms
 
     device = open_device()
     chain = DisplayPasses(device)
@@ -133,7 +133,7 @@ def by_device() -> None:
 
     def shown(glare: float, again: bool) -> None:
         chain.drawn = object() if again else "sky"
-        numbers = {**display_numbers(-4.0, "natural", "srgb"), "glare": glare}
+        numbers = {**display_uniforms(-4.0, "natural", "srgb"), "glare": glare}
         chain.display(numbers, PIXEL, target, TARGET)
 
     works = {

@@ -22,7 +22,7 @@ from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, VEC4, LocalArray
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.gpu_renderer import GpuRenderer, scene_numbers
+from airlight.gpu.picture.gpu_renderer import GpuRenderer, view_uniforms
 from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
 from airlight.gpu.picture.uniforms import FRAME
 from airlight.pixels.sky_view import phases_towards
@@ -136,7 +136,7 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
     def run(rows: np.ndarray) -> np.ndarray:
         textures = pictures._textures
         assert textures is not None
-        numbers: dict[str, Any] = {**scene_numbers(Scene(), pictures._shown()), **textures.numbers}
+        numbers: dict[str, Any] = {**view_uniforms(Scene(), pictures._shown()), **textures.numbers}
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         values = FRAME.packed(
             {**numbers, "separated_1": -1.0, "separated_2": -1.0}, textures.places

@@ -47,12 +47,12 @@ def test_several_lights_are_shown_as_by_the_processor(name: str, device: Device)
         "eclipse": (80.0, (red, replace(moon, zenith=77.0, azimuth=9.0, phase=150.0))),
     }[name]  # fmt: skip
     camera = Camera(width=96, height=54, look_zenith=80.0, look_azimuth=20.0)
-    scene = Scene(camera=camera, altitude=100.0, sun_zenith=zenith, others=others)
+    scene = Scene(camera=camera, altitude=100.0, sun_zenith=zenith, secondary_lights=others)
     wanted = render(solution, scene)
     pictures = GpuRenderer(device, (128, 64))
     pictures.set_solution(solution)
     shown = []
-    for one in (replace(scene, others=()), scene):
+    for one in (replace(scene, secondary_lights=()), scene):
         target = device.device.create_texture(size=(96, 54, 1), format="rgba32float", usage=TARGET)
         pictures.display(one, target.create_view(), "rgba32float", exposure=wanted.exposure)
         shown.append(255.0 * read_texture(device, target)[..., :3])

@@ -12,7 +12,7 @@ from airlight import load_planet
 from airlight.gpu.solver.solver import fields_on
 from airlight.paint.capacity import fits
 from airlight.paint.solve_planet import live_solver, solve_planet
-from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.pixels.render_tables import MAX_CONSTITUENTS
 from airlight.planets import replace as planet_replace
 
 NM = [450.0, 530.0, 600.0, 680.0]
@@ -76,7 +76,7 @@ def test_who_asks_for_the_processor_gets_it(fast):
 def test_a_bent_planet_has_one_constituent_more():
     # Refraction takes one more row of the tables: where all are used, the GPU has no capacity.
     earth = load_planet("earth")
-    room = MOST_CONSTITUENTS
+    room = MAX_CONSTITUENTS
     air = [planet_replace(earth.constituents[0], name=f"air {k}") for k in range(room)]
     full = planet_replace(earth, constituents=tuple(air), refraction="none")
     assert fits(full, 4)

@@ -94,7 +94,7 @@ def test_stars_are_outshone_by_day_and_hidden_by_the_moon(earth: MomentsSolution
     add_catalogue(lit, day, earth, "earth")
     shown = [to_display(one, frame.exposure, dither=False).astype(int) for one in (lit, frame.rgb)]
     assert np.abs(shown[0] - shown[1]).max() <= 3
-    hidden = looking_at_sirius(others=(MoonLight(zenith=zenith, azimuth=0.0),))  # type: ignore[arg-type]
+    hidden = looking_at_sirius(secondary_lights=(MoonLight(zenith=zenith, azimuth=0.0),))  # type: ignore[arg-type]
     rgb, free = np.zeros((2, 80, 120, 3), np.float32)
     add_catalogue(rgb, hidden, earth, "earth")
     add_catalogue(free, looking_at_sirius(), earth, "earth")

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.gpu.device.device import Device
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
@@ -20,7 +20,7 @@ def marched(
     """Picture of ``render(..., exact=True)``; like a software device without samples of edges."""
     camera = scene.camera
     total = np.zeros((camera.height, camera.width, 3), np.float32)
-    for seen, lit, _, _ in lit_scenes(scene, solution):
+    for seen, lit, _, _ in scenes_by_light(scene, solution):
         rgb = np.zeros_like(total)
         renderer = CpuRenderer(lit, seen, exact=True, edges=not device.software, **options)
         renderer.render_rows(0, camera.height, rgb)

@@ -108,7 +108,7 @@ def program() -> dict[str, Any]:
                 one("sky_air", "sky_air", {"0/1": "fields"}, *sky),
                 one("sky_peaks", "sky_air", {"0/1": "fields"}, *peaks),
                 one("sky_polarised", "sky_air", {"0/1": "fields"}, *polarised),
-                one("glance", "linear_picture", {"0/2": "air"}, ("glance", 64, 64)),
+                one("metering", "linear_picture", {"0/2": "air"}, ("metering", 64, 64)),
                 one("picture", "linear_picture", {"0/2": "air"}, ("picture", 1, 1)),
                 one("sky_air_2", "sky_air", {"0/1": "fields"}, *second(sky)),
                 one("sky_peaks_2", "sky_air", {"0/1": "fields"}, *second(peaks)),
@@ -116,7 +116,7 @@ def program() -> dict[str, Any]:
                 # the sky of the first light stands for the sum of both
                 *(
                     one(f"{name}_{part}", "linear_picture", {"0/2": air}, (target, 1, 1))
-                    for name in ("glance", "picture")
+                    for name in ("metering", "picture")
                     for part, air, target in (
                         ("1", "air", f"{name}_1"),
                         ("2", "air_2", f"{name}_2"),
@@ -129,7 +129,7 @@ def program() -> dict[str, Any]:
         "shaders": {"painted": shader()},
         "sky": {"full": [64, 64], "medium": [64, 32], "quick": [64, 16]},
         "layers": list(LAYERS),
-        "glance": 64,
+        "metering": 64,
         "projections": {"perspective": [1e-3, 170.0]},
         "display": {"encoding": 0.0},
         "primaries": ["srgb", "display-p3"],

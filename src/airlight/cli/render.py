@@ -290,7 +290,7 @@ def render(
         sun_azimuth=placed.sun_azimuth,
         ground=ground,
         time=placed.time,
-        others=second_lights.given(moon, second_star, placed),
+        secondary_lights=second_lights.given(moon, second_star, placed),
     )
     if parallel:
         scene = scene.north_up()

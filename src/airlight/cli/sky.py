@@ -174,7 +174,7 @@ def sky(
         latitude=placed.latitude,
         longitude=placed.longitude,
         time=placed.time,
-        others=second_lights.given(moon, second_star, placed),
+        secondary_lights=second_lights.given(moon, second_star, placed),
     )
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)

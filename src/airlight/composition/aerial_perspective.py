@@ -24,7 +24,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, store
 from airlight.kernel.threads import Cancel, Progress
 from airlight.mappings.sky_view import direction_from_row
-from airlight.pixels.picture_numbers import scene_numbers
+from airlight.pixels.view_uniforms import view_uniforms
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import enter_shell
@@ -228,7 +228,7 @@ class _March:
 
     def __init__(self, solution: MomentsSolution, scene: Scene) -> None:
         self.solution = solution
-        self.numbers = scene_numbers(scene, solution)
+        self.numbers = view_uniforms(scene, solution)
         self._air = Air(solution, scene)
         self._r = solution.medium.bottom_radius + scene.altitude
         self._sun = scene.sun_direction

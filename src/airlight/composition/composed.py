@@ -22,7 +22,7 @@ from airlight.composition.stretch import Air
 from airlight.composition.surface_light import SurfaceLight
 from airlight.errors import Cancelled, ParameterError, warn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike
 from airlight.render.cpu_renderer import CpuRenderer
@@ -170,7 +170,7 @@ def compose(
     view = viewpoint(camera, place, solution.medium.bottom_radius)
     pictures = [
         _LightRenderer(seen, lit, view, exact, disc)
-        for seen, lit, _, _ in lit_scenes(view.scene, solution)
+        for seen, lit, _, _ in scenes_by_light(view.scene, solution)
     ]
     surface = SurfaceLight(solution, white)
     out = np.empty((camera.height, camera.width, 3), np.float32)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.pixels.march_points import march_points
-from airlight.pixels.shown import shown_solution
+from airlight.pixels.render_tables import render_tables
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import enter_shell
@@ -36,7 +36,7 @@ class Air:
         self._bottom, self._top = medium.bottom_radius, medium.top_radius
         self._r, self._sun = medium.bottom_radius + scene.altitude, scene.sun_direction
         points = march_points(solution)
-        self._tables = shown_solution(
+        self._tables = render_tables(
             solution, peaks=False, points=points.points, panels=points.panels
         )
 

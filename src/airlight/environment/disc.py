@@ -19,7 +19,7 @@ from airlight.constants import LUMINOUS_EFFICACY
 from airlight.environment.gamut import grey_of, without_negatives
 from airlight.environment.ground import horizon_cosine
 from airlight.environment.texels import texel_solid_angles, texels_of
-from airlight.pixels.lit_scenes import LitScene
+from airlight.pixels.scenes_by_light import SceneForLight
 from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene.apparent_sun import apparent_altitude
 from airlight.scene.camera import Camera
@@ -133,12 +133,12 @@ def enu_from_local(sun_azimuth: float) -> FloatArray:
     return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])
 
 
-def seen_disc(lit: LitScene) -> Disc | None:
+def seen_disc(lit: SceneForLight) -> Disc | None:
     """Disc of a light through the air; None where nothing of it is seen.
 
     Parameters
     ----------
-    lit : LitScene
+    lit : SceneForLight
         Scene by this light, with the camera of the map.
     """
     scene, solution = lit.scene, lit.solution
@@ -177,7 +177,7 @@ def seen_disc(lit: LitScene) -> Disc | None:
     )
 
 
-def _close_camera(lit: LitScene) -> Camera | None:
+def _close_camera(lit: SceneForLight) -> Camera | None:
     """Camera of the small picture; None where the light is below the horizon."""
     scene, solution = lit.scene, lit.solution
     radius = solution.lights[0].angular_radius

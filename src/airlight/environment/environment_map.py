@@ -17,7 +17,7 @@ from airlight.environment.ground import GROUNDS, blacken_ground, grey_ground
 from airlight.environment.texels import texel_solid_angles
 from airlight.errors import ParameterError
 from airlight.paint.render_scene import render_with_solution
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.scene.basin import on_basin_floor
 from airlight.scene.camera import Camera
@@ -193,7 +193,7 @@ def environment_map(
     light = frame.rgb
     if ground == "black":
         blacken_ground(light, solution, scene)
-    found = (seen_disc(one) for one in lit_scenes(scene, solution))
+    found = (seen_disc(one) for one in scenes_by_light(scene, solution))
     discs = tuple(one for one in found if one is not None)
     gamut = bring_into_gamut(light)
     if sun == "include":

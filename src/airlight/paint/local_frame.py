@@ -65,5 +65,5 @@ def metered_scene(camera: Camera, axes: FloatArray, stars: Sequence[FloatArray])
     return Scene(
         camera=replace(camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
         sun_zenith=first[0],
-        others=tuple(LightPosition(zenith=z, azimuth=a) for z, a in others),
+        secondary_lights=tuple(LightPosition(zenith=z, azimuth=a) for z, a in others),
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from airlight.errors import ParameterError
-from airlight.pixels.shown import MOST_CONSTITUENTS, WAVELENGTHS
+from airlight.pixels.render_tables import MAX_CONSTITUENTS, WAVELENGTHS
 
 
 def check_capacity(wavelengths: int, constituents: int = 1, *, field: str = "wavelengths") -> None:
@@ -29,7 +29,5 @@ def check_capacity(wavelengths: int, constituents: int = 1, *, field: str = "wav
     """
     if wavelengths > WAVELENGTHS:
         raise ParameterError(field, wavelengths, f"at most {WAVELENGTHS} on the GPU")
-    if constituents > MOST_CONSTITUENTS:
-        raise ParameterError(
-            "constituents", constituents, f"at most {MOST_CONSTITUENTS} on the GPU"
-        )
+    if constituents > MAX_CONSTITUENTS:
+        raise ParameterError("constituents", constituents, f"at most {MAX_CONSTITUENTS} on the GPU")

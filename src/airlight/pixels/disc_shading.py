@@ -28,7 +28,7 @@ SHADING: Final = ("phase_sine", "phase_cosine", "phase_share", "limb_x", "limb_y
 OCCULTER: Final = ("occulter_x", "occulter_y", "occulter_z", "occulter_radius")
 
 
-def shading_numbers(
+def shading_uniforms(
     phase: float | None, limb: float, sun_level: float, sun_z: float
 ) -> dict[str, float]:
     """Uniforms of a disc's shape.
@@ -42,7 +42,7 @@ def shading_numbers(
 
     Examples
     --------
-    >>> half = shading_numbers(90.0, 0.0, 1.0, 0.0)  # on the horizon, lit from above
+    >>> half = shading_uniforms(90.0, 0.0, 1.0, 0.0)  # on the horizon, lit from above
     >>> half["limb_x"], half["limb_z"], round(half["phase_share"], 2)
     (-0.0, 1.0, 5.31)
     """
@@ -60,7 +60,7 @@ def phase_shading(
     Parameters
     ----------
     phase, limb, sun_level, sun_z : float
-        Arguments of ``shading_numbers``.
+        Arguments of ``shading_uniforms``.
     """
     turn, angle = limb * pi / 180.0, phase * pi / 180.0
     return (

@@ -34,7 +34,7 @@ from airlight.solvers.moments.source import read_phase
 
 @inlined
 def eclipsed_light(
-    x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+    x, y, z, turn, observer, view, light, shadow, work, spare, color, found, result
 ):  # fmt: skip
     """Spectral light of a line of sight, per irradiance of the unshadowed star. [sr⁻¹]
 
@@ -44,7 +44,7 @@ def eclipsed_light(
         Its direction in the observer's frame. [1]
     turn : array, shape (3, 3)
         Axes of the shadow's frame in the observer's, as rows. [1]
-    observer, screen, light, work, color :
+    observer, view, light, work, color :
         Arguments of ``pixel_light``.
     shadow, spare : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
@@ -94,20 +94,20 @@ def eclipsed_light(
         for at in range(0, lanes, LANES):
             store(work.found, MIRRORED * lanes + at, load(found, at))
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
-        x, y, z, sine, bent, observer, screen, light, work, color
+        x, y, z, sine, bent, observer, view, light, work, color
     )
     eclipsed_ground_light(p, q, s, TOTAL, light, shadow, work, spare)
-    if screen.overlaid:
+    if view.overlaid:
         columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
     for at in range(0, lanes, LANES):
         received = load(work.received, at) + load(work.received, lanes + at)
         factor = ground_factor(
-            color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
+            color, view, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
         )
         behind = received * INVERSE_PI * load(work.found, lanes + at)
         total = load(result, at) + behind * factor
-        if screen.overlaid:
-            total = total + lamp_light(color, screen, light, work.columns_total, at)
+        if view.overlaid:
+            total = total + lamp_light(color, view, light, work.columns_total, at)
         store(result, at, total)
 
 
@@ -147,33 +147,33 @@ def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
 
 
 @compiled_loop
-def render_eclipsed(px, py, turn, observer, screen, light, shadow, work, spare, out):
+def render_eclipsed(px, py, turn, observer, view, light, shadow, work, spare, out):
     """Draw pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
         Centres of the pixels, from the picture's left and top edge. [pixel]
-    turn, observer, screen, light, shadow, work, spare :
+    turn, observer, view, light, shadow, work, spare :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
         Receives the radiance per irradiance of the unshadowed star. [sr⁻¹]
     """
-    screen, light, shadow, work, spare = borrowed((screen, light, shadow, work, spare))
+    view, light, shadow, work, spare = borrowed((view, light, shadow, work, spare))
     lanes = light.lanes
     found, result = np.empty(2 * lanes, np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     for k in range(px.size):
-        x, y, z = camera_direction(px[k], py[k], screen)
-        side = samples_per_side(x, y, z, observer, screen)
+        x, y, z = camera_direction(px[k], py[k], view)
+        side = samples_per_side(x, y, z, observer, view)
         for at in range(lanes):
             out[k, at] = 0.0
         for sample in range(side * side):
             if side > 1:
-                sx, sy = sample_place(px[k], py[k], sample, side, screen)
-                x, y, z = camera_direction(sx, sy, screen)
+                sx, sy = sample_place(px[k], py[k], sample, side, view)
+                x, y, z = camera_direction(sx, sy, view)
             eclipsed_light(
-                x, y, z, turn, observer, screen, light, shadow, work, spare, color, found, result
+                x, y, z, turn, observer, view, light, shadow, work, spare, color, found, result
             )
             for at in range(lanes):
                 out[k, at] += result[at] / (side * side)

@@ -31,7 +31,7 @@ GROUND_VALUES: Final = 11
 
 
 @inlined
-def ground_color(x, y, z, sine, angle, observer, screen, light, color):
+def ground_color(x, y, z, sine, angle, observer, view, light, color):
     """Colour, water, lamps and clouds of the end of a line of sight, into ``color`` (11,). [1]
 
     Parameters
@@ -40,7 +40,7 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
         Direction in the observer's frame. [1]
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
-    observer, screen, light : Observer, Screen, MarchTables
+    observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     color : array, shape (11,)
         Receives linear sRGB reflectance and share of water of the map, four values of the overlay,
@@ -54,45 +54,45 @@ def ground_color(x, y, z, sine, angle, observer, screen, light, color):
     reach = observer.optical_altitude * (observer.r + light.bottom) / both
     px, py, pz = reach * x, reach * y, up
     color[8] = 1.0
-    if screen.detailed:  # of the straight line: how much a near one is bent is lost in rounding
+    if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
         # pz - bottom of a point of the sphere, which single precision has to half a metre only
         below = -(px * px + py * py) / max(light.bottom + pz, 1e-3 * light.bottom)
         color[8] = 1.0 + ground_detail(
-            screen.xx * px + screen.xy * py + screen.xz * below,
-            screen.yx * px + screen.yy * py + screen.yz * below,
-            screen.zx * px + screen.zy * py + screen.zz * below,
-            screen.pixel_angle * reach / max(cosine, 0.01), screen.detail_cell,
-            screen.whole_x, screen.whole_y, screen.whole_z,
-            screen.part_x, screen.part_y, screen.part_z,
+            view.xx * px + view.xy * py + view.xz * below,
+            view.yx * px + view.yy * py + view.yz * below,
+            view.zx * px + view.zy * py + view.zz * below,
+            view.pixel_angle * reach / max(cosine, 0.01), view.detail_cell,
+            view.whole_x, view.whole_y, view.whole_z,
+            view.part_x, view.part_y, view.part_z,
         )  # fmt: skip
     px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, light.bottom)
     latitude, longitude = latitude_longitude(
-        screen.xx * px + screen.xy * py + screen.xz * pz,
-        screen.yx * px + screen.yy * py + screen.yz * pz,
-        screen.zx * px + screen.zy * py + screen.zz * pz,
+        view.xx * px + view.xy * py + view.xz * pz,
+        view.yx * px + view.yy * py + view.yz * pz,
+        view.zx * px + view.zy * py + view.zz * pz,
     )
-    if screen.mapped:
-        level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.map_rows)
+    if view.mapped:
+        level = map_level(view.pixel_angle, reach, cosine, light.bottom, view.map_rows)
         map_color(
-            screen.texels, screen.map_rows, screen.map_columns, screen.map_levels, latitude,
+            view.texels, view.map_rows, view.map_columns, view.map_levels, latitude,
             longitude, level, color, 0,
         )  # fmt: skip
         color[8] = color[8] * (1.0 - color[3]) + color[3]
-    if screen.overlaid:
-        level = map_level(screen.pixel_angle, reach, cosine, light.bottom, screen.over_rows)
-        if screen.clouded:
-            cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, light, color)
+    if view.overlaid:
+        level = map_level(view.pixel_angle, reach, cosine, light.bottom, view.over_rows)
+        if view.clouded:
+            cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, light, color)
         map_color(
-            screen.over_texels, screen.over_rows, screen.over_columns, screen.over_levels,
+            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
         )  # fmt: skip
-        if screen.clouded:
+        if view.clouded:
             for c in range(4, 7):
                 color[c] *= 1.0 - color[9]
 
 
 @inlined
-def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, light, color):
+def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, light, color):
     """Cover of the clouds on a line of sight and on the star's light at its end. [1]
 
     Refraction between ground and layer is neglected.
@@ -105,37 +105,37 @@ def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, light, col
         Its direction, and cosine of the zenith angle of the way back. [1]
     level : float
         Level of the overlay. [1]
-    observer, screen, light, color :
+    observer, view, light, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
     """
     mu_s = (px * observer.sun_x + pz * observer.sun_z) / light.bottom
-    back = layer_distance(cosine, light.bottom, screen.cloud_altitude)
-    out = layer_distance(mu_s, light.bottom, screen.cloud_altitude)
+    back = layer_distance(cosine, light.bottom, view.cloud_altitude)
+    out = layer_distance(mu_s, light.bottom, view.cloud_altitude)
     for towards in range(2):
         qx, qy, qz = px - back * x, py - back * y, pz - back * z
         if towards == 1:
             qx, qy, qz = px + out * observer.sun_x, py, pz + out * observer.sun_z
         latitude, longitude = latitude_longitude(
-            screen.xx * qx + screen.xy * qy + screen.xz * qz,
-            screen.yx * qx + screen.yy * qy + screen.yz * qz,
-            screen.zx * qx + screen.zy * qy + screen.zz * qz,
+            view.xx * qx + view.xy * qy + view.xz * qz,
+            view.yx * qx + view.yy * qy + view.yz * qz,
+            view.zx * qx + view.zy * qy + view.zz * qz,
         )
         map_color(
-            screen.over_texels, screen.over_rows, screen.over_columns, screen.over_levels,
+            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
         )  # fmt: skip
         color[9 + towards] = color[7]
-    if observer.r <= screen.cloud_radius:
+    if observer.r <= view.cloud_radius:
         color[9] = 0.0
 
 
 @inlined
-def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
+def ground_shares(x, y, z, sine, angle, observer, view, light, work, color):
     """Ground at the end of a line of sight: its colour, and both factors of its law.
 
     Parameters
     ----------
-    x, y, z, sine, angle, observer, screen, light, color :
+    x, y, z, sine, angle, observer, view, light, color :
         Arguments of ``ground_color``; ``color`` is received where there is a map.
     work : MarchWorkspace
         Workspace, whose ``received`` has the irradiances by star and sky, except for Lambert's law
@@ -148,12 +148,12 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
     mirrored : float
         Factor of the light of the sky that is seen mirrored. [1]
     """
-    if screen.mapped or screen.overlaid or screen.detailed:
-        ground_color(x, y, z, sine, angle, observer, screen, light, color)
+    if view.mapped or view.overlaid or view.detailed:
+        ground_color(x, y, z, sine, angle, observer, view, light, color)
     else:
         color[8] = 1.0
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
-    if light.ground.law != 0 or light.ground.wet or screen.clouded:
+    if light.ground.law != 0 or light.ground.wet or view.clouded:
         mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
         ground_light(mu_s, observer.orders, light, work)
         share = 0.0
@@ -162,7 +162,7 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
         else:
             star_matte, star_gloss = star_share(light.ground.law, light.ground, mu_s, leaving, nu)
             sky_matte, sky_gloss = sky_share(light.ground.law, light.ground, leaving)
-            if light.ground.wet and screen.mapped:
+            if light.ground.wet and view.mapped:
                 share = color[3]
         if share > 0.0:
             land = 1.0 - share
@@ -172,7 +172,7 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
             sky_matte = land * sky_matte + share * sky
             sky_gloss = land * sky_gloss
             mirrored = share * mirrored
-    if screen.clouded:
+    if view.clouded:
         star_matte, star_gloss, sky_matte, sky_gloss, mirrored = under_clouds(
             color[9], color[10], light.ground.cloud_albedo,
             star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
@@ -181,23 +181,23 @@ def ground_shares(x, y, z, sine, angle, observer, screen, light, work, color):
 
 
 @inlined
-def lamp_light(color, screen, light, columns, at):
+def lamp_light(color, view, light, columns, at):
     """Light of lamps on the ground that reaches the observer, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     color : array, shape (11,)
         Values from ``ground_color``. [1]
-    screen, light : Screen, MarchTables
+    view, light : ViewUniforms, MarchTables
         Colour of the lamps, and tables of the solution.
     columns : array, shape (nc,)
         Columns from ``columns_to_ground``. [m]
     at : int
         Index of the first lane.
     """
-    red = np.float32(color[4] * screen.lamp_red)
-    green = np.float32(color[5] * screen.lamp_green)
-    blue = np.float32(color[6] * screen.lamp_blue)
+    red = np.float32(color[4] * view.lamp_red)
+    green = np.float32(color[5] * view.lamp_green)
+    blue = np.float32(color[6] * view.lamp_blue)
     total = load(light.basis, at) * red + load(light.basis, light.lanes + at) * green
     total = total + load(light.basis, 2 * light.lanes + at) * blue
     through = transmittance_columns(
@@ -232,7 +232,7 @@ def reflectance(color, mapped, light, at):
 
 @inlined
 def ground_factor(
-    color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
+    color, view, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
 ):  # fmt: skip
     """Light of the ground relative to that of a white Lambert ground. [1]
 
@@ -240,14 +240,14 @@ def ground_factor(
     ----------
     color, light, at :
         Arguments of ``reflectance``.
-    screen : Screen
+    view : ViewUniforms
         Camera with its maps.
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored, work :
         Results of ``ground_shares``, and its workspace, of which ``found`` has the light of the
         mirrored sky after those of a line of sight.
     """
-    albedo = reflectance(color, screen.mapped, light, at)
-    if light.ground.law == 0 and not light.ground.wet and not screen.clouded:
+    albedo = reflectance(color, view.mapped, light, at)
+    if light.ground.law == 0 and not light.ground.wet and not view.clouded:
         return albedo
     star, sky = load(work.received, at), load(work.received, light.lanes + at)
     by_star = star * (albedo * np.float32(star_matte) + np.float32(star_gloss))

@@ -22,7 +22,7 @@ from airlight.solvers.moments.source import transmittance_columns
 from airlight.solvers.stokes_frame import star_plane
 
 
-class Screen(NamedTuple):
+class ViewUniforms(NamedTuple):
     """Camera, ground map and sky-view LUT; names as in ``gpu.picture.uniforms``."""
 
     width: float
@@ -180,13 +180,13 @@ def phase_of(half_sine, constituent, table, light, lanes, at):
 
 @inlined
 def polarised_between(
-    near, stride, right, down, half_sine, turn_cosine, turn_sine, screen, light, lanes, at
+    near, stride, right, down, half_sine, turn_cosine, turn_sine, view, light, lanes, at
 ):  # fmt: skip
     """Q and U of the air from the sky-view LUT, with exact phase matrices of its peaks. [sr⁻¹]
 
     Parameters
     ----------
-    near, stride, right, down, half_sine, screen, light, lanes, at :
+    near, stride, right, down, half_sine, view, light, lanes, at :
         Arguments of ``air_between``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
@@ -195,21 +195,21 @@ def polarised_between(
     if light.separated_1 >= 0:
         element = phase_of(half_sine, light.separated_1, light.phase_f12, light, lanes, at)
         peaked = peaked + element * between_texels(
-            screen.sky_first, near, stride, right, down, lanes, at
+            view.sky_first, near, stride, right, down, lanes, at
         )
     if light.separated_2 >= 0:
         element = phase_of(half_sine, light.separated_2, light.phase_f12, light, lanes, at)
         peaked = peaked + element * between_texels(
-            screen.sky_second, near, stride, right, down, lanes, at
+            view.sky_second, near, stride, right, down, lanes, at
         )
-    rest = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
-    stokes_q = between_texels(screen.sky_q, near, stride, right, down, lanes, at) - rest
-    stokes_u = between_texels(screen.sky_u, near, stride, right, down, lanes, at) - rest
+    rest = between_texels(view.sky_air, near, stride, right, down, lanes, at)
+    stokes_q = between_texels(view.sky_q, near, stride, right, down, lanes, at) - rest
+    stokes_u = between_texels(view.sky_u, near, stride, right, down, lanes, at) - rest
     return stokes_q + peaked * np.float32(turn_cosine), stokes_u + peaked * np.float32(turn_sine)
 
 
 @inlined
-def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
+def air_between(near, stride, right, down, half_sine, view, light, lanes, at):
     """Light of the air from the sky-view LUT, with exact phase functions of its peaks. [sr⁻¹]
 
     Parameters
@@ -218,18 +218,18 @@ def air_between(near, stride, right, down, half_sine, screen, light, lanes, at):
         Arguments of ``between_texels``.
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
-    screen, light : Screen, MarchTables
+    view, light : ViewUniforms, MarchTables
         sky-view LUT, and tables of the solution.
     """
-    total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
+    total = between_texels(view.sky_air, near, stride, right, down, lanes, at)
     if light.separated_1 >= 0:
         total = total + phase_of(
             half_sine, light.separated_1, light.phase, light, lanes, at
-        ) * between_texels(screen.sky_first, near, stride, right, down, lanes, at)
+        ) * between_texels(view.sky_first, near, stride, right, down, lanes, at)
     if light.separated_2 >= 0:
         total = total + phase_of(
             half_sine, light.separated_2, light.phase, light, lanes, at
-        ) * between_texels(screen.sky_second, near, stride, right, down, lanes, at)
+        ) * between_texels(view.sky_second, near, stride, right, down, lanes, at)
     return total
 
 
@@ -296,7 +296,7 @@ def sky_view_coordinates(x, y, row, to_ground, window):
 
 @inlined
 def sky_lookup(
-    x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
+    x, y, z, sine, row, to_ground, exact, window, observer, view, light, work
 ):  # fmt: skip
     """Find the air's light along a line of sight, and that of a white ground behind it.
 
@@ -306,7 +306,7 @@ def sky_lookup(
         Its direction in the observer's frame. [1]
     sine, row, to_ground : float, float, bool
         Results of ``classify_ray``.
-    exact, window, observer, screen, light, work :
+    exact, window, observer, view, light, work :
         Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
         the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
         water there mirrors; with a filter Q and U, as ``march`` has them. [sr⁻¹]
@@ -327,7 +327,7 @@ def sky_lookup(
             if not mirrored or (wet and observer.orders != 1):
                 bent = look(
                     z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
-                    screen.filter > 0, observer, light, work, work.found,
+                    view.filter > 0, observer, light, work, work.found,
                 )  # fmt: skip
             if mirrored:
                 for at in range(0, light.lanes, LANES):
@@ -338,29 +338,29 @@ def sky_lookup(
     else:
         near, right, down = sky_view_coordinates(x, y, row, to_ground, window)
         turn_cosine, turn_sine = 1.0, 0.0
-        if screen.filter > 0:
+        if view.filter > 0:
             nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
             turn_cosine, turn_sine = star_plane(z, observer.sun_z, nu)
         for at in range(0, light.lanes, LANES):
             value = air_between(
-                near, window.column_count, right, down, half_sine, screen, light, light.lanes, at
+                near, window.column_count, right, down, half_sine, view, light, light.lanes, at
             )
             store(work.found, at, value)
-            if screen.filter > 0:
+            if view.filter > 0:
                 stokes_q, stokes_u = polarised_between(
                     near, window.column_count, right, down, half_sine, turn_cosine, turn_sine,
-                    screen, light, light.lanes, at,
+                    view, light, light.lanes, at,
                 )  # fmt: skip
                 store(work.found, 4 * light.lanes + at, stokes_q)
                 store(work.found, 5 * light.lanes + at, stokes_u)
             if to_ground:
                 value = between_texels(
-                    screen.sky_ground, near, window.column_count, right, down, light.lanes, at
+                    view.sky_ground, near, window.column_count, right, down, light.lanes, at
                 )
                 store(work.found, light.lanes + at, value)
             if wet:
                 value = between_texels(
-                    screen.sky_air, near + window.ground_count * window.column_count,
+                    view.sky_air, near + window.ground_count * window.column_count,
                     window.column_count, right, down, light.lanes, at,
                 )  # fmt: skip
                 store(work.found, MIRRORED * light.lanes + at, value)
@@ -371,7 +371,7 @@ def sky_lookup(
 
 @inlined
 def pixel_light(
-    px, py, x, y, z, exact, reach, window, observer, screen, light, work, color, result
+    px, py, x, y, z, exact, reach, window, observer, view, light, work, color, result
 ):  # fmt: skip
     """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
 
@@ -387,7 +387,7 @@ def pixel_light(
         Angle from the apparent star beyond which nothing of its disc is visible. [rad]
     window : SkyViewWindow
         Available part of the sky-view LUT.
-    observer, screen, light : Observer, Screen, MarchTables
+    observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work, color : MarchWorkspace, array of shape (11,)
         Workspace.
@@ -395,45 +395,43 @@ def pixel_light(
         Receives the radiance. [sr⁻¹]
     """
     sine, row, through_air, to_ground = classify_ray(x, y, z, observer, light)
-    through_air = through_air and screen.draws_air
+    through_air = through_air and view.draws_air
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
-        bent = sky_lookup(
-            x, y, z, sine, row, to_ground, exact, window, observer, screen, light, work
-        )
+        bent = sky_lookup(x, y, z, sine, row, to_ground, exact, window, observer, view, light, work)
         if to_ground:
             star_matte, star_gloss, sky_matte, sky_gloss, mirrored = ground_shares(
-                x, y, z, sine, bent, observer, screen, light, work, color
+                x, y, z, sine, bent, observer, view, light, work, color
             )
-            if screen.overlaid:
+            if view.overlaid:
                 columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
-    if screen.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(x, y, z, screen)
+    if view.filter > 0:
+        whole, stokes_q, stokes_u = filter_shares(x, y, z, view)
     for at in range(0, light.lanes, LANES):
         total = splat(0.0)
         if through_air:
             total = load(work.found, at)
-        if to_ground and screen.draws_air:
+        if to_ground and view.draws_air:
             factor = ground_factor(
-                color, screen, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
+                color, view, star_matte, star_gloss, sky_matte, sky_gloss, mirrored,
                 light, work, at,
             )  # fmt: skip
             total = total + load(work.found, light.lanes + at) * factor
-            if screen.overlaid:
-                total = total + lamp_light(color, screen, light, work.columns_total, at)
-        if screen.filter > 0:
+            if view.overlaid:
+                total = total + lamp_light(color, view, light, work.columns_total, at)
+        if view.filter > 0:
             total = total * np.float32(whole)
             if through_air:
                 total = total + load(work.found, 4 * light.lanes + at) * np.float32(stokes_q)
                 total = total + load(work.found, 5 * light.lanes + at) * np.float32(stokes_u)
         store(result, at, total)
-    if screen.draws_disc and not to_ground:
+    if view.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
         p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         if apart < reach:
             p0, p1, p2, p3, p4, p5 = star_disc(
-                px, py, x, y, z, observer, screen, light, work.columns_total
+                px, py, x, y, z, observer, view, light, work.columns_total
             )
         if p0 > 0.0:
             for at in range(0, light.lanes, LANES):

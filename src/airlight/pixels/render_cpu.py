@@ -31,21 +31,21 @@ def _as_color(light, lanes, weights, sums, out):
 
 
 @inlined
-def _pixels(exact, px, py, window, observer, screen, light, work, weights, reach, out):
+def _pixels(exact, px, py, window, observer, view, light, work, weights, reach, out):
     """Draw pixels, see ``render_pixels``; ``exact`` as in ``pixel_light``."""
-    screen, light, work, weights, out = borrowed((screen, light, work, weights, out))
+    view, light, work, weights, out = borrowed((view, light, work, weights, out))
     found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     sums = np.empty(3 * LANES, np.float32)
     for k in range(px.size):
         sampled_light(
-            px[k], py[k], exact, reach, window, observer, screen, light, work, color, total, found
+            px[k], py[k], exact, reach, window, observer, view, light, work, color, total, found
         )
         _as_color(found, light.lanes, weights, sums, out[k])
 
 
 @compiled_loop
-def render_pixels(px, py, window, observer, screen, light, work, weights, reach, out):
+def render_pixels(px, py, window, observer, view, light, work, weights, reach, out):
     """Draw pixels from the sky-view LUT.
 
     Parameters
@@ -54,7 +54,7 @@ def render_pixels(px, py, window, observer, screen, light, work, weights, reach,
         Centres of the pixels, from the picture's left and top edge. [pixel]
     window : SkyViewWindow
         Available part of the table.
-    observer, screen, light : Observer, Screen, MarchTables
+    observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work : MarchWorkspace
         Workspace of the thread.
@@ -65,10 +65,10 @@ def render_pixels(px, py, window, observer, screen, light, work, weights, reach,
     out : array, shape (n, 3)
         Receives linear sRGB.
     """
-    _pixels(False, px, py, window, observer, screen, light, work, weights, reach, out)
+    _pixels(False, px, py, window, observer, view, light, work, weights, reach, out)
 
 
 @compiled_loop
-def march_pixels(px, py, window, observer, screen, light, work, weights, reach, out):
+def march_pixels(px, py, window, observer, view, light, work, weights, reach, out):
     """Draw pixels, each by its own march; arguments as in ``render_pixels``."""
-    _pixels(True, px, py, window, observer, screen, light, work, weights, reach, out)
+    _pixels(True, px, py, window, observer, view, light, work, weights, reach, out)

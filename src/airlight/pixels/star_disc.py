@@ -35,22 +35,22 @@ _FLAT = 0.3
 
 
 @kernel
-def camera_direction(px, py, screen):
+def camera_direction(px, py, view):
     """Viewing direction of a point of the picture in the observer's frame; zero if it has none.
 
     Parameters
     ----------
     px, py : float
         Position from the picture's left and top edge. [pixel]
-    screen : Screen
-        Screen with the camera.
+    view : ViewUniforms
+        ViewUniforms with the camera.
     """
     right, above, ahead = projected_ray(
-        screen.projection, px, py, screen.width, screen.height, screen.field_of_view
+        view.projection, px, py, view.width, view.height, view.field_of_view
     )
-    x = right * screen.right_x + above * screen.up_x + ahead * screen.forward_x
-    y = right * screen.right_y + above * screen.up_y + ahead * screen.forward_y
-    z = right * screen.right_z + above * screen.up_z + ahead * screen.forward_z
+    x = right * view.right_x + above * view.up_x + ahead * view.forward_x
+    y = right * view.right_y + above * view.up_y + ahead * view.forward_y
+    z = right * view.right_z + above * view.up_z + ahead * view.forward_z
     return x, y, z
 
 
@@ -158,7 +158,7 @@ def covered(apart, radius, pixel):
 
 
 @inlined
-def star_disc(px, py, x, y, z, observer, screen, light, columns):
+def star_disc(px, py, x, y, z, observer, view, light, columns):
     """Radiance of the light's disc in a pixel before attenuation by the air, per irradiance.
 
     Parameters
@@ -167,7 +167,7 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
         Position of the pixel. [pixel]
     x, y, z : float
         Its viewing direction; zero vector for none. [1]
-    observer, screen, light : Observer, Screen, MarchTables
+    observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
         Receives the columns of the air in front of it. [m]
@@ -182,32 +182,32 @@ def star_disc(px, py, x, y, z, observer, screen, light, columns):
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
     apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
-    pixel = screen.pixel_angle
+    pixel = view.pixel_angle
     # Two pixel diagonals: no point of a disc is assigned to a pixel farther away.
     if not free or apart > light.star_radius + 3.0 * pixel:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    part = covered(apart, light.star_radius, pixel) * screen.disc
+    part = covered(apart, light.star_radius, pixel) * view.disc
     if light.star_radius < SMALL * pixel:
-        part = _point_like(px, py, part, observer, screen, light, columns)
+        part = _point_like(px, py, part, observer, view, light, columns)
         return whole_powers(part)
-    if screen.occulter_radius > 0.0:
-        dx, dy, dz = lx - screen.occulter_x, ly - screen.occulter_y, lz - screen.occulter_z
+    if view.occulter_radius > 0.0:
+        dx, dy, dz = lx - view.occulter_x, ly - view.occulter_y, lz - view.occulter_z
         beside = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
         # Where both rims run through a pixel, the moon's hides what the disc's leaves of it.
-        part = max(part - covered(beside, screen.occulter_radius, pixel) * screen.disc, 0.0)
+        part = max(part - covered(beside, view.occulter_radius, pixel) * view.disc, 0.0)
     along = 0.0
-    if screen.phased:
-        toward = (lx - observer.sun_x) * screen.limb_x + ly * screen.limb_y
-        toward += (lz - observer.sun_z) * screen.limb_z
+    if view.phased:
+        toward = (lx - observer.sun_x) * view.limb_x + ly * view.limb_y
+        toward += (lz - observer.sun_z) * view.limb_z
         along = toward / max(apart, 1e-12)
     return disc_powers(
-        part, apart, light.star_radius, pixel, along, screen.phased, screen.phase_sine,
-        screen.phase_cosine, screen.phase_share,
+        part, apart, light.star_radius, pixel, along, view.phased, view.phase_sine,
+        view.phase_cosine, view.phase_share,
     )  # fmt: skip
 
 
 @inlined
-def _point_like(px, py, otherwise, observer, screen, light, columns):
+def _point_like(px, py, otherwise, observer, view, light, columns):
     """Radiance of a small disc in a pixel, per irradiance outside the air. [sr⁻¹]"""
     steps = np.empty(_NUMBERS)
     fits = np.empty(_PLACES)
@@ -218,7 +218,7 @@ def _point_like(px, py, otherwise, observer, screen, light, columns):
         side = place - 4 if place > 4 else place
         aside = way if side == 1 else (-way if side == 3 else 0.0)
         below = way if side == 2 else (-way if side == 4 else 0.0)
-        x, y, z = camera_direction(px + aside, py + below, screen)
+        x, y, z = camera_direction(px + aside, py + below, view)
         nx, ny, nz, free = leaving_air(x, y, z, observer, light, columns)
         steps[3 * place] = nx
         steps[3 * place + 1] = ny
@@ -229,7 +229,7 @@ def _point_like(px, py, otherwise, observer, screen, light, columns):
         for c in range(3):
             steps[3 * place + c] -= steps[c]
             apart += steps[3 * place + c] * steps[3 * place + c]
-        if apart >= (_APART * screen.pixel_angle) ** 2:
+        if apart >= (_APART * view.pixel_angle) ** 2:
             fits[place] = 0.0
     if fits[1] + fits[3] < 0.5 or fits[2] + fits[4] < 0.5:
         return otherwise
@@ -249,7 +249,7 @@ def _point_like(px, py, otherwise, observer, screen, light, columns):
     wide = ux * ux + uy * uy + uz * uz
     slant = ux * vx + uy * vy + uz * vz
     area = sqrt(max(wide * (vx * vx + vy * vy + vz * vz) - slant * slant, 0.0))
-    if area < _FLAT * screen.pixel_angle * screen.pixel_angle:
+    if area < _FLAT * view.pixel_angle * view.pixel_angle:
         return otherwise
     # Fractions are measured along the step to the neighbours between which the disc lies: both
     # pixels then use the same step, and the fractions sum to 1.

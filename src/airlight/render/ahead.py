@@ -13,10 +13,10 @@ import numpy as np
 
 from airlight.kernel.ahead import CompiledAhead
 from airlight.kernel.shader_fields import InTexture, shader_fields
-from airlight.pixels.picture_numbers import observer_from, screen_from
 from airlight.pixels.render_cpu import march_pixels, render_pixels
 from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_texels
 from airlight.pixels.sky_view_window import SkyViewWindow
+from airlight.pixels.view_uniforms import cpu_view_uniforms, observer_from
 from airlight.scene import Camera
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 
@@ -53,19 +53,19 @@ def _arguments() -> list[tuple[Any, ...]]:
     tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1)))
     work = new_workspace(tables)
     numbers: Any = defaultdict(float)
-    numbers |= dict.fromkeys(_screen_numbers(), 0.0)
+    numbers |= dict.fromkeys(_view_uniform_names(), 0.0)
     observer = observer_from(numbers)
     layers, window = SkyViewLayers.none(), SkyViewWindow.whole(2, 2)
-    screen = screen_from(numbers, Camera(width=1, height=1), None, None, layers)
+    view = cpu_view_uniforms(numbers, Camera(width=1, height=1), None, None, layers)
     weights, rgb, none = np.zeros(3, np.float32), np.zeros((1, 3), np.float32), np.zeros(0)
-    pixels = (none, none, window, observer, screen, tables, work, weights, 1.0, rgb)
+    pixels = (none, none, window, observer, view, tables, work, weights, 1.0, rgb)
     return [(0, 0, window, observer, tables, work, layers), pixels, pixels]
 
 
-def _screen_numbers() -> tuple[str, ...]:
-    from airlight.pixels.pixel import Screen
+def _view_uniform_names() -> tuple[str, ...]:
+    from airlight.pixels.pixel import ViewUniforms
 
-    return Screen._fields
+    return ViewUniforms._fields
 
 
 def empty(bundle: Any) -> Any:

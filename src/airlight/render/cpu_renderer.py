@@ -7,19 +7,19 @@ from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.march_points import march_points
-from airlight.pixels.picture_numbers import (
-    checked_samples,
-    observer_from,
-    order_number,
-    overlay_numbers,
-    scene_numbers,
-    screen_from,
-)
 from airlight.pixels.polarising_filter import NONE
 from airlight.pixels.render_cpu import march_pixels, render_pixels
-from airlight.pixels.shown import shown_solution
+from airlight.pixels.render_tables import render_tables
 from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
 from airlight.pixels.sky_view_window import SkyViewWindow, sky_view_window
+from airlight.pixels.view_uniforms import (
+    checked_samples,
+    cpu_view_uniforms,
+    observer_from,
+    order_number,
+    overlay_uniforms,
+    view_uniforms,
+)
 from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
@@ -68,19 +68,19 @@ class CpuRenderer:
         stokes: bool = False,
     ) -> None:
         camera, light = scene.camera, solution.light
-        numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
-        numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
-        numbers["draws_air"] = float(air)
-        numbers |= overlay_numbers(solution)
-        numbers |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
-        self._numbers, self._camera = numbers, camera
-        self._polarised = stokes or numbers["filter"] != NONE
-        self._observer = observer_from(numbers)
+        uniforms = view_uniforms(scene, solution) | {"orders": order_number(orders)}
+        uniforms["draws_disc"] = float(disc and orders == "all" and uniforms["disc"] > 0.0)
+        uniforms["draws_air"] = float(air)
+        uniforms |= overlay_uniforms(solution)
+        uniforms |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
+        self._uniforms, self._camera = uniforms, camera
+        self._polarised = stokes or uniforms["filter"] != NONE
+        self._observer = observer_from(uniforms)
         self.window = None
         if not exact and air:
             self.window = sky_view_window(camera, self._observer, light.bottom, light.top)
         resolution = march_points(solution)
-        self._tables = shown_solution(
+        self._tables = render_tables(
             solution, peaks=self.window is not None, points=resolution.points,
             panels=resolution.panels,
         )  # fmt: skip
@@ -88,8 +88,8 @@ class CpuRenderer:
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
         self._overlay = ground_overlay(medium.ground_lights, medium.ground_clouds)
-        self._screen = screen_from(
-            numbers, camera, self._ground, self._overlay, SkyViewLayers.none()
+        self._view = cpu_view_uniforms(
+            uniforms, camera, self._ground, self._overlay, SkyViewLayers.none()
         )
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius
@@ -116,7 +116,9 @@ class CpuRenderer:
             self._tables, self._observer, self.window, polarised=self._polarised, cancel=cancel,
             progress=progress,
         )  # fmt: skip
-        self._screen = screen_from(self._numbers, self._camera, self._ground, self._overlay, layers)
+        self._view = cpu_view_uniforms(
+            self._uniforms, self._camera, self._ground, self._overlay, layers
+        )
 
     def render_rows(
         self, first: int, last: int, rgb: Float32Array, element: int | None = None
@@ -151,11 +153,11 @@ class CpuRenderer:
         element : int, optional
             As in ``draw``.
         """
-        screen = self._screen if element is None else self._screen._replace(filter=element)
+        view = self._view if element is None else self._view._replace(filter=element)
         pixels = march_pixels if self.window is None else render_pixels
         window = SkyViewWindow.whole(0, 0) if self.window is None else self.window
         pixels(
-            px, py, window, self._observer, screen, self._tables,
+            px, py, window, self._observer, view, self._tables,
             new_workspace(self._tables), self._weights, self._reach, rgb,
         )  # fmt: skip
 

@@ -77,7 +77,7 @@ class EclipseRenderer(CpuRenderer):
             raise ParameterError("stokes", True, "False where a moon's shadow is drawn")
         out = np.empty((px.size, self._tables.lanes), np.float32)
         render_eclipsed(
-            px, py, self._turn, self._observer, self._screen, self._tables, self._shadow,
+            px, py, self._turn, self._observer, self._view, self._tables, self._shadow,
             new_workspace(self._tables), new_shadow_workspace(self._shadow), out,
         )  # fmt: skip
         rgb[:] = out[:, : len(self._colors)] @ self._colors

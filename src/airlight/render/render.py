@@ -13,8 +13,8 @@ from airlight.kernel.cost import LINES, timed
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.polarising_filter import ALONG, ASLANT
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.render.cpu_renderer import CpuRenderer
@@ -104,7 +104,7 @@ def render(
     width, height = scene.camera.columns, scene.camera.rows
     elements = (None, ALONG, ASLANT) if stokes else (None,)
     check_drawn(width, height, len(elements))
-    pictures = lit_scenes(scene, solution)
+    pictures = scenes_by_light(scene, solution)
     drawn = width * height * samples**2 * len(elements) * len(pictures)
     kind = LINES if exact else "picture"
     layers = zeros((len(elements), height, width, 3), np.float32)

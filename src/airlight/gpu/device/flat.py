@@ -14,7 +14,7 @@ from airlight.gpu.emit.shader_types import FLAT_WIDTH
 Float32Array = NDArray[np.float32]
 
 #: Number of rows that every browser allows.
-MOST_ROWS: Final = 8192
+MAX_ROWS: Final = 8192
 #: Format of a flat texture by number of channels.
 FORMATS: Final = {1: "r32float", 4: "rgba32float"}
 #: Type and number of channels of the formats that can be read back.
@@ -99,8 +99,8 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
 
     if channels not in FORMATS:
         raise ParameterError("channels", channels, "1 or 4")
-    if not 0 <= count <= FLAT_WIDTH * MOST_ROWS:
-        raise ParameterError("count", count, f"at most {FLAT_WIDTH * MOST_ROWS} texels")
+    if not 0 <= count <= FLAT_WIDTH * MAX_ROWS:
+        raise ParameterError("count", count, f"at most {FLAT_WIDTH * MAX_ROWS} texels")
     use = wgpu.TextureUsage
     return device.device.create_texture(
         label=label,

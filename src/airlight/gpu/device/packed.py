@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from airlight.color.texels import CHANNELS
 from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import MOST_ROWS
+from airlight.gpu.device.flat import MAX_ROWS
 from airlight.gpu.emit.shader_types import PACKED_WIDTH
 
 #: Format of ``airlight.color.texels``. That by which a device decodes sRGB itself is off by up to
@@ -67,8 +67,8 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
 
     count = texels.size // CHANNELS
     rows = packed_rows(count)
-    if rows > MOST_ROWS:
-        raise ParameterError("count", count, f"at most {PACKED_WIDTH * MOST_ROWS} texels")
+    if rows > MAX_ROWS:
+        raise ParameterError("count", count, f"at most {PACKED_WIDTH * MAX_ROWS} texels")
     use = wgpu.TextureUsage
     texture = device.device.create_texture(
         label=label,

@@ -32,20 +32,20 @@ from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.lit_scenes import LitScene, lit_scenes
 from airlight.pixels.march_points import FEW
-from airlight.pixels.picture_numbers import (
-    checked_samples,
-    display_numbers,
-    lamp_numbers,
-    observer_from,
-    order_number,
-    scene_numbers,
-)
-from airlight.pixels.shown import WAVELENGTHS, as_texels, shown_solution
+from airlight.pixels.render_tables import WAVELENGTHS, pack_texels, render_tables
+from airlight.pixels.scenes_by_light import SceneForLight, scenes_by_light
 from airlight.pixels.sky_view import Observer
 from airlight.pixels.sky_view_cpu import fill_sky_view
 from airlight.pixels.sky_view_window import COARSEST, SkyViewWindow
+from airlight.pixels.view_uniforms import (
+    checked_samples,
+    display_uniforms,
+    lamp_uniforms,
+    observer_from,
+    order_number,
+    view_uniforms,
+)
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.march_tables import MarchTables, quadratures
@@ -132,7 +132,7 @@ class GpuRenderer:
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._given: FloatArray | None = None
-        self._shown_tables: MarchTables | None = None
+        self._tables: MarchTables | None = None
         self._display = DisplayPasses(device)
         self.sky_view_size = sky_view_size
 
@@ -178,7 +178,7 @@ class GpuRenderer:
             self._read(len(self._sky_views) - 1, None)
         sky, law = self._sky_views[number], None
         if lit is not self._solution:
-            law = as_texels(lit.light.darkening, lit.wavelengths.size)
+            law = pack_texels(lit.light.darkening, lit.wavelengths.size)
         same = law is sky.law or (
             law is not None and sky.law is not None and np.array_equal(law, sky.law)
         )
@@ -215,9 +215,9 @@ class GpuRenderer:
         elif np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else FEW.points
-        self._shown_tables = shown_solution(solution, points=points)
+        self._tables = render_tables(solution, points=points)
         self._textures = SolutionTextures.of(
-            self.device, solution, self._shown_tables, self._textures, maps=maps
+            self.device, solution, self._tables, self._textures, maps=maps
         )
         self._solution = solution
         self._forget()
@@ -268,7 +268,7 @@ class GpuRenderer:
         """
         width, height = scene.camera.columns, scene.camera.rows
         check_drawn(width, height)
-        lights = lit_scenes(scene, self._shown())
+        lights = scenes_by_light(scene, self._require_solution())
         drawn = width * height * checked_samples(samples) ** 2 * len(lights)
         with timed(DEVICE, drawn, f"a picture of {width}x{height} pixels"):
             frames = [
@@ -284,7 +284,7 @@ class GpuRenderer:
     def _render(
         self,
         number: int,
-        light: LitScene,
+        light: SceneForLight,
         exact: bool,
         orders: str,
         disc: bool,
@@ -392,7 +392,7 @@ class GpuRenderer:
             If the amount of glare is not 0 to 10.
         """
         width, height = size or (scene.camera.width, scene.camera.height)
-        lights = lit_scenes(scene, self._shown())
+        lights = scenes_by_light(scene, self._require_solution())
         numbers = [self._numbers(one, (width, height), exact, orders, disc) for one in lights]
         parts = [
             partial(self._render_light, *one, exact)
@@ -409,7 +409,7 @@ class GpuRenderer:
             self._sum.render(parts, picture, (width, height), LINEAR)
             kept.drawn = drawn
         shown = {
-            **display_numbers(exposure, tone_map, encoding), "glare": checked_amount(glare),
+            **display_uniforms(exposure, tone_map, encoding), "glare": checked_amount(glare),
             "circle": scene.camera.circle is not None, **(uniforms or {}),
         }  # fmt: skip
         kept.display(shown, scene.camera.glare_angle, view, target_format)
@@ -417,7 +417,7 @@ class GpuRenderer:
     def _render_light(
         self,
         number: int,
-        light: LitScene,
+        light: SceneForLight,
         numbers: dict[str, float],
         exact: bool,
         view: Any,
@@ -450,14 +450,14 @@ class GpuRenderer:
             )  # fmt: skip
 
     def _numbers(
-        self, light: LitScene, size: tuple[int, int], exact: bool, orders: str, disc: bool
+        self, light: SceneForLight, size: tuple[int, int], exact: bool, orders: str, disc: bool
     ) -> dict[str, float]:
         """Uniforms of a picture by one light, except those of its display."""
         solution = light.solution
         assert self._textures is not None
-        numbers = scene_numbers(light.scene, solution) | self._textures.numbers
+        numbers = view_uniforms(light.scene, solution) | self._textures.numbers
         if solution is not self._solution:
-            numbers |= lamp_numbers(solution) | {"star_radius": solution.light.star_radius}
+            numbers |= lamp_uniforms(solution) | {"star_radius": solution.light.star_radius}
         peaks = 0.0 if exact else float(numbers["separated_1"] >= 0)
         numbers |= {
             "width": size[0],
@@ -484,7 +484,7 @@ class GpuRenderer:
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
-    def _bands(self, light: LitScene, numbers: Mapping[str, float]) -> list[Band]:
+    def _bands(self, light: SceneForLight, numbers: Mapping[str, float]) -> list[Band]:
         """Rows of the target by what is visible in them."""
         scene, solution = light.scene, light.solution
         width, height = int(numbers["width"]), int(numbers["height"])
@@ -495,7 +495,7 @@ class GpuRenderer:
         return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
 
     def _fill_sky_view(
-        self, number: int, light: LitScene, numbers: Mapping[str, float], exact: bool
+        self, number: int, light: SceneForLight, numbers: Mapping[str, float], exact: bool
     ) -> None:
         """Fill the sky-view LUT of a light, unless it is current for observer and light."""
         sky = self._sky(number, light.solution)
@@ -527,8 +527,8 @@ class GpuRenderer:
 
     def _upload_sky_view(self, sky: _SkyView, numbers: Mapping[str, float]) -> None:
         """Upload the sky-view LUT, marched on the CPU."""
-        assert self._shown_tables is not None
-        tables = self._shown_tables._replace(
+        assert self._tables is not None
+        tables = self._tables._replace(
             rules=quadratures(FEW.points), panels=FEW.panels, star_radius=numbers["star_radius"]
         )
         layers = fill_sky_view(
@@ -538,9 +538,9 @@ class GpuRenderer:
         unread = () if numbers["separated_phases"] else LAYERS[2:4]
         for name, layer in zip(LAYERS, layers, strict=True):
             if layer.size > 1 and name not in unread:
-                update_flat(self.device, sky.layers[name], 0, as_texels(layer, WAVELENGTHS))
+                update_flat(self.device, sky.layers[name], 0, pack_texels(layer, WAVELENGTHS))
 
-    def _shown(self) -> MomentsSolution:
+    def _require_solution(self) -> MomentsSolution:
         if self._solution is None:
             raise ParameterError("solution", None, "one, taken up by show()")
         return self._solution

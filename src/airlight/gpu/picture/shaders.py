@@ -25,9 +25,9 @@ from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.pixels.ground import GROUND_VALUES
-from airlight.pixels.pixel import Screen
+from airlight.pixels.pixel import ViewUniforms
+from airlight.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.pixels.samples import light_of_centre, sampled_light
-from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
 from airlight.pixels.sky_view import Observer, sky_view_texel
 from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
@@ -185,9 +185,9 @@ def march_workspace(emitter: Emitter) -> Bundle:
     emitter : Emitter
         Emitter of the shader.
     """
-    numbers = workspace_sizes(MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS)
+    numbers = workspace_sizes(MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS)
     arrays = {name: LocalArray(size) for name, size in numbers.items()}
-    arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MOST_CONSTITUENTS).items()}
+    arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MAX_CONSTITUENTS).items()}
     return Bundle({
         name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()
     })  # fmt: skip
@@ -241,7 +241,7 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
         light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
-        _whole_window(), FRAME.bundle(Observer, fixed), FRAME.bundle(Screen, fixed),
+        _whole_window(), FRAME.bundle(Observer, fixed), FRAME.bundle(ViewUniforms, fixed),
         FRAME.bundle(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.color.texels import CHANNELS
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import MOST_ROWS, flat_rows, flat_texture
+from airlight.gpu.device.flat import MAX_ROWS, flat_rows, flat_texture
 from airlight.gpu.device.packed import packed_texture
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.uniform_struct import Place
@@ -18,8 +18,8 @@ from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
 from airlight.kernel.large_arrays import release
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.picture_numbers import map_numbers, overlay_numbers, overlay_size
-from airlight.pixels.shown import as_texels, shown_solution
+from airlight.pixels.render_tables import pack_texels, render_tables
+from airlight.pixels.view_uniforms import map_uniforms, overlay_size_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.march_tables import MarchTables
@@ -62,13 +62,13 @@ class SolutionTables:
         """
         count = solution.wavelengths.size
         if shown is None:
-            shown = shown_solution(solution)
+            shown = render_tables(solution)
         check_capacity(count, shown.constituents)
         values = shown._asdict() | shown.ground._asdict()
         tables = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
         textures, places = FRAME.laid_out(
             {
-                name: as_texels(values[name], count) if table.spectral else values[name]
+                name: pack_texels(values[name], count) if table.spectral else values[name]
                 for name, table in tables.items()
             }
         )
@@ -144,9 +144,9 @@ class SolutionTextures:
             textures["overlay"] = packed_texture(device, texels, "overlay")
             release(texels)
         textures["overlay of"] = over
-        sizes = map_numbers(found) | overlay_size(overlay)
+        sizes = map_uniforms(found) | overlay_size_uniforms(overlay)
         numbers = made.numbers | {key: float(n) for key, n in sizes.items()}
-        numbers |= overlay_numbers(solution)
+        numbers |= overlay_uniforms(solution)
         return cls(numbers, made.places, textures)
 
 
@@ -157,7 +157,7 @@ def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
     height becomes a power of two or ceases to be one: so none is.
     """
     rows = flat_rows(len(texels))
-    if rows & (rows - 1) or rows == MOST_ROWS:
+    if rows & (rows - 1) or rows == MAX_ROWS:
         return texels
     more = FLAT_WIDTH * (rows + (2 if rows == 1 else 1)) - len(texels)
     return np.pad(texels, ((0, more), (0, 0)))

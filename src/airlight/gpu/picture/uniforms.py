@@ -9,7 +9,7 @@ import numpy as np
 from airlight.color.displayed import Display
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.kernel.shader_fields import image
-from airlight.pixels.pixel import Screen
+from airlight.pixels.pixel import ViewUniforms
 from airlight.pixels.sky_view import Observer
 from airlight.solvers.moments.march_tables import MarchTables
 
@@ -62,7 +62,7 @@ class Lens(NamedTuple):
 
 #: Numbers and tables that the shaders of pictures may read.
 FRAME: Final = UniformStruct(
-    "frame", (MarchTables, Observer, Screen, Display, Lens, Strip), CHANNELS
+    "frame", (MarchTables, Observer, ViewUniforms, Display, Lens, Strip), CHANNELS
 )
 #: Textures of the sky-view LUT: those of the air, of its two peaks, and of Q and U.
 LAYERS: Final = tuple(

@@ -13,7 +13,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import star_factor
-from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.pixels.render_tables import MAX_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
 from airlight.solvers.moments.ray_optics import leaving_at_end, sky_at, star_at_end, star_from_ray
@@ -57,8 +57,8 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
-    phases = lane_array(MOST_CONSTITUENTS)
-    phase_f12 = lane_array(MOST_CONSTITUENTS)
+    phases = lane_array(MAX_CONSTITUENTS)
+    phase_f12 = lane_array(MAX_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
     fill_phase_f12(tables.polarised_phase, nu, sizes.constituents, phase_f12)
     radiance, scattering_q = scattered_once(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.convergence import is_near
 from airlight.solvers.moments.stopping import PASS_ITERATES
 

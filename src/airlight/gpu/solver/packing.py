@@ -9,7 +9,7 @@ from math import sqrt
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.levels import between_levels, cubic_bend, smoothness
 from airlight.solvers.moments.packing import floor_below, ratio_scale
 

@@ -21,7 +21,7 @@ from airlight.gpu.solver.passes import (
     shader,
 )
 from airlight.gpu.solver.tables import SOLVE
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.setup import Block, Setup
 

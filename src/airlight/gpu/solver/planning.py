@@ -16,7 +16,7 @@ from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.refracted_geometry import RefractedGeometry

@@ -23,7 +23,7 @@ from airlight.gpu.solver.passes import ITERATES
 from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.sweeper import GpuSweeper, borrowed_sweeper
 from airlight.kernel.threads import Cancel, Progress
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.energy_balance import energy_error, makes_light

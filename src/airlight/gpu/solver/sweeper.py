@@ -24,7 +24,7 @@ from airlight.gpu.device.pass_times import PassTimes
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.solver.passes import ITERATES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
 from airlight.gpu.solver.plan import SolverPlan
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 
 Float32Array = NDArray[np.float32]
 

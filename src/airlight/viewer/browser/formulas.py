@@ -18,8 +18,8 @@ from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Va
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.moon_phase import moon_share
 from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
-from airlight.pixels.light_shown import light_shown
-from airlight.pixels.observer_numbers import observer_numbers
+from airlight.pixels.light_visibility import light_visibility
+from airlight.pixels.observer_uniforms import observer_uniforms
 from airlight.pixels.occulted_light import disc_factor, light_left
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, filter_axis
@@ -50,7 +50,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     camera_frame: (),
     filter_axis: (),
     ground_axes: (),
-    observer_numbers: (),
+    observer_uniforms: (),
     apparent_sun_cosine: (F32, F32, F32, F32, Table("lift", 3)),
     luminance_of: (),
     exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
@@ -77,7 +77,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     bright_limb: (),
     moon_share: (),
     phase_shading: (),
-    light_shown: (),
+    light_visibility: (),
     light_left: (),
     disc_factor: (),
     change_at: (),

@@ -19,7 +19,7 @@ from airlight.gpu.device.flat import FORMATS
 from airlight.gpu.device.packed import PACKED_FORMAT
 from airlight.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 from airlight.pixels.polarising_filter import ALONG, ASLANT, NONE
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.scene.ground_detail import NOMINAL_ROWS
 from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys

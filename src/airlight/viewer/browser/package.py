@@ -38,8 +38,8 @@ from airlight.gpu.picture.shaders import (
 )
 from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
-from airlight.pixels.picture_numbers import ORDERS, display_numbers, overlay_numbers
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
+from airlight.pixels.view_uniforms import ORDERS, display_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.metering import METERED
 from airlight.scene.projections import PROJECTIONS
@@ -69,7 +69,7 @@ def plan() -> dict[str, Any]:
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
     height = 3 * columns * rows // FLAT_WIDTH
     sky = {"format": _FORMAT, "width": FLAT_WIDTH, "height": height}
-    glance = {"name": "glance", "format": _FORMAT, "width": METERED, "height": METERED}
+    metering = {"name": "metering", "format": _FORMAT, "width": METERED, "height": METERED}
 
     def resized(name: str) -> list[dict[str, Any]]:
         return [{"name": name, "format": _FORMAT, "width": 1, "height": 1}]
@@ -137,9 +137,9 @@ def plan() -> dict[str, Any]:
                 "sky_polarised",
                 [*map(second_layer, LAYERS[4:])],
             ),
-            one("glance", picture, "linear_picture", [glance]),
+            one("metering", picture, "linear_picture", [metering]),
             one("picture", picture, "linear_picture", resized("picture")),
-            *summed("glance"),
+            *summed("metering"),
             *summed("picture"),
             *(
                 one(
@@ -178,11 +178,11 @@ def program() -> dict[str, Any]:
             "quick": list(QUICK_SKY_VIEW_SIZE),
         },
         "layers": list(LAYERS),
-        "glance": METERED,
+        "metering": METERED,
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
         },
-        "display": display_numbers(0.0, DEFAULT_TONE_MAP, "srgb"),
+        "display": display_uniforms(0.0, DEFAULT_TONE_MAP, "srgb"),
         "primaries": list(PRIMARIES),
         "orders": ORDERS,
         "view_uniforms": {
@@ -221,7 +221,7 @@ def solution_package(
     uniforms: dict[str, Any] = dict(made.numbers)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    uniforms |= overlay_numbers(solution)
+    uniforms |= overlay_uniforms(solution)
     star, mapped = solution.lights[0], medium.ground_map
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: solution.wavelengths.size] = star.colors(weights)

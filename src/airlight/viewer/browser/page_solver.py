@@ -18,7 +18,7 @@ from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import THICKEST
 from airlight.optics.reflection import LAWS
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.planets.medium import BENDING
 from airlight.solvers.moments import convergence
 from airlight.solvers.moments.delta_m import Optics

@@ -7,7 +7,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.scene.moon_light import MoonLight
 from airlight.scene.star_light import StarLight
 from airlight.solvers.moments.solution import MomentsSolution

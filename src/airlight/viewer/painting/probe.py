@@ -17,9 +17,9 @@ from airlight.color.texels import CHANNELS
 from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.pixels.disc_shading import disc_powers, shading_numbers
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.disc_shading import disc_powers, shading_uniforms
 from airlight.pixels.occulted_light import DARKEST
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.render.cpu_renderer import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
@@ -197,7 +197,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     medium = solution.medium
     zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
     azimuth = math.degrees(math.atan2(-direction[1], direction[0]))
-    pictures = lit_scenes(scene, solution)
+    pictures = scenes_by_light(scene, solution)
     sights = [
         one.solution.lines_of_sight(
             altitude=scene.altitude, sun_zenith=one.light.zenith, view_zenith=zenith,
@@ -322,7 +322,7 @@ def _star(
         ])  # fmt: skip
         if left <= DARKEST or np.linalg.norm(outside - moon) < 2.0 * math.sin(0.5 * radius):
             return nothing
-    numbers = shading_numbers(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
+    numbers = shading_uniforms(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
     across = math.cos(azimuth) * numbers["limb_x"] - math.sin(azimuth) * numbers["limb_y"]
     aside = math.sin(azimuth) * numbers["limb_x"] + math.cos(azimuth) * numbers["limb_y"]
     along = float((outside - towards) @ [across, aside, numbers["limb_z"]]) / max(apart, 1e-12)

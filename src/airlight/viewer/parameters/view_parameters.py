@@ -309,5 +309,5 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
         longitude=float(view["view.longitude"]),
         sun_azimuth=bearing,
         ground=str(view["view.ground"]),
-        others=second_lights(view),
+        secondary_lights=second_lights(view),
     )

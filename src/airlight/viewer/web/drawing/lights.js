@@ -9,7 +9,7 @@ import {
   bright_limb,
   direction_of,
   light_left,
-  light_shown,
+  light_visibility,
   moon_share,
   phase_shading,
 } from "../generated/formulas.js";
@@ -84,7 +84,7 @@ function secondOf(values, planet, projections) {
   const share = Math.sin(radius * RADIAN) ** 2;
   const light = kind === "moon" ? moonOf(values, planet, share) : starOf(values, planet, share);
   const ratio = light.irradiance.map((one, i) => one / planet.second.irradiance[i]);
-  const shown = light_shown(
+  const shown = light_visibility(
     zenith,
     values["view.sun_zenith"],
     radius,

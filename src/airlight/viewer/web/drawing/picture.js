@@ -3,7 +3,7 @@
  *
  * A description from viewer/browser/package.py has data that are the same for every planet — `plan`
  * and `shaders` (see program.js), `sky` (shapes of the sky-view LUT), `layers` (its textures),
- * `glance` (longer side of the picture from which the exposure is measured), `projections` with
+ * `metering` (longer side of the picture from which the exposure is measured), `projections` with
  * their fields of view, `display` (uniforms of a display of 8 bits), `primaries` by name, `orders`,
  * and `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
  * (`{format, data}` by name, or a `texture` whose ownership is transferred), `ground` (see
@@ -13,7 +13,7 @@ import { automaticExposure } from "./exposure.js";
 import { groundTexels } from "./ground.js";
 import { numbersOf } from "./package.js";
 import { Program } from "./program.js";
-import { cameraNumbers, detailNumbers, observerNumbers } from "./view_uniforms.js";
+import { cameraUniforms, detailUniforms, observerUniforms } from "./view_uniforms.js";
 import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
 import {
@@ -137,7 +137,7 @@ export class Picture {
     this.drawGlare(lights[0].camera, width, height, values["display.glare"]);
     program.setAll({
       ...fixed.display,
-      ...this.viewNumbers(values),
+      ...this.viewUniforms(values),
       exposure: 2 ** exposure,
       primaries: fixed.primaries.indexOf(this.device.space),
     });
@@ -151,7 +151,7 @@ export class Picture {
     const orders = fixed.orders[values["light.orders"]];
     return lightsOf(values, planet, fixed.projections).map((light) => {
       const seen = { ...planet, star: light.star };
-      const numbers = observerNumbers(seen, values["view.altitude"], light.camera.sun);
+      const numbers = observerUniforms(seen, values["view.altitude"], light.camera.sun);
       numbers.disc *= disc_factor(light.left);
       numbers.draws_disc = Number(numbers.disc > 0);
       return { ...light, numbers: { ...light.numbers, ...numbers, orders } };
@@ -160,7 +160,7 @@ export class Picture {
 
   /** Draw the picture in linear light, unless only its display has changed. */
   drawLight(lights, width, height) {
-    const numbers = lights.map((light) => this.numbersOf(light, width, height));
+    const numbers = lights.map((light) => this.uniformsOf(light, width, height));
     const drawn = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
     if (drawn === this.drawn) return;
     this.program.set("first_row", 0);
@@ -170,11 +170,11 @@ export class Picture {
   }
 
   /** Uniforms of a picture by one light. */
-  numbersOf({ camera, numbers }, width, height) {
+  uniformsOf({ camera, numbers }, width, height) {
     return {
       ...numbers,
-      ...cameraNumbers(camera, width, height, this.fixed.projections),
-      ...detailNumbers(this.planet, camera),
+      ...cameraUniforms(camera, width, height, this.fixed.projections),
+      ...detailUniforms(this.planet, camera),
     };
   }
 
@@ -275,7 +275,7 @@ export class Picture {
   }
 
   /** Uniforms that are view values, by name: `uniforms_of` in Python. */
-  viewNumbers(values) {
+  viewUniforms(values) {
     const numbers = {};
     for (const [name, { path, options }] of Object.entries(this.fixed.view_uniforms)) {
       numbers[name] = options.length ? options.indexOf(values[path]) : Number(values[path]);
@@ -304,9 +304,9 @@ export class Picture {
     const elements = lights[0].camera.filter ? [NONE, ALONG, ASLANT] : [NONE];
     const found = [];
     for (const filter of elements) {
-      const numbers = lights.map((one) => ({ ...this.numbersOf(one, ...size), filter }));
-      this.sum("glance", numbers, ...size, area);
-      found.push(await program.read("glance", area));
+      const numbers = lights.map((one) => ({ ...this.uniformsOf(one, ...size), filter }));
+      this.sum("metering", numbers, ...size, area);
+      found.push(await program.read("metering", area));
     }
     return described(found, fixed);
   }
@@ -314,11 +314,11 @@ export class Picture {
   /** Automatic exposure of the view. [EV] */
   async found(lights, width, height) {
     const { program, fixed, planet } = this;
-    const share = fixed.glance / Math.max(width, height);
+    const share = fixed.metering / Math.max(width, height);
     const [wide, high] = [width, height].map((x) => Math.max(1, Math.round(x * share)));
-    this.sum("glance", lights.map((one) => this.numbersOf(one, wide, high)), wide, high);
+    this.sum("metering", lights.map((one) => this.uniformsOf(one, wide, high)), wide, high);
     const { camera, suns } = lights[0];
-    const rgba = await program.read("glance");
+    const rgba = await program.read("metering");
     const number = Object.keys(fixed.projections).indexOf(camera.projection);
     return automaticExposure(rgba, [wide, high], { ...camera, suns }, number, planet.star);
   }

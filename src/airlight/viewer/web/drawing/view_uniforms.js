@@ -3,7 +3,7 @@ import {
   PIXEL_ANGLES,
   finest_cell,
   lattice_origin,
-  observer_numbers,
+  observer_uniforms,
   apparent_sun_cosine,
 } from "../generated/formulas.js";
 import { NOMINAL_ROWS } from "../generated/sizes.js";
@@ -15,14 +15,14 @@ import { NOMINAL_ROWS } from "../generated/sizes.js";
  * @param {number} altitude Altitude of the observer. [m]
  * @param {number[]} sun Unit vector towards the star, in the observer's frame.
  */
-export function observerNumbers(planet, altitude, sun) {
+export function observerUniforms(planet, altitude, sun) {
   const { radius, thickness, star, paths } = planet;
   const outside = altitude >= thickness;
   const r = paths ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = paths ? paths.bottom : radius;
   const bent = paths && !outside;
   const seen = bent ? apparent_sun_cosine(r, sun[2], bottom, paths.top, paths.lift) : sun[2];
-  const [horizonMu, horizonSine, level, seenLevel, disc] = observer_numbers(
+  const [horizonMu, horizonSine, level, seenLevel, disc] = observer_uniforms(
     r,
     bottom,
     sun[0],
@@ -46,7 +46,7 @@ export function observerNumbers(planet, altitude, sun) {
 }
 
 /** Uniforms of the camera. */
-export function cameraNumbers(camera, width, height, projections) {
+export function cameraUniforms(camera, width, height, projections) {
   const { projection, fieldOfView: field, axes, ground, filter } = camera;
   const numbers = {
     width,
@@ -75,7 +75,7 @@ export function cameraNumbers(camera, width, height, projections) {
 }
 
 /** Uniforms of the detail of the ground below the camera. */
-export function detailNumbers({ radius, paths, ground }, camera) {
+export function detailUniforms({ radius, paths, ground }, camera) {
   const bottom = paths ? paths.bottom : radius;
   const cell = finest_cell(bottom, ground?.rows ?? NOMINAL_ROWS);
   const numbers = { detailed: Number(camera.detailed), detail_cell: cell };

@@ -19,9 +19,9 @@ Float32Array = NDArray[np.float32]
 WAVELENGTHS: Final = 4
 #: Largest number of constituents in a shader, including "bending", of points of a panel there, and
 #: number of harmonics up to degree 24.
-MOST_CONSTITUENTS: Final = 8
-MOST_POINTS: Final = 24
-MOST_TERMS: Final = 325
+MAX_CONSTITUENTS: Final = 8
+MAX_POINTS: Final = 24
+MAX_TERMS: Final = 325
 #: Numbers of points that may serve all lines; and loop iterations that Mesa's software renderer
 #: allows a shader, less a reserve for other loops.
 _EVEN: Final = (24, 20, 16, 12, 8)
@@ -29,7 +29,7 @@ _MOST_TURNS: Final = 60_000
 #: Fraction scattered within 10° of straight on above which a constituent is peaked.
 _PEAKED: Final = 0.08
 #: Largest number of constituents whose peaks can be kept out of the sky-view LUT.
-MOST_PEAKS: Final = 2
+MAX_PEAKS: Final = 2
 
 
 def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
@@ -60,7 +60,7 @@ def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
         if share > _PEAKED:
             strength[c] = depth[c] * share
     order = [int(c) for c in np.argsort(-strength) if strength[c] > 0.0]
-    return tuple(order[:MOST_PEAKS])
+    return tuple(order[:MAX_PEAKS])
 
 
 def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
@@ -82,7 +82,7 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     return chosen, chosen, chosen
 
 
-def shown_solution(
+def render_tables(
     solution: MomentsSolution,
     *,
     peaks: bool = True,
@@ -111,7 +111,7 @@ def shown_solution(
     )
 
 
-def as_texels(values: Float32Array, wavelengths: int) -> Float32Array:
+def pack_texels(values: Float32Array, wavelengths: int) -> Float32Array:
     """Convert a spectral table of eight lanes to texels of four wavelengths, shape (n, 4).
 
     Parameters

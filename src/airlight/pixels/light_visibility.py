@@ -6,14 +6,14 @@ import math
 from typing import Final
 
 #: Share of the first light below which the light of another is not seen beside its daylight. [1]
-OUTSHONE: Final = 1e-5
+MIN_RELATIVE_IRRADIANCE: Final = 1e-5
 #: Angle by which refraction lifts a light at most, and by which twilight outlasts its geometry.
 #: [deg]
 _LIFTED: Final = 1.0
 _DEGREE: Final = 180.0 / math.pi
 
 
-def light_shown(
+def light_visibility(
     zenith: float,
     first_zenith: float,
     radius: float,
@@ -25,7 +25,7 @@ def light_shown(
     """What of a light is drawn: 2 everything, 1 its disc alone, 0 nothing.
 
     Nothing of a light without irradiance, or so far below the horizon that it lights no air in
-    view. By day, of a light of less than ``OUTSHONE`` of the first, the disc.
+    view. By day, of a light of less than ``MIN_RELATIVE_IRRADIANCE`` of the first, the disc.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def light_shown(
 
     Examples
     --------
-    >>> [light_shown(z, 40.0, 0.26, 2e-6, 0.0, 6360e3, 1e5) for z in (60.0, 95.0, 130.0)]
+    >>> [light_visibility(z, 40.0, 0.26, 2e-6, 0.0, 6360e3, 1e5) for z in (60.0, 95.0, 130.0)]
     [1.0, 0.0, 0.0]
     """
     if share <= 0.0:
@@ -51,6 +51,6 @@ def light_shown(
     lit = math.atan2(math.sqrt(thickness * (2.0 * bottom + thickness)), bottom) * _DEGREE
     if below > 2.0 * lit:
         return 0.0
-    if altitude < thickness and first_zenith < 90.0 and share < OUTSHONE:
+    if altitude < thickness and first_zenith < 90.0 and share < MIN_RELATIVE_IRRADIANCE:
         return 1.0 if below < 0.0 else 0.0
     return 2.0

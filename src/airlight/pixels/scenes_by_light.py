@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from airlight.pixels.light_shown import light_shown
+from airlight.pixels.light_visibility import light_visibility
 from airlight.pixels.occulted_light import occulted_light
 from airlight.planets.light_source import LightSource
 from airlight.scene import Scene
@@ -15,7 +15,7 @@ from airlight.scene.light_position import LightPosition
 from airlight.solvers.moments.solution import MomentsSolution
 
 
-class LitScene(NamedTuple):
+class SceneForLight(NamedTuple):
     """Picture by one light.
 
     Attributes
@@ -36,7 +36,7 @@ class LitScene(NamedTuple):
     light: LightPosition
 
 
-def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
+def scenes_by_light(scene: Scene, solution: MomentsSolution) -> list[SceneForLight]:
     """Scene and solution of each light alone.
 
     Light adds up, so a picture is the sum of those of its lights: each has the light at the sun's
@@ -45,7 +45,7 @@ def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
 
     A moon in front of a star hides its disc and dims its light, see ``occulted_light``.
 
-    Lights beside the first that cannot be seen are left out, see ``light_shown``.
+    Lights beside the first that cannot be seen are left out, see ``light_visibility``.
 
     Parameters
     ----------
@@ -56,34 +56,34 @@ def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
 
     Returns
     -------
-    list of LitScene
+    list of SceneForLight
         Pictures, in the order of ``scene.lights``.
     """
     sources = solution.lights
-    pictures: list[LitScene] = []
+    pictures: list[SceneForLight] = []
     for number, light in enumerate(scene.lights):
         source = occulted_light(light.source(sources), light, scene.lights)
         first = pictures[0].solution.lights[0] if pictures else source
-        shown = 2.0 if number == 0 else _shown(scene, solution, light, source, first)
-        if shown == 0.0:
+        visibility = 2.0 if number == 0 else _visibility(scene, solution, light, source, first)
+        if visibility == 0.0:
             continue
         plain = number == 0 and source is sources[0]
         lit = solution if plain else solution.lit_by(source, beside=number > 0)
-        pictures.append(LitScene(scene.lit_by(light), lit, shown > 1.0, light))
+        pictures.append(SceneForLight(scene.lit_by(light), lit, visibility > 1.0, light))
     return pictures
 
 
-def _shown(
+def _visibility(
     scene: Scene,
     solution: MomentsSolution,
     light: LightPosition,
     source: LightSource,
     first: LightSource,
 ) -> float:
-    """Result of ``light_shown`` for a light beside the first."""
+    """Result of ``light_visibility`` for a light beside the first."""
     medium = solution.medium
     share = float(np.max(source.irradiance / np.maximum(first.irradiance, 1e-300)))
-    return light_shown(
+    return light_visibility(
         light.zenith, scene.lights[0].zenith, math.degrees(source.angular_radius), share,
         scene.altitude, medium.bottom_radius, medium.thickness,
     )  # fmt: skip
