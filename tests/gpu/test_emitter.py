@@ -17,9 +17,9 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
+    StructValue,
     Table,
     Uniform,
     Value,
@@ -317,7 +317,9 @@ def in_a_bundle(x, grid):
 
 def test_a_bundle_s_fields_are_uniforms_constants_and_tables(on_gpu: Run) -> None:
     # By hand: 4 x + 4, 3 + 3 and the table's entries.
-    bundle = Bundle({"bottom": Uniform("(2.0 * 2.0)"), "count": Constant(3), "line": Table("line")})
+    bundle = StructValue(
+        {"bottom": Uniform("(2.0 * 2.0)"), "count": Constant(3), "line": Table("line")}
+    )
     seen = on_gpu(in_a_bundle, X, bundle, tables={"line": np.array([1.0, 2.0, 4.0])})
     assert_allclose(seen[0], 4.0 * X + 4.0, rtol=0.0, atol=8 * EPS)
     assert_array_equal(seen[1], np.full(X.size, 6))
@@ -402,10 +404,10 @@ def from_arrays(x, work):
 def test_the_arrays_of_a_bundle_are_handed_over_where_they_are_used() -> None:
     # By hand: each function has the arrays that it or a function called by it uses, no other.
     sizes = {"first": 1, "second": 2, "unused": 3}
-    work = Bundle({name: LocalArray(size) for name, size in sizes.items()})
+    work = StructValue({name: LocalArray(size) for name, size in sizes.items()})
     emitter = Emitter()
     made = emitter.add(from_arrays, F32, work)
-    handed = [name for several in made.handed(WGSL) for name, _ in several]
+    handed = [name for several in made.argument_lists(WGSL) for name, _ in several]
     assert handed == ["x", "work_first", "work_second"]
     text = emitter.functions_text()
     assert "fn halved(x: f32, work_first: ptr<function, array<f32, 1>>) -> f32 {" in text
@@ -413,7 +415,7 @@ def test_the_arrays_of_a_bundle_are_handed_over_where_they_are_used() -> None:
     # Arrays of the module are not handed over at all.
     emitter = Emitter(GLSL)
     named = {name: emitter.module_array(name, one) for name, one in work.fields.items()}
-    emitter.add(from_arrays, F32, Bundle(named))
+    emitter.add(from_arrays, F32, StructValue(named))
     assert "float halved(float x) {" in emitter.functions_text()
     assert "(halved(x) + second[1])" in emitter.functions_text()
 
@@ -424,7 +426,7 @@ def another_name(x, work):
 
 
 def test_an_array_has_one_name() -> None:
-    assert_refused(another_name, F32, Bundle({"first": LocalArray(1)}))
+    assert_refused(another_name, F32, StructValue({"first": LocalArray(1)}))
 
 
 def test_a_function_is_emitted_once_and_before_its_callers() -> None:

@@ -118,7 +118,7 @@ def stretches(device: Device, pictures: GpuRenderer) -> Callable[[np.ndarray], n
 
     emitter = Emitter()
     made = emitter.add(
-        stretch, *[F32] * 6, FRAME.bundle(MarchTables), march_workspace(emitter),
+        stretch, *[F32] * 6, FRAME.struct_value(MarchTables), march_workspace(emitter),
         LocalArray(4, VEC4), name="light_of_stretch",
     )  # fmt: skip
     given = [f"number(item + {k})" for k in range(6)]

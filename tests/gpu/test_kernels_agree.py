@@ -21,7 +21,7 @@ from airlight.color.floating import physical_light
 from airlight.color.gamut import in_gamut
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
-from airlight.gpu.emit.shader_types import Bundle, Constant, Table
+from airlight.gpu.emit.shader_types import Constant, StructValue, Table
 from airlight.gpu.solver import ray_sums
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
@@ -421,7 +421,7 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
 def test_a_law_of_reflection_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
     # The law's own kernels, in double precision; also at the horizon, where cosines are 0.
     ground = Reflection(1.0, which)
-    bound = Bundle({name: Constant(getattr(ground, name)) for name in NUMBERS})
+    bound = StructValue({name: Constant(getattr(ground, name)) for name in NUMBERS})
     cosines = np.append(UNIT, [0.0, 0.0, 1.0]).astype(np.float32)
     suns = np.append(MU_S, [0.0, -0.1, 1.0]).astype(np.float32)
     law = list(LAWS.values())[which]

@@ -35,7 +35,7 @@ COUNT = 400
 BOTTOM, TOP = 6360e3, 6460e3
 #: Rounding of lengths of the planet's size. [m]
 METRES = 4.0 * EPS * TOP
-#: Sizes of the tables here: constituents, degree of harmonics, nodes.
+#: GridSizes of the tables here: constituents, degree of harmonics, nodes.
 THREE = 3
 DEGREE = 4
 TERMS = 15

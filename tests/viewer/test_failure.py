@@ -15,7 +15,7 @@ from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.viewer.painting.picture_source import Picture, Request
 from airlight.viewer.painting.probe import Part, Probe
-from airlight.viewer.painting.probing import Reading
+from airlight.viewer.painting.probing import ProbeResult
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import overlay_help
 from airlight.viewer.window.canvas import OffscreenCanvas
@@ -59,7 +59,7 @@ class Read:
             latitude=None, longitude=None,
             parts=(Part(name="single scattering", radiance=light, luminance=10.0),),
         )  # fmt: skip
-        self.reading = Reading(probe=probe, spectrum=probe, quality="all", place=(0.5, 0.5))
+        self.reading = ProbeResult(probe=probe, spectrum=probe, quality="all", place=(0.5, 0.5))
         self.working = self.error = ""
         self.busy = False
 

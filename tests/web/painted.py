@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.glsl import GLSL
-from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, Bundle
+from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, StructValue
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME, LAYERS
@@ -52,15 +52,17 @@ def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
     names = [name for name in Screen._fields if name in FRAME.layout()["numbers"]]
     emitter = Emitter(dialect)
     emitter.add(painted, I32, fields)
-    emitter.add(looked_at, F32, F32, Bundle({name: FRAME.uniform(name) for name in names}), air)
+    emitter.add(
+        looked_at, F32, F32, StructValue({name: FRAME.uniform(name) for name in names}), air
+    )
     parts = [FRAME.text(dialect)]
     for slot, one in enumerate([*tables, FRAME.tables["picture"]], start=1):
         parts.append(dialect.texture(one.texture, 0, slot))
         parts.append(one.reader(dialect, dialect.texture_name(one.texture, 0, slot)))
     vector = dialect.type_name(VEC4)
-    sky = f"painted({dialect.converted('at.x', I32)}) * frame.red"
+    sky = f"painted({dialect.convert('at.x', I32)}) * frame.red"
     seen = "looked_at(at.x, at.y).rgb"
-    place = [dialect.converted(f"at.{axis}", I32) for axis in "yx"]
+    place = [dialect.convert(f"at.{axis}", I32) for axis in "yx"]
     light = f"read_picture({', '.join(place)}).rgb"
     exposed = f"{FRAME.uniform('exposure').text} * {light}"
     entries = {

@@ -14,9 +14,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.gpu.device.flat import read_flat
+from airlight.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.gpu.solver.passes import ONCE
 from airlight.gpu.solver.planning import plan_for
-from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.kernel import vectorized
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
@@ -128,7 +128,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     assert plan.sizes["parts"] > 1
     assert plan.setup.optics.transport_depth.max() > data["synthetic"]["thicker"]
     rays = {}
-    with borrowed_sweeper(gpu) as sweeper:
+    with pooled_iteration(gpu) as sweeper:
         sweeper.load(plan)
         sweeper.run(ONCE)
         for name in ("factors", "shares", "bounces", "projections"):

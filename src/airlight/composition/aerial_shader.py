@@ -11,7 +11,7 @@ from airlight.composition.aerial_reading import (
 )
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, Bundle, Constant, Value
+from airlight.gpu.emit.shader_types import F32, Constant, StructValue, Value
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.kernel.shader_fields import Always, InTexture, shader_fields
 
@@ -33,7 +33,7 @@ def aerial_shader(aerial: AerialPerspective, dialect: ShaderDialect) -> str:
         ``WGSL`` or ``GLSL``.
     """
     emitter = Emitter(dialect)
-    tables = Bundle(bound_tables(aerial.tables))
+    tables = StructValue(bound_tables(aerial.tables))
     for function in (air_radiance, air_transmittance, sky_radiance):
         emitter.add(function, F32, F32, F32, F32, tables, name=function.__name__)
     readers = [TextureTable(name, name, spectral=True).reader(dialect, name) for name in TEXTURES]

@@ -13,16 +13,16 @@ import numpy as np
 
 from airlight.color.encoding import srgb_curve_inverse
 from airlight.color.texels import CHANNELS, channel_of
-from airlight.gpu.emit.scope import Names, SubsetError
+from airlight.gpu.emit.scope import Scope, SubsetError
 from airlight.gpu.emit.shader_types import (
     BOOL,
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
+    StructValue,
     Table,
     Uniform,
     Value,
@@ -37,8 +37,8 @@ _LANE_CALLS: Final = (
 )  # fmt: skip
 
 
-class Calls(Names, ABC):
-    """Writer of the calls of one function; see ``Names`` for the parameters."""
+class Calls(Scope, ABC):
+    """Writer of the calls of one function; see ``Scope`` for the parameters."""
 
     @abstractmethod
     def write(self, node: ast.expr) -> tuple[str, Value | None]:
@@ -54,34 +54,34 @@ class Calls(Names, ABC):
 
     def number(self, node: ast.AST, found: Value | None) -> Scalar:
         """Type of an expression that must be a number."""
-        if found is not None and not isinstance(found, (Table, Bundle)):
+        if found is not None and not isinstance(found, (Table, StructValue)):
             kind = run_time(found)
             if isinstance(kind, Scalar):
                 return kind
         raise self.refuse(node, "is not a number")
 
-    def room(self, node: ast.expr) -> str:
+    def array_text(self, node: ast.expr) -> str:
         """Array as written before its index."""
         found = self.bound(node)
         if isinstance(found, LocalArray) and found.variable:
             return found.variable
-        name, handed_over = self.array_name(node)
-        return self.dialect.array(name, handed_over=handed_over)
+        name, is_argument = self.array_name(node)
+        return self.dialect.array(name, is_argument=is_argument)
 
     def array_name(self, node: ast.expr) -> tuple[str, bool]:
         """Name of an array, alone or of a bundle, and whether it was handed over."""
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
             owner = node.value.id
             self.arrays.add(f"{owner}_{node.attr}")
-            return self.spelled(f"{owner}_{node.attr}"), self.is_parameter(owner)
+            return self.mangle(f"{owner}_{node.attr}"), self.is_parameter(owner)
         if isinstance(node, ast.Name):
-            return self.spelled(node.id), self.is_parameter(node.id)
+            return self.mangle(node.id), self.is_parameter(node.id)
         raise self.refuse(node, "is not a name of an array")
 
     def array_argument(self, node: ast.expr) -> str:
         """Array as an argument of a call."""
-        name, handed_over = self.array_name(node)
-        return name if handed_over else self.dialect.array_argument(name)
+        name, is_argument = self.array_name(node)
+        return name if is_argument else self.dialect.array_argument(name)
 
     def is_parameter(self, name: str) -> bool:
         """Whether a name is one of the function's parameters."""
@@ -107,20 +107,20 @@ class Calls(Names, ABC):
             return self.mathematics(abs, [text]), self.number(node.args[0], found)
         if called is math.floor:
             below = self.mathematics(called, [self.as_scalar(node.args[0], F32)])
-            return self.dialect.converted(below, I32), I32
+            return self.dialect.convert(below, I32), I32
         if called is int:
-            return self.dialect.converted(self.as_scalar(node.args[0], F32), I32), I32
+            return self.dialect.convert(self.as_scalar(node.args[0], F32), I32), I32
         if called in (float, np.float32, np.float64):
             return self.as_scalar(node.args[0], F32), F32
         if called is np.empty:
             size = self.fold(node.args[0])
             if not isinstance(size, int):
-                raise self.refuse(node, "the size of a room is a constant")
+                raise self.refuse(node, "the size of an array is a constant")
             return "", LocalArray(size)
         if called is lane_module.lane_array:
             size = self.fold(node.args[0])
             if not isinstance(size, int):
-                raise self.refuse(node, "the size of a room is a constant")
+                raise self.refuse(node, "the size of an array is a constant")
             return "", LocalArray(size, VEC4)
         if _is(called, self.dialect.mathematics):
             if called is math.isfinite:
@@ -155,7 +155,7 @@ class Calls(Names, ABC):
         if name == "exponential":
             return f"exp({self.as_scalar(node.args[0], VEC4)})", VEC4
         if name == "fourth_root":
-            nothing = self.dialect.converted("0.0", VEC4)
+            nothing = self.dialect.convert("0.0", VEC4)
             return f"sqrt(sqrt(max({self.as_scalar(node.args[0], VEC4)}, {nothing})))", VEC4
         if name in ("maximum", "minimum"):
             texts = [self.as_scalar(one, VEC4) for one in node.args]
@@ -166,7 +166,7 @@ class Calls(Names, ABC):
             if isinstance(owner, Table) and owner.spectral and name == "load":
                 return self.dialect.element(owner.name, index), VEC4
             if isinstance(owner, LocalArray) and owner.element == VEC4:
-                place = f"{self.room(node.args[0])}[{index}]"
+                place = f"{self.array_text(node.args[0])}[{index}]"
                 if name == "load":
                     return place, VEC4
                 return f"{place} = {self.as_scalar(node.args[2], VEC4)}", None
@@ -192,7 +192,7 @@ class Calls(Names, ABC):
                 members = [self.bound(item) for item in one.elts]
                 if not all(isinstance(item, (Table, Uniform, Constant)) for item in members):
                     raise self.refuse(one, "a tuple handed over holds tables and uniforms")
-                values.append(Bundle({str(i): item for i, item in enumerate(members)}))
+                values.append(StructValue({str(i): item for i, item in enumerate(members)}))
                 texts.append("")
                 continue
             folded = self.fold(one)
@@ -212,11 +212,11 @@ class Calls(Names, ABC):
             texts.append(text)
         made = self.emitter.add(called, *values)
         handed: list[str] = []
-        several = made.handed(self.dialect)
+        several = made.argument_lists(self.dialect)
         for one, text, (name, value), parts in zip(
             node.args, texts, made.parameters, several, strict=True
         ):
-            if not isinstance(value, Bundle):
+            if not isinstance(value, StructValue):
                 handed += [text] if parts else []
                 continue
             for part, _ in parts:

@@ -15,10 +15,10 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
+    StructValue,
     Table,
     TupleType,
     Value,
@@ -65,7 +65,7 @@ class Dialect(ABC):
         """Declare a variable that is assigned later."""
 
     @abstractmethod
-    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
+    def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         """Declare a name for a constant value."""
 
     @abstractmethod
@@ -83,7 +83,7 @@ class Dialect(ABC):
         """Declare the type of a tuple; empty if the language needs none."""
 
     @abstractmethod
-    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
+    def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         """Tuple of these parts."""
 
     @abstractmethod
@@ -91,11 +91,11 @@ class Dialect(ABC):
         """Part of a tuple."""
 
     @abstractmethod
-    def converted(self, text: str, wanted: Scalar) -> str:
+    def convert(self, text: str, wanted: Scalar) -> str:
         """Convert a number to another type."""
 
     @abstractmethod
-    def chosen(self, test: str, yes: str, no: str) -> str:
+    def select(self, test: str, yes: str, no: str) -> str:
         """Select one of two values."""
 
     @abstractmethod
@@ -103,7 +103,7 @@ class Dialect(ABC):
         """Quotient of integers, rounded down."""
 
     @abstractmethod
-    def rest(self, first: str, second: str) -> str:
+    def modulo(self, first: str, second: str) -> str:
         """Remainder of that quotient, with the divisor's sign."""
 
     def unused(self, text: str) -> str:
@@ -114,7 +114,7 @@ class Dialect(ABC):
         """Pass a local array as an argument."""
         return text
 
-    def array(self, name: str, *, handed_over: bool) -> str:
+    def array(self, name: str, *, is_argument: bool) -> str:
         """Array as written before its index, local or passed as an argument."""
         return name
 
@@ -122,7 +122,7 @@ class Dialect(ABC):
         """Whether a value is passed when a function is called."""
         if isinstance(value, LocalArray):
             return not value.variable
-        return not isinstance(value, (Constant, Table, Bundle))
+        return not isinstance(value, (Constant, Table, StructValue))
 
     def element(self, table: str, index: str) -> str:
         """Element of a table."""
@@ -139,7 +139,7 @@ class Dialect(ABC):
     def uniform(self, text: str, kind: Scalar) -> str:
         """Convert the float in a uniform to a number of its type."""
         if kind == I32:
-            return self.converted(text, I32)
+            return self.convert(text, I32)
         return f"({text} > 0.5)" if kind == BOOL else text
 
 
@@ -147,29 +147,29 @@ class ShaderDialect(Dialect):
     """Shading language: it also has textures, uniforms and entry points."""
 
     #: Integer functions that every shader needs.
-    whole_numbers: ClassVar[str]
+    integer_functions: ClassVar[str]
     #: Vertex function of all passes: one triangle that covers the target, with the corners
     #: (-1, -1), (3, -1), (-1, 3).
     triangle: ClassVar[str]
 
     def quotient(self, first: str, second: str) -> str:
         """Quotient of integers, rounded down; the language's own rounds towards 0."""
-        return f"whole_quotient({first}, {second})"
+        return f"floor_div({first}, {second})"
 
-    def rest(self, first: str, second: str) -> str:
+    def modulo(self, first: str, second: str) -> str:
         """Remainder of that quotient, with the divisor's sign."""
-        return f"whole_rest({first}, {second})"
+        return f"floor_mod({first}, {second})"
 
     @abstractmethod
-    def fetched(self, texture: str, index: str, shift: int) -> str:
+    def fetch(self, texture: str, index: str, shift: int) -> str:
         """Texel of a texture with rows of 2^shift texels; the index is a name or a number."""
 
     @abstractmethod
-    def image_fetched(self, texture: str, row: str, column: str) -> str:
+    def fetch_image(self, texture: str, row: str, column: str) -> str:
         """Texel of a picture; row and column are names or numbers."""
 
     @abstractmethod
-    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
+    def fetch_volume(self, texture: str, x: str, y: str, z: str) -> str:
         """Texel of a texture of three dimensions; the places are names or numbers."""
 
     @abstractmethod

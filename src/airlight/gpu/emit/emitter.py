@@ -92,7 +92,7 @@ class Emitter:
                 f"{len(parameters)} parameters"
             )
         bound = tuple(
-            _handed_over(one, parameter, self.dialect)
+            _lower_argument(one, parameter, self.dialect)
             for one, parameter in zip(arguments, parameters, strict=True)
         )
         key = (plain, bound)
@@ -150,7 +150,7 @@ class Emitter:
 
     def module(self) -> str:
         """Complete module: the common functions, then those that were emitted."""
-        before = self.dialect.whole_numbers if isinstance(self.dialect, ShaderDialect) else ""
+        before = self.dialect.integer_functions if isinstance(self.dialect, ShaderDialect) else ""
         return before + self.functions_text()
 
 
@@ -166,7 +166,7 @@ def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
     return tree
 
 
-def _handed_over(value: Value, parameter: str, dialect: Dialect) -> Value:
+def _lower_argument(value: Value, parameter: str, dialect: Dialect) -> Value:
     """Value as the called function receives it: a uniform becomes a plain number."""
     if isinstance(value, Table) and dialect.at_run_time(value):
         return replace(value, name=parameter)

@@ -12,10 +12,10 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
+    StructValue,
     Table,
     TupleType,
     Uniform,
@@ -33,7 +33,7 @@ _OPERATORS: Final[dict[type[ast.operator], str]] = {
 
 
 class Expressions(Calls):
-    """Writer of the expressions of one function; see ``Names`` for the parameters."""
+    """Writer of the expressions of one function; see ``Scope`` for the parameters."""
 
     def write(self, node: ast.expr) -> tuple[str, Value | None]:
         """Write an expression; return text and type, None for a call without result."""
@@ -73,13 +73,13 @@ class Expressions(Calls):
         found = self.bound(node)
         if isinstance(found, Uniform):
             return self.dialect.uniform(found.text, found.scalar), found.scalar
-        if isinstance(found, (Table, Bundle)):
+        if isinstance(found, (Table, StructValue)):
             return "", found
         if isinstance(found, LocalArray):
             return self.array_name(node)[0], found
         if isinstance(found, (Scalar, TupleType)):
             assert isinstance(node, ast.Name)
-            return self.spelled(node.id), found
+            return self.mangle(node.id), found
         raise self.refuse(node, "is not known here")
 
     def operation(self, node: ast.BinOp) -> tuple[str, Value]:
@@ -94,7 +94,7 @@ class Expressions(Calls):
                 raise self.refuse(node, "is for whole numbers only")
             if isinstance(node.op, ast.FloorDiv):
                 return self.dialect.quotient(left, right), I32
-            return self.dialect.rest(left, right), I32
+            return self.dialect.modulo(left, right), I32
         sign = _OPERATORS.get(type(node.op))
         if sign is None:
             raise self.refuse(node, "has no translation")
@@ -143,7 +143,7 @@ class Expressions(Calls):
         kinds = self.number(body, yes_type), self.number(orelse, no_type)
         wanted = BOOL if BOOL in kinds else joined(*kinds)
         yes, no = self.cast(yes, yes_type, wanted), self.cast(no, no_type, wanted)
-        return self.dialect.chosen(self.as_scalar(test, BOOL), yes, no), wanted
+        return self.dialect.select(self.as_scalar(test, BOOL), yes, no), wanted
 
     def element(self, node: ast.Subscript) -> tuple[str, Value]:
         """Write an element of a table or array, or the length of an axis."""
@@ -183,5 +183,5 @@ class Expressions(Calls):
         """Write an element of an array, to read or to assign."""
         owner = self.bound(node.value)
         if not isinstance(owner, LocalArray):
-            raise self.refuse(node, "is neither a table nor a room")
-        return f"{self.room(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element
+            raise self.refuse(node, "is neither a table nor an array")
+        return f"{self.array_text(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element

@@ -17,10 +17,10 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
+    StructValue,
     Table,
     TupleType,
     Value,
@@ -58,7 +58,7 @@ class JavaScript(Dialect):
             return f"const {name} = new Float64Array({kind.size});"
         return f"let {name};"
 
-    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
+    def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"const {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
@@ -72,20 +72,20 @@ class JavaScript(Dialect):
     def struct(self, kind: TupleType) -> str:
         return ""
 
-    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
+    def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"[{', '.join(parts)}]"
 
     def part(self, text: str, index: int) -> str:
         return f"{text}[{index}]"
 
-    def converted(self, text: str, wanted: Scalar) -> str:
+    def convert(self, text: str, wanted: Scalar) -> str:
         return {I32: f"Math.trunc({text})", F32: f"Number({text})", VEC4: text}[wanted]
 
-    def chosen(self, test: str, yes: str, no: str) -> str:
+    def select(self, test: str, yes: str, no: str) -> str:
         return f"({test} ? {yes} : {no})"
 
     def at_run_time(self, value: Value) -> bool:
-        return not isinstance(value, (Constant, Bundle))
+        return not isinstance(value, (Constant, StructValue))
 
     def element(self, table: str, index: str) -> str:
         return f"{table}.values[{index}]"
@@ -96,7 +96,7 @@ class JavaScript(Dialect):
     def quotient(self, first: str, second: str) -> str:
         return f"Math.floor({first} / {second})"
 
-    def rest(self, first: str, second: str) -> str:
+    def modulo(self, first: str, second: str) -> str:
         return f"({first} - {second} * Math.floor({first} / {second}))"
 
 

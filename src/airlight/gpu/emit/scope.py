@@ -21,10 +21,10 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
+    StructValue,
     Table,
     TupleType,
     Uniform,
@@ -56,7 +56,7 @@ class Callee(Protocol):
     parameters: tuple[tuple[str, Value], ...]
     result: Scalar | TupleType | None
 
-    def handed(self, dialect: Dialect) -> list[list[Named]]:
+    def argument_lists(self, dialect: Dialect) -> list[list[Named]]:
         """Names and types of what a call hands over, for each parameter."""
 
 
@@ -81,7 +81,7 @@ class Functions(Protocol):
         """Array declared in the module."""
 
 
-class Names:
+class Scope:
     """Names of one function, with what is known of them when the shader is written.
 
     Parameters
@@ -121,12 +121,12 @@ class Names:
         text = " ".join(ast.unparse(node).split())[:80]
         return SubsetError(f"{self.function.__code__.co_filename}:{line}: {text!r}: {why}")
 
-    def spelled(self, name: str) -> str:
+    def mangle(self, name: str) -> str:
         """Spell a Python name for the shader."""
         taken = name in self.dialect.reserved or name in self.emitter.taken
         return f"{name}_1" if taken else name.lstrip("_")
 
-    def learn(self, node: ast.AST, name: str, found: Value) -> None:
+    def declare(self, node: ast.AST, name: str, found: Value) -> None:
         """Record the type of an assigned name, or the wider of two types."""
         before = self.names.get(name)
         if isinstance(before, Uniform):
@@ -163,7 +163,7 @@ class Names:
 
     def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
         """Convert text to another type where Python would do so implicitly."""
-        if found is None or isinstance(found, (Table, Bundle, LocalArray, TupleType)):
+        if found is None or isinstance(found, (Table, StructValue, LocalArray, TupleType)):
             raise SubsetError(f"{self.function.__qualname__}: {text} is not a number")
         kind = run_time(found)
         if kind == wanted:
@@ -171,9 +171,9 @@ class Names:
         if wanted == F32 and kind in (I32, BOOL):
             if isinstance(found, Constant):
                 return f"{float(found.value)!r}"
-            return self.dialect.converted(text, F32)
+            return self.dialect.convert(text, F32)
         if wanted == VEC4 and kind in (F32, I32):
-            return self.dialect.converted(self.cast(text, found, F32), VEC4)
+            return self.dialect.convert(self.cast(text, found, F32), VEC4)
         raise SubsetError(f"{self.function.__qualname__}: {text} is {kind}, not {wanted}")
 
     def known(self, node: ast.expr) -> bool | None:
@@ -235,7 +235,7 @@ class Names:
             return found
         if isinstance(node, ast.Attribute):
             owner = self.bound(node.value)
-            if isinstance(owner, Bundle):
+            if isinstance(owner, StructValue):
                 return owner.fields.get(node.attr)
             if isinstance(owner, LocalArray) and node.attr == "size":
                 return Constant(owner.size)

@@ -112,7 +112,7 @@ class LocalArray:
 
 
 @dataclass(frozen=True)
-class Bundle:
+class StructValue:
     """NamedTuple whose fields are bound when the shader is written.
 
     Attributes
@@ -136,10 +136,10 @@ class TupleType:
     @property
     def name(self) -> str:
         """Name of the struct that represents it."""
-        return "Several_" + "_".join(item.name for item in self.items)
+        return "Tuple_" + "_".join(item.name for item in self.items)
 
 
-Value = Scalar | Constant | Uniform | Table | LocalArray | Bundle | TupleType
+Value = Scalar | Constant | Uniform | Table | LocalArray | StructValue | TupleType
 
 
 def run_time(value: Value) -> Scalar | LocalArray | TupleType:

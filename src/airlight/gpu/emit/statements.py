@@ -17,10 +17,10 @@ from airlight.gpu.emit.scope import Functions, SubsetError
 from airlight.gpu.emit.shader_types import (
     BOOL,
     I32,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
+    StructValue,
     Table,
     TupleType,
     Uniform,
@@ -68,7 +68,7 @@ class Emitted:
     text: str = ""
     arrays: set[str] = field(default_factory=set)
 
-    def handed(self, dialect: Dialect) -> list[list[Named]]:
+    def argument_lists(self, dialect: Dialect) -> list[list[Named]]:
         """Names and types of what a call hands over, for each parameter.
 
         Parameters
@@ -79,7 +79,7 @@ class Emitted:
         handed: list[list[Named]] = []
         for name, value in self.parameters:
             several: list[Named] = []
-            if isinstance(value, Bundle):
+            if isinstance(value, StructValue):
                 for one, kind in value.fields.items():
                     array = f"{name}_{one}"
                     if isinstance(kind, LocalArray) and array in self.arrays:
@@ -127,11 +127,11 @@ class FunctionBody:
             self.block(self.tree.body, 1)
             if self.names == before:
                 break
-        spell = self.expressions.spelled
+        spell = self.expressions.mangle
         heads: list[Named] = []
         copies: list[str] = []
         changed = _assigned(self.tree)
-        handed = self.made.handed(self.dialect)
+        handed = self.made.argument_lists(self.dialect)
         for name, kind in (one for several in handed for one in several):
             if isinstance(kind, Scalar) and name in changed:
                 given = f"{spell(name)}_given"
@@ -139,7 +139,7 @@ class FunctionBody:
                 now = self.names[name]
                 assert isinstance(now, Scalar)
                 if now != kind:
-                    given = self.dialect.converted(given, now)
+                    given = self.dialect.convert(given, now)
                 copies.append(f"  {self.dialect.variable(spell(name), now, given)}")
             else:
                 heads.append((spell(name), kind))
@@ -244,8 +244,8 @@ class FunctionBody:
             sign = ">"
         if self.single_turn(node, target, call.args, depth):
             return
-        self.expressions.learn(node, target.id, I32)
-        name = self.expressions.spelled(target.id)
+        self.expressions.declare(node, target.id, I32)
+        name = self.expressions.mangle(target.id)
         turns = self.known_turns(call.args)
         short = turns is not None and len(turns) < _UNROLLED
         if self.dialect.unrolls and len(ends) < 3 and not short and not _stays_rolled(node):
@@ -291,7 +291,7 @@ class FunctionBody:
         """
         self.temporaries += 1
         end = f"end_{self.temporaries}"
-        self.put(depth, self.dialect.kept(end, I32, last))
+        self.put(depth, self.dialect.let(end, I32, last))
         self.put(
             depth,
             f"for ({name} = {first}; {name} + {_UNROLLED - 1} < {end}; {name} = {name} + 1) {{",
@@ -322,7 +322,7 @@ class FunctionBody:
                 for (text, value), item in zip(written, several.items, strict=True)
             ]
             self.made.result = several
-            self.put(depth, f"return {self.dialect.several(several, parts)};")
+            self.put(depth, f"return {self.dialect.tuple_expr(several, parts)};")
             return
         text, value = self.expressions.write(node.value)
         if isinstance(value, TupleType):
@@ -350,8 +350,8 @@ class FunctionBody:
         """Assign the value of an expression to a name: at run time, or for the emitter alone."""
         if found is None:
             raise self.refuse(target, "nothing to assign")
-        if isinstance(found, (Table, Bundle)):
-            self.expressions.learn(target, target.id, found)
+        if isinstance(found, (Table, StructValue)):
+            self.expressions.declare(target, target.id, found)
             return
         kind = run_time(found)
         if isinstance(kind, TupleType):
@@ -362,13 +362,13 @@ class FunctionBody:
             if self.dialect.module_arrays and not kind.variable:
                 name = f"{self.made.name}_{target.id}"
                 kind = self.expressions.emitter.module_array(name, kind)
-            self.expressions.learn(target, target.id, kind)
+            self.expressions.declare(target, target.id, kind)
             return
-        self.expressions.learn(target, target.id, kind)
+        self.expressions.declare(target, target.id, kind)
         now = self.names[target.id]
         assert isinstance(now, Scalar)
-        spelled = self.expressions.spelled(target.id)
-        self.put(depth, f"{spelled} = {self.expressions.cast(text, found, now)};")
+        mangle = self.expressions.mangle(target.id)
+        self.put(depth, f"{mangle} = {self.expressions.cast(text, found, now)};")
 
     def unpack(self, target: ast.Tuple, value: ast.expr, depth: int) -> None:
         """Unpack a tuple, a bundle or a result of several numbers."""
@@ -378,20 +378,20 @@ class FunctionBody:
             written = [self.expressions.write(one) for one in value.elts]
             fixed: list[tuple[str, Value | None]] = []
             for text, found in written:
-                if found is None or isinstance(found, (Table, Bundle, LocalArray)):
+                if found is None or isinstance(found, (Table, StructValue, LocalArray)):
                     fixed.append((text, found))
                     continue
                 self.temporaries += 1
                 now, kind = f"now_{self.temporaries}", run_time(found)
                 if isinstance(kind, LocalArray):
                     raise self.refuse(target, "an array has one name")
-                self.put(depth, self.dialect.kept(now, kind, text))
+                self.put(depth, self.dialect.let(now, kind, text))
                 fixed.append((now, kind))
             for one, (text, found) in zip(target.elts, fixed, strict=True):
                 self.one_of_several(one, text, found, depth)
             return
         text, found = self.expressions.write(value)
-        if isinstance(found, Bundle):
+        if isinstance(found, StructValue):
             if len(found.fields) != len(target.elts):
                 raise self.refuse(target, f"{len(found.fields)} fields")
             for one, member in zip(target.elts, found.fields.values(), strict=True):
@@ -406,7 +406,7 @@ class FunctionBody:
             raise self.refuse(target, "another number of values")
         self.temporaries += 1
         several = f"several_{self.temporaries}"
-        self.put(depth, self.dialect.kept(several, found, text))
+        self.put(depth, self.dialect.let(several, found, text))
         for i, (one, kind) in enumerate(zip(target.elts, found.items, strict=True)):
             self.one_of_several(one, self.dialect.part(several, i), kind, depth)
 

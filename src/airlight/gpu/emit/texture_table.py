@@ -68,20 +68,20 @@ class TextureTable:
         """
         if self.image:
             return self._image_reader(dialect, texture)
-        start = f" + {dialect.converted(self.start, I32)}" if self.start else ""
+        start = f" + {dialect.convert(self.start, I32)}" if self.start else ""
         at = "(index >> 2)" if self.by_number else "index"
         kind = VEC4 if self.spectral else F32
         component = "[index & 3]" if self.by_number else "" if self.spectral else ".x"
         lines = [
-            dialect.kept("place", I32, f"{at}{start}"),
-            dialect.fetched(texture, "place", PACKED_SHIFT if self.packed else FLAT_SHIFT)
+            dialect.let("place", I32, f"{at}{start}"),
+            dialect.fetch(texture, "place", PACKED_SHIFT if self.packed else FLAT_SHIFT)
             + component,
         ]
         read = dialect.function(f"read_{self.name}", [("index", I32)], kind, lines)
         return self._sizes(dialect, self._lengths(dialect)) + read
 
     def _image_reader(self, dialect: ShaderDialect, texture: str) -> str:
-        fetched = dialect.image_fetched(texture, "row", "column")
+        fetched = dialect.fetch_image(texture, "row", "column")
         places = [("row", I32), ("column", I32)]
         sizes = self._sizes(dialect, [dialect.image_length(texture, str(axis)) for axis in (0, 1)])
         return sizes + dialect.function(f"read_{self.name}", places, VEC4, [fetched])
@@ -92,7 +92,7 @@ class TextureTable:
             return []
         named = self.rank - 1 if self.pair else self.rank
         places = [f"{self.lengths}[{axis + self.first}]" for axis in range(named)]
-        return [dialect.converted(one, I32) for one in places] + ["2"] * self.pair
+        return [dialect.convert(one, I32) for one in places] + ["2"] * self.pair
 
     def _sizes(self, dialect: ShaderDialect, lengths: Sequence[str]) -> str:
         return "".join(

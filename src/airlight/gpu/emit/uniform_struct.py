@@ -16,7 +16,16 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.shader_types import BOOL, F32, I32, Bundle, Constant, Scalar, Uniform, Value
+from airlight.gpu.emit.shader_types import (
+    BOOL,
+    F32,
+    I32,
+    Constant,
+    Scalar,
+    StructValue,
+    Uniform,
+    Value,
+)
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.kernel.shader_fields import CHOICE, Always, InTexture, ShaderField, shader_fields
 
@@ -110,7 +119,7 @@ class UniformStruct:
         vector, component = self._places[name]
         return Uniform(f"{self.name}.{vector}.{component}", self.numbers[name])
 
-    def bundle(self, kind: Any, fixed: Fixed = ()) -> Bundle:
+    def struct_value(self, kind: Any, fixed: Fixed = ()) -> StructValue:
         """NamedTuple for the emitter: its fields are tables, uniforms or constants.
 
         Parameters
@@ -124,7 +133,7 @@ class UniformStruct:
         fields: dict[str, Value] = {}
         for one in shader_fields(kind):
             if _is_group(one):
-                fields[one.name] = self.bundle(one.kind, fixed)
+                fields[one.name] = self.struct_value(one.kind, fixed)
             elif isinstance(one.mark, Always):
                 fields[one.name] = Constant(one.mark.value)
             elif one.name in known:
@@ -133,7 +142,7 @@ class UniformStruct:
                 fields[one.name] = self.tables[one.name].table
             else:
                 fields[one.name] = self.uniform(one.name)
-        return Bundle(fields)
+        return StructValue(fields)
 
     def read_by(self, body: str) -> list[TextureTable]:
         """Tables that emitted functions read.

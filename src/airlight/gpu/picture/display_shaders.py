@@ -11,7 +11,7 @@ from airlight.color.displayed import Display, displayed
 from airlight.color.glare import coarser_texel, glared_texel, spread_texel
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, TupleType, Value
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, StructValue, TupleType, Value
 from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.shaders import (
@@ -72,7 +72,7 @@ def _level_shader(
 ) -> Shader:
     """Shader with one entry point, of the shader's name: a function of tables, place, numbers."""
     emitter = Emitter(dialect)
-    lens = FRAME.bundle(Lens)
+    lens = FRAME.struct_value(Lens)
     text = _called(emitter, function, lens, tables, numbers)
     return assembled(name, {name: dialect.fragment(name, 1, [], [text])}, emitter)
 
@@ -80,7 +80,7 @@ def _level_shader(
 def _called(
     emitter: Emitter,
     function: Callable[..., Any],
-    lens: Bundle,
+    lens: StructValue,
     tables: tuple[str, ...],
     numbers: tuple[str, ...],
 ) -> str:
@@ -89,7 +89,7 @@ def _called(
     given: list[Value] = [lens.fields[one] for one in tables]
     values = [FRAME.uniform(one) for one in numbers]
     made = emitter.add(function, *given, I32, I32, *values)
-    places = [dialect.converted(f"at.{axis}", I32) for axis in "yx"]
+    places = [dialect.convert(f"at.{axis}", I32) for axis in "yx"]
     texts = [dialect.uniform(one.text, one.scalar) for one in values]
     return f"{made.name}({', '.join([*places, *texts])})"
 
@@ -105,15 +105,15 @@ def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
     """
     emitter = Emitter(dialect)
     light = _called(
-        emitter, glared_texel, FRAME.bundle(Lens), ("picture", "coarser"),
+        emitter, glared_texel, FRAME.struct_value(Lens), ("picture", "coarser"),
         ("glare", "glare_total", "circle"),
     )  # fmt: skip
-    display = FRAME.bundle(Display, fixed)
+    display = FRAME.struct_value(Display, fixed)
     shown = emitter.add(displayed, F32, F32, F32, F32, F32, display, name="displayed")
     assert isinstance(shown.result, TupleType)
     lines = [
-        dialect.kept("light", VEC4, light),
-        dialect.kept("seen", shown.result, f"{shown.name}(light.x, light.y, light.z, at.x, at.y)"),
+        dialect.let("light", VEC4, light),
+        dialect.let("seen", shown.result, f"{shown.name}(light.x, light.y, light.z, at.x, at.y)"),
     ]
     parts = [dialect.part("seen", i) for i in range(3)]
     entry = f"{dialect.type_name(VEC4)}({', '.join(parts)}, 1.0)"

@@ -17,9 +17,9 @@ from airlight.gpu.emit.shader_types import (
     FLAT_WIDTH,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
+    StructValue,
 )
 from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
@@ -160,24 +160,24 @@ def _sky_shader(
     found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
     made = emitter.add(
         sky_view_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
-        FRAME.bundle(Observer), FRAME.bundle(MarchTables), march_workspace(emitter), found,
+        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter), found,
         name=function,
     )  # fmt: skip
     columns, rows = (
         dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")
     )
     places = ("number % columns", "number / columns", "columns", rows)
-    x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
+    x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
     body = [
-        dialect.kept("columns", I32, columns),
-        dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
+        dialect.let("columns", I32, columns),
+        dialect.let("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
         *filled_by(made, places, dialect),
     ]
     entry = dialect.fragment(name, 2, body, [f"result[{layer}]" for layer in layers])
     return assembled(name, {name: entry}, emitter)
 
 
-def march_workspace(emitter: Emitter) -> Bundle:
+def march_workspace(emitter: Emitter) -> StructValue:
     """Workspace of a line, for the emitter.
 
     Parameters
@@ -188,7 +188,7 @@ def march_workspace(emitter: Emitter) -> Bundle:
     numbers = workspace_sizes(MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS)
     arrays = {name: LocalArray(size) for name, size in numbers.items()}
     arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MAX_CONSTITUENTS).items()}
-    return Bundle({
+    return StructValue({
         name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()
     })  # fmt: skip
 
@@ -205,18 +205,18 @@ def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -
     dialect : ShaderDialect
         Shading language.
     """
-    handed = [one for several in made.handed(dialect) for one in several]
+    handed = [one for several in made.argument_lists(dialect) for one in several]
     arrays = [(name, kind) for name, kind in handed if isinstance(kind, LocalArray)]
     given = [*arguments, *(dialect.array_argument(name) for name, _ in arrays)]
     declared = [dialect.declared(name, kind) for name, kind in arrays]
     return [*declared, f"{made.name}({', '.join(given)});"]
 
 
-def _whole_window() -> Bundle:
+def _whole_window() -> StructValue:
     """Window of a complete sky-view LUT, for the emitter; see ``SkyViewWindow``."""
     columns, rows, first = FRAME.uniform("sky_columns"), FRAME.uniform("sky_rows"), Constant(0)
     values = (columns, rows, first, columns, first, rows, first, rows)
-    return Bundle(dict(zip(SkyViewWindow._fields, values, strict=True)))
+    return StructValue(dict(zip(SkyViewWindow._fields, values, strict=True)))
 
 
 @cache
@@ -241,8 +241,8 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
         light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
-        _whole_window(), FRAME.bundle(Observer, fixed), FRAME.bundle(ViewUniforms, fixed),
-        FRAME.bundle(MarchTables, fixed), march_workspace(emitter), *arrays,
+        _whole_window(), FRAME.struct_value(Observer, fixed), FRAME.struct_value(ViewUniforms, fixed),
+        FRAME.struct_value(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip
     column, row = (f"at.{at} + {FRAME.uniform(name).text}" for at, name in (
@@ -250,7 +250,7 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     ))  # fmt: skip
     lines = [
         *filled_by(made, (column, row), dialect),
-        *(dialect.kept(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
+        *(dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
     ]
     light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
     entry = dialect.fragment("linear_picture", 1, lines, [light])

@@ -29,7 +29,7 @@ def ray_and_star(index, sizes, tables):
     ----------
     index : int
         Index of the texel.
-    sizes, tables : Sizes, Tables
+    sizes, tables : GridSizes, Tables
         Inputs from the host.
 
     Returns

@@ -22,7 +22,7 @@ def largest_of(index, sizes, count, values):
     ----------
     index : int
         Index of a number (mean radiance or irradiance, sun, lane).
-    sizes : Sizes
+    sizes : GridSizes
         Sizes of the axes.
     count : int
         Number of radii.

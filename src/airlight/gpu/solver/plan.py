@@ -35,7 +35,7 @@ def row_block(sizes: Mapping[str, Any]) -> int:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Span:
+class RadiusRange:
     """Group of neighbouring radii whose rays are processed together.
 
     Attributes
@@ -61,14 +61,14 @@ class SolverPlan:
     block : Block
         Set-up of its wavelengths: paths, degree, grid, rays, tables.
     sizes : dict
-        Values of ``Sizes``, and of the law of reflection, by name.
+        Values of ``GridSizes``, and of the law of reflection, by name.
     places : dict
         Start and axes of each table.
     solve : array, shape (n, 4)
         Values of the uniform ``solve``.
     tables : dict
         Contents of the textures ``scalars`` and ``spectra``, shapes (n, 1) and (n, 4).
-    spans : tuple of Span
+    spans : tuple of RadiusRange
         Groups of radii.
     """
 
@@ -77,7 +77,7 @@ class SolverPlan:
     places: dict[str, Place]
     solve: Float32Array
     tables: dict[str, Float32Array]
-    spans: tuple[Span, ...]
+    spans: tuple[RadiusRange, ...]
 
     @property
     def setup(self) -> Setup:
@@ -127,15 +127,15 @@ class SolverPlan:
             **dict.fromkeys(ITERATES, field),
         }
 
-    def texels(self, one: SolverPass, span: Span | None = None) -> tuple[int, int, int]:
+    def texels(self, one: SolverPass, span: RadiusRange | None = None) -> tuple[int, int, int]:
         """First and last texel, past the end, of a pass, and the first point of its rays.
 
         Parameters
         ----------
         one : SolverPass
             Pass of the solver.
-        span : Span, optional
-            Span of a spanned pass.
+        span : RadiusRange, optional
+            RadiusRange of a spanned pass.
         """
         if span is None:
             target = ITERATES[0] if one.targets[0] == "iterate" else one.targets[0]

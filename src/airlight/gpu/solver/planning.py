@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.solver.plan import SolverPlan, Span, row_block
+from airlight.gpu.solver.plan import RadiusRange, SolverPlan, row_block
 from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
@@ -103,7 +103,7 @@ def _lanes(flat: Float32Array) -> Float32Array:
     return flat.reshape(-1, LANES)[:, :WAVELENGTHS]
 
 
-def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
+def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[RadiusRange, ...]:
     """Group radii so that the textures of a group are not too large."""
     angles = sizes["angles"]
     each = max(sizes["suns"] * row_block(sizes), sizes["directions"])
@@ -114,7 +114,7 @@ def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
             bounds.append(i)
     bounds.append(start.shape[0])
     return tuple(
-        Span(
+        RadiusRange(
             first_point=int(start[low, 0]),
             points=int(start[high - 1, angles] - start[low, 0]),
             first_ray=low * angles,

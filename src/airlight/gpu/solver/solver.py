@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 
 from airlight.errors import AirlightError, Cancelled
 from airlight.gpu.device.device import Device
+from airlight.gpu.solver.gpu_iteration import GpuIteration, pooled_iteration
 from airlight.gpu.solver.passes import ITERATES
 from airlight.gpu.solver.planning import plan_for
-from airlight.gpu.solver.sweeper import GpuSweeper, borrowed_sweeper
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.planets.medium import Medium
@@ -92,11 +92,11 @@ def solve_on(
         raise ThickAir
     plan = plan_for(paths, settings)
     count = medium.wavelengths.size
-    with borrowed_sweeper(device) as sweeper:
-        sweeper.load(plan)
-        sweeps, residual = _iterate(sweeper, progress, cancel)
-        field, sky = sweeper.light()
-        fields = sweeper.packed_copy()
+    with pooled_iteration(device) as iteration:
+        iteration.load(plan)
+        sweeps, residual = _iterate(iteration, progress, cancel)
+        field, sky = iteration.light()
+        fields = iteration.packed_copy()
     moments = Moments(
         degree=plan.setup.degree,
         grid=plan.setup.grid,
@@ -135,20 +135,20 @@ def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
 
 
 def _iterate(
-    sweeper: GpuSweeper, progress: Progress | None, cancel: Cancel | None
+    iteration: GpuIteration, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[int, FloatArray]:
     """Sweep until convergence; return the number of sweeps and the remaining change."""
-    plan = sweeper.plan
+    plan = iteration.plan
     iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
-    sweeper.begin()
+    iteration.begin()
     while iteration.unfinished():
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
-        mean, sky, before = sweeper.sweep()
+        mean, sky, before = iteration.sweep()
         if not (mean > 0.0).any():
             return 0, np.zeros(WAVELENGTHS)
         iteration.update(before, mean)
-        sweeper.combine(_weights(iteration.weights(), mean, sky))
+        iteration.combine(_weights(iteration.weights(), mean, sky))
         if progress is not None:
             still = float(iteration.remaining_error.max())
             message = f"orders of scattering: remaining error {still:.1e}"

@@ -13,7 +13,7 @@ from airlight.kernel.shader_fields import SPECTRA, scalars
 from airlight.optics.reflection import Reflection
 
 
-class Sizes(NamedTuple):
+class GridSizes(NamedTuple):
     """Lengths of the axes, and other numbers of the passes.
 
     Attributes
@@ -107,4 +107,4 @@ class Tables(NamedTuple):
 
 
 #: Numbers and tables of the solver's passes.
-SOLVE: Final = UniformStruct("solve", (Sizes, Tables))
+SOLVE: Final = UniformStruct("solve", (GridSizes, Tables))

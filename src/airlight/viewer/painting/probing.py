@@ -19,7 +19,7 @@ FINER: Final = 16
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Reading:
+class ProbeResult:
     """Result of a probe.
 
     Attributes
@@ -50,7 +50,7 @@ class Probing:
 
     Attributes
     ----------
-    reading : Reading or None
+    reading : ProbeResult or None
         Newest result; None before the first, and outside a fisheye's circle.
     working, error : str
         Status and error, one line each; empty if idle, or without an error.
@@ -62,7 +62,7 @@ class Probing:
         self._asked: tuple[Request, tuple[float, float]] | None = None
         self._closing = False
         self._finer: tuple[Any, Any] = (None, None)  # solution shown, finer solution
-        self.reading: Reading | None = None
+        self.reading: ProbeResult | None = None
         self.working = ""
         self.error = ""
         self._thread = threading.Thread(target=self._work, name="airlight-probing", daemon=True)
@@ -127,7 +127,7 @@ class Probing:
         words = f"{count} wavelengths, as shown"
         known = self._finer[1] if self._finer[0] is shown else None
         if known is None and count < FINER:
-            self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
+            self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
             self.working = f"{count} wavelengths as shown; {FINER} follow …"
             self._wake()
             known = self._solved(request)
@@ -136,9 +136,9 @@ class Probing:
             finer = probe_pixel(known, request.scene, x, y)
             if finer is not None:
                 words = f"{FINER} wavelengths"
-                self.reading = Reading(probe=found, spectrum=finer, quality=words, place=place)
+                self.reading = ProbeResult(probe=found, spectrum=finer, quality=words, place=place)
                 return
-        self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
+        self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
 
     def _solved(self, request: Request) -> Any:
         """Solution of the planet shown at more wavelengths; None without a planet."""

@@ -34,12 +34,12 @@ _KEPT_SPANS: Final = 64
 
 _lock = threading.Lock()
 _passes: dict[tuple[Device, str], FragmentPass] = {}
-_idle: dict[Device, list[GpuSweeper]] = {}
+_pool: dict[Device, list[GpuIteration]] = {}
 
 
 @contextmanager
-def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
-    """Lend a sweeper for exclusive use; its textures serve the next solve again.
+def pooled_iteration(device: Device) -> Iterator[GpuIteration]:
+    """Lend a iteration for exclusive use; its textures serve the next solve again.
 
     Parameters
     ----------
@@ -47,22 +47,22 @@ def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
         Device from ``open_device``.
     """
     with _lock:
-        idle = _idle.setdefault(device, [])
-        sweeper = idle.pop() if idle else GpuSweeper(device)
+        pool = _pool.setdefault(device, [])
+        iteration = pool.pop() if pool else GpuIteration(device)
     sound = False
     try:
-        yield sweeper
+        yield iteration
         sound = True
     except Cancelled:
         sound = True
         raise
     finally:  # a failed solve may have left iterates that are not finite
         with _lock:
-            if sound and not idle:
-                idle.append(sweeper)
+            if sound and not pool:
+                pool.append(iteration)
 
 
-class GpuSweeper:
+class GpuIteration:
     """Runner of the passes, for one solve after another.
 
     Parameters
