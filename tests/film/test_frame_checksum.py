@@ -114,7 +114,7 @@ def test_damaged_frames_are_drawn_again(
     for number in (2, 4):
         damage(folder / f"rock_0000{number}{finish.suffix}")
     (folder / f"rock_00001{finish.suffix}").unlink()
-    done = drawn(rock, folder, finish, told=lines.append)
+    done = drawn(rock, folder, finish, on_message=lines.append)
     assert (done.drawn, done.kept, done.damaged) == (3, 1, 2)
     assert lines[0] == "2 of 4 frames were damaged and are drawn again"
     assert contents(folder) == before

@@ -20,7 +20,7 @@ from airlight.color.display import to_display
 from airlight.kernel.compiling import Compiling
 from airlight.paint.renderer import Renderer
 from airlight.planets import load_planet
-from airlight.viewer.background.solving import Solving
+from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.parameters.view_parameters import scene_of
 from airlight.viewer.session.session import Session
 
@@ -38,8 +38,8 @@ def viewer(solution: Any) -> Iterator[Any]:
     """Viewer whose planet is solved immediately."""
     from airlight.viewer.browser.notebook import Viewer
 
-    def solving(session: Session, **more: Any) -> Solving:
-        return Solving(session, **{**more, "solver": lambda *a, **k: solution})
+    def solving(session: Session, **more: Any) -> SolverThread:
+        return SolverThread(session, **{**more, "solver": lambda *a, **k: solution})
 
     def none() -> NoReturn:
         raise RuntimeError  # Playwright, in the same process, keeps a loop that runs no callback
@@ -161,7 +161,7 @@ def test_closing_ends_the_thread(solution: Any) -> None:
     (thread,) = (one for one in set(threading.enumerate()) - before if "solving" in one.name)
     viewer.close()
     altitude = viewer.values["view.altitude"]
-    viewer.session.set("view.altitude", 7.0)  # no follower is left
+    viewer.session.set("view.altitude", 7.0)  # no observer is left
     assert viewer.values["view.altitude"] == altitude != 7.0
     thread.join(120.0)
     assert not thread.is_alive()

@@ -249,7 +249,7 @@ def test_versions_tell_what_to_redo(session: Session) -> None:
     ):
         before = session.versions
         told: list[Any] = []
-        stop = session.follow(told.append)
+        stop = session.subscribe(told.append)
         session.set(path, value)
         stop()
         session.set(path, value)  # no change

@@ -224,7 +224,7 @@ def test_the_exposure_holds_while_the_planet_is_dragged_or_locked(page: Any) -> 
           state.declare(parameters, values);
           const seen = [];
           let told = 0;
-          state.follow(() => (told += 1));
+          state.subscribe(() => (told += 1));
           state.set({ "view.altitude": 120 }, "view.altitude"); seen.push(state.holdsExposure);
           state.rest();
           state.set({ [air.path]: 120 }, air.path); seen.push(state.holdsExposure);

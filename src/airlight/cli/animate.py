@@ -172,7 +172,7 @@ def animate(
                 finish=Finish(suffix=f".{format_}", tone_map=tone_map, encoding=encoding,
                               primaries=primaries, bits=bits, glare=glare),
                 exposure=level, movie=movie, name=name, scheduler=scheduler, workers=workers,
-                told=note,
+                on_message=note,
                 progress=counted,
             )  # fmt: skip
     except (KeyboardInterrupt, WorkerError, FileError):

@@ -77,7 +77,7 @@ def animate(
     name: str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
-    told: Callable[[str], None] | None = None,
+    on_message: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Animated:
     """Draw the frames of a film that are missing, damaged or have changed.
@@ -107,7 +107,7 @@ def animate(
         Name in those of the frames; the film's by default.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``.
-    told : callable, optional
+    on_message : callable, optional
         Receives lines about the course.
     progress : callable, optional
         See ``airlight.kernel.threads``.
@@ -129,7 +129,7 @@ def animate(
     how, finish = how or Quality(), finish or Finish()
     job = _Job(film, width, height, how, finish, exposure, progress)
     frames = FramesFolder(Path(folder), name or film.name, finish.suffix, film.plan.count)
-    say = told or (lambda line: None)
+    say = on_message or (lambda line: None)
     for number in {0, film.plan.count // 2, film.plan.count - 1}:
         job.frame_spec(number)  # refuse here what a worker would refuse after some time
     if movie is not None:

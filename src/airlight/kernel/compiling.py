@@ -114,7 +114,7 @@ class Compiling:
     ----------
     total, done : int
         Number of functions to compile, and of those that are. [1]
-    told : callable
+    on_change : callable
         Called without arguments, on any thread, after each function.
     """
 
@@ -128,7 +128,7 @@ class Compiling:
         self._lock = threading.Lock()
         self._began = perf_counter()
         self.total = len(self._work)
-        self.told: Callable[[], None] = lambda: None
+        self.on_change: Callable[[], None] = lambda: None
         self._listener = CompileListener(self.finish)
         self._listens = here and self.total > 0
         if self._listens:
@@ -161,7 +161,7 @@ class Compiling:
             if name not in self._work:
                 return
             self._finished.add(name)
-        self.told()
+        self.on_change()
 
     @property
     def seconds_left(self) -> float | None:
@@ -187,12 +187,12 @@ def _length(function: Any) -> int:
 class CompileListener(event.Listener):
     """Listener of Numba that names each function once it is compiled."""
 
-    def __init__(self, told: Callable[[str], None]) -> None:
-        self._told = told
+    def __init__(self, on_compiled: Callable[[str], None]) -> None:
+        self._on_compiled = on_compiled
 
     def on_start(self, _: Any) -> None:
         """Do nothing."""
 
     def on_end(self, ended: Any) -> None:
         """Name the function."""
-        self._told(name_of(ended.data["dispatcher"]))
+        self._on_compiled(name_of(ended.data["dispatcher"]))

@@ -9,7 +9,7 @@ from typing import Final
 from airlight.kernel.compiling import Compiling
 from airlight.render.ahead import compiled_ahead
 from airlight.solvers.moments.loops import LOOPS
-from airlight.viewer.background.solving import SolverStatus
+from airlight.viewer.background.solver_thread import SolverStatus
 
 #: Shortest time between two calls that redraw the viewer: it shares the processor. [s]
 _EVERY: Final = 0.2
@@ -36,9 +36,9 @@ class Preparing:
         self.ahead = compiled_ahead()
         self._both = (self._solver, self.ahead.compiling)
         for one in self._both:
-            one.told = self._told
+            one.on_change = self._progressed
 
-    def _told(self) -> None:
+    def _progressed(self) -> None:
         now = perf_counter()
         if now - self._woken >= _EVERY:
             self._woken = now

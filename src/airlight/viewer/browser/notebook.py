@@ -16,7 +16,7 @@ from airlight.errors import AirlightError
 from airlight.paint.rendering_device import any_device
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import texel_wavelengths
-from airlight.viewer.background.solving import Solving
+from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.browser.kernel_pictures import KernelPictures, Order
 from airlight.viewer.browser.modules import join_modules, web_file
 from airlight.viewer.browser.package import program, solution_package
@@ -56,7 +56,7 @@ class Viewer(anywidget.AnyWidget):
         What draws: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s processor, or
         ``auto``: a graphics card of the browser, else the kernel.
     solving : callable, optional
-        Factory of the solving thread, with the arguments of ``Solving``.
+        Factory of the solving thread, with the arguments of ``SolverThread``.
 
     Attributes
     ----------
@@ -109,7 +109,7 @@ class Viewer(anywidget.AnyWidget):
         *,
         height: int = 540,
         device: str = "auto",
-        solving: Callable[..., Solving] = Solving,
+        solving: Callable[..., SolverThread] = SolverThread,
     ) -> None:
         self.session = planet if isinstance(planet, Session) else _first_session(planet)
         self._telling = False
@@ -120,13 +120,13 @@ class Viewer(anywidget.AnyWidget):
             device=device,
             program=program(),
             first=thumbnail_address(str(self.session.planet.source)),
-            **self._told(),
+            **self._state_message(),
         )
         try:
             self._loop: asyncio.AbstractEventLoop | None = asyncio.get_running_loop()
         except RuntimeError:
             self._loop = None
-        unfollow = self.session.follow(lambda versions: self._tell())
+        unsubscribe = self.session.subscribe(lambda versions: self._notify())
         self.observe(self._take_values, "values")
         self.observe(self._take_messages, "messages")
         self.observe(self._take_wanted, "wanted")
@@ -138,7 +138,7 @@ class Viewer(anywidget.AnyWidget):
             wavelengths=texel_wavelengths,
             on_change=self._wake,
         )
-        self._ending = (unfollow, self._solving.close, self._pictures.close)
+        self._ending = (unsubscribe, self._solving.close, self._pictures.close)
         self._follow_solution()
 
     # --- from Python --------------------------------------------------------------------------
@@ -162,7 +162,7 @@ class Viewer(anywidget.AnyWidget):
 
     # --- to the browser -----------------------------------------------------------------------
 
-    def _told(self) -> dict[str, Any]:
+    def _state_message(self) -> dict[str, Any]:
         session = self.session
         return {
             "title": session.planet_name,
@@ -177,13 +177,13 @@ class Viewer(anywidget.AnyWidget):
             },
         }
 
-    def _tell(self, heard: dict[str, int] | None = None) -> None:
+    def _notify(self, heard: dict[str, int] | None = None) -> None:
         """Send the state of the session to the browser, and which messages led to it."""
-        told = self._told() | ({} if heard is None else {"heard": heard})
+        message = self._state_message() | ({} if heard is None else {"heard": heard})
         self._telling = True
         try:
             with self.hold_sync():
-                for name, value in told.items():
+                for name, value in message.items():
                     setattr(self, name, value)
         finally:
             self._telling = False
@@ -249,7 +249,7 @@ class Viewer(anywidget.AnyWidget):
                     faults.append(self._act(message))
         if heard != self.heard:
             self.message = next(filter(None, faults), "")
-            self._tell(heard)  # with rejected and adjusted values
+            self._notify(heard)  # with rejected and adjusted values
 
     def _act(self, message: Mapping[str, Any]) -> str:
         """Follow one message of the browser; returns the error in one line, or an empty string."""
@@ -303,7 +303,7 @@ class Viewer(anywidget.AnyWidget):
             self.message = ""
         except AirlightError as error:
             self.message = str(error)
-        self._tell()
+        self._notify()
 
     def _take_drawer(self, change: Mapping[str, Any]) -> None:
         """Prepare the kernel for drawing, once the browser has found no graphics card."""

@@ -30,6 +30,6 @@ class SessionSide:
             return self._session.solve_request
         return self._session.solve_request_other or self._session.solve_request
 
-    def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
-        """See ``Session.follow``."""
-        return self._session.follow(follower)
+    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
+        """See ``Session.subscribe``."""
+        return self._session.follow(observer)

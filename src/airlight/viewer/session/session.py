@@ -140,7 +140,7 @@ class Session(Editing):
             self._other.view = view
         self._side, self._other = self._other, self._side
         self._showing = "B" if self._showing == "A" else "A"
-        self._grown({"planet", "view", "display"})
+        self._bump_versions({"planet", "view", "display"})
 
     def forget_other(self) -> None:
         """Discard the other side; the shown one becomes A."""

@@ -8,7 +8,7 @@ from typing import Final, cast
 
 from airlight.paint.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
-from airlight.viewer.background.solving import Solved, SolverStatus, Solving
+from airlight.viewer.background.solver_thread import SolverResult, SolverStatus, SolverThread
 from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
@@ -28,7 +28,7 @@ class Sides:
     renderer : callable
         Factory of renderers, called once per side.
     solver : PlanetSolver, optional
-        Solver, called on the threads of ``Solving``; by default the processor's.
+        Solver, called on the threads of ``SolverThread``; by default the processor's.
     wake : callable
         Called from any thread after each new solution, status or picture.
     """
@@ -44,7 +44,7 @@ class Sides:
         self._make_renderer = renderer
         self._solver = solver
         self._wake = wake
-        self._solvings: dict[str, Solving] = {}
+        self._solvings: dict[str, SolverThread] = {}
         self._threads: dict[str, PictureThread] = {}
         self._pictures: dict[str, Picture] = {}
         self._wanted: tuple[str, ...] = ()
@@ -62,7 +62,7 @@ class Sides:
     def _want(self, side: str) -> None:
         if side not in self._solvings:
             self._threads[side] = PictureThread(self._make_renderer(), self._wake)
-            self._solvings[side] = Solving(
+            self._solvings[side] = SolverThread(
                 SessionSide(self._session, side),
                 solver=self._solver,
                 on_change=self._wake,
@@ -75,7 +75,7 @@ class Sides:
             self._pictures[side] = newest
             self._arrived[side] = perf_counter()
 
-    def _request(self, side: str, solved: Solved) -> Request:
+    def _request(self, side: str, solved: SolverResult) -> Request:
         """Picture request of a side."""
         session = self._session
         view = session.view if side == session.showing else session.view_other or session.view
@@ -120,7 +120,7 @@ class Sides:
             return ""
         return f"{side}: drawing …"
 
-    def solved(self, side: str = "") -> Solved | None:
+    def solved(self, side: str = "") -> SolverResult | None:
         """Newest solution of a side, by default of the edited one."""
         solving = self._solvings.get(side or self._session.showing)
         return None if solving is None else solving.latest

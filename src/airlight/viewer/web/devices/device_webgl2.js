@@ -42,10 +42,10 @@ export class WebGl2Device {
     this.vertices = gl.createVertexArray();
     this.screen = null;
     this.closed = false;
-    this.lost = new Promise((tell) => {
+    this.lost = new Promise((resolve) => {
       canvas.addEventListener("webglcontextlost", (event) => {
         event.preventDefault();
-        tell("the context was lost");
+        resolve("the context was lost");
       });
     });
   }

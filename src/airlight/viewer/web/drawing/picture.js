@@ -38,13 +38,13 @@ export class Picture {
    *
    * @param {object} device See devices/device.js.
    * @param {object} description
-   * @param {(done: number, total: number) => void} [tell] Receives the number of shaders compiled.
+   * @param {(done: number, total: number) => void} [onProgress] Receives the number of shaders compiled.
    * @returns {Promise<Picture>}
    */
-  static async make(device, description, tell = () => {}) {
+  static async make(device, description, onProgress = () => {}) {
     const program = new Program(device, description.plan, description.shaders);
     const picture = new Picture(program, description);
-    await Promise.all([program.build(tell), picture.take(description)]);
+    await Promise.all([program.build(onProgress), picture.take(description)]);
     return picture;
   }
 

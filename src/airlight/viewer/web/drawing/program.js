@@ -26,9 +26,9 @@ export class Program {
   /**
    * Compile all passes and create their targets.
    *
-   * @param {(done: number, total: number) => void} [tell] Receives the number of shaders compiled.
+   * @param {(done: number, total: number) => void} [onProgress] Receives the number of shaders compiled.
    */
-  async build(tell = () => {}) {
+  async build(onProgress = () => {}) {
     const { device } = this;
     const promises = new Map();
     let done = 0;
@@ -47,7 +47,7 @@ export class Program {
       if (!promises.has(key)) {
         const made = device.pipeline(text, formats);
         promises.set(key, made);
-        made.then(() => tell((done += 1), promises.size), () => {});
+        made.then(() => onProgress((done += 1), promises.size), () => {});
       }
       // each pass has its own textures bound
       this.compiled.set(pass.name, { ...(await promises.get(key)) });

@@ -22,7 +22,7 @@ export class Edits {
     this.work = null;
     this.text = "";
     this.progress = "";
-    this.stop = viewer.state.follow((changed) => {
+    this.stop = viewer.state.subscribe((changed) => {
       if ([...changed].some((path) => SOLVED.test(path))) this.follow();
     });
     if (!isPlain(this.wanted)) this.follow();

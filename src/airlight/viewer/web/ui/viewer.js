@@ -5,7 +5,7 @@
  *
  * - `title`;
  * - `parameters` and `values`, declared and initial, or a `state` that has them;
- * - `picture(device, tell)` — promise of the renderer, see drawing/picture.js, which tells how many
+ * - `picture(device, onProgress)` — promise of the renderer, see drawing/picture.js, which tells how many
  *   of its shaders are compiled;
  * - `first` — optional image that is shown until the first picture is drawn;
  * - `edits(viewer)` — optional solver of the planet after edits, see solving/edits.js;
@@ -75,7 +75,7 @@ export class Viewer {
     this.lastChange = -Infinity;
     this.milliseconds = 0;
     this.closed = false;
-    this.state.follow(() => this.changed());
+    this.state.subscribe(() => this.changed());
     this.sizes = new ResizeObserver(() => this.request());
     this.sizes.observe(this.parts.view);
     this.ready = this.start();

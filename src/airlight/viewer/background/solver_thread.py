@@ -30,24 +30,24 @@ PATIENCE: Final = 3.0
 #: Number of solutions kept, so that an undo or a switch to the other side is immediate.
 MOST_KEPT: Final = 4
 #: Part of a task after which the time left is told. [1]
-_TELLING: Final = 0.1
+_ESTIMATE_AFTER: Final = 0.1
 #: Shortest time between progress reports. [s]
 _REPORT_EVERY: Final = 0.1
 
 
-class Followed(Protocol):
+class Observable(Protocol):
     """Session, or one side of it."""
 
     @property
     def solve_request(self) -> SolveRequest:
         """Request to solve."""
 
-    def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
-        """Call ``follower`` after every change, on the host's thread; returns an unsubscriber."""
+    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
+        """Call ``observer`` after every change, on the host's thread; returns an unsubscriber."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Solved:
+class SolverResult:
     """Solution with its planet and version.
 
     Attributes
@@ -115,7 +115,7 @@ class SolverStatus:
         return f"{self.doing}{part}{left} …"
 
 
-class Solving:
+class SolverThread:
     """Thread that solves the requests of a session.
 
     Parameters
@@ -137,7 +137,7 @@ class Solving:
 
     def __init__(
         self,
-        session: Followed,
+        session: Observable,
         *,
         solver: PlanetSolver | None = None,
         wavelengths: Callable[[Planet, str], FloatArray] = picture_wavelengths,
@@ -151,20 +151,20 @@ class Solving:
         self._request = session.solve_request
         self._asked = time.perf_counter()
         self._served: SolveRequest | None = None
-        self._latest: Solved | None = None
+        self._latest: SolverResult | None = None
         self._status = SolverStatus(busy=True, doing="starting", version=self._request.version)
         self._closed = False
-        self._kept: OrderedDict[tuple[Any, ...], Solved] = OrderedDict()
+        self._kept: OrderedDict[tuple[Any, ...], SolverResult] = OrderedDict()
         self._planets: OrderedDict[str, Planet] = OrderedDict()
         self._reported = 0.0
-        self._unfollow = session.follow(self._follow)
+        self._unsubscribe = session.subscribe(self._on_session_change)
         self._thread = threading.Thread(target=self._run, name="airlight solving", daemon=True)
         self._thread.start()
 
     # --- on the host's thread -----------------------------------------------------------------
 
     @property
-    def latest(self) -> Solved | None:
+    def latest(self) -> SolverResult | None:
         """Newest solution, or None before the first."""
         return self._latest
 
@@ -188,20 +188,20 @@ class Solving:
 
     def close(self) -> None:
         """Cancel the running solve and end the thread."""
-        self._unfollow()
+        self._unsubscribe()
         with self._condition:
             self._closed = True
             self._condition.notify_all()
         if threading.current_thread() is not self._thread:
             self._thread.join()
 
-    def __enter__(self) -> Solving:
+    def __enter__(self) -> SolverThread:
         return self
 
     def __exit__(self, *error: object) -> None:
         self.close()
 
-    def _follow(self, versions: Versions) -> None:
+    def _on_session_change(self, versions: Versions) -> None:
         """Handle a change of the session; changes of view and display need no solution."""
         if versions.planet == self._request.version:
             return
@@ -233,7 +233,7 @@ class Solving:
                 self._status = SolverStatus(version=request.version, error=error)
                 self._served = request
                 self._condition.notify_all()
-            self._tell()
+            self._notify()
 
     def _serve(self, request: SolveRequest, asked: float) -> None:
         """Solve a planet at each quality up to the requested one, the fastest first."""
@@ -263,7 +263,7 @@ class Solving:
                 cancel=newer,
             )
             self._publish(
-                Solved(
+                SolverResult(
                     solution=solution,
                     planet=planet,
                     version=request.version,
@@ -303,14 +303,14 @@ class Solving:
                 self._planets.popitem(last=False)
         return switched(planet, request.state.off)
 
-    def _publish(self, solved: Solved, request: SolveRequest) -> None:
+    def _publish(self, solved: SolverResult, request: SolveRequest) -> None:
         self._kept[(*request.key, solved.quality)] = solved
         self._kept.move_to_end((*request.key, solved.quality))
         while len(self._kept) > 2 * MOST_KEPT:
             self._kept.popitem(last=False)
         self._latest = solved
         self._status = replace(self._status, version=solved.version, error="")
-        self._tell()
+        self._notify()
 
     def _reporter(self, request: SolveRequest, doing: str) -> Progress:
         began = time.perf_counter()
@@ -318,16 +318,16 @@ class Solving:
         def report(done: int, total: int, message: str) -> None:
             now = time.perf_counter()
             share = done / max(total, 1)
-            left = (now - began) * (1.0 / share - 1.0) if share >= _TELLING else None
+            left = (now - began) * (1.0 / share - 1.0) if share >= _ESTIMATE_AFTER else None
             self._status = SolverStatus(
                 busy=True, doing=doing, done=done, total=total, version=request.version, left=left
             )
             if now - self._reported >= _REPORT_EVERY:
                 self._reported = now
-                self._tell()
+                self._notify()
 
         return report
 
-    def _tell(self) -> None:
+    def _notify(self) -> None:
         if self._on_change is not None:
             self._on_change()
