@@ -140,7 +140,7 @@ def test_drawn_frame(
     rate = 1.0 / benchmark.stats.stats.median
     tell(
         f"{device}, {place}, {size}, table {table}: {rate:.1f} frames a second, "
-        f"{1e3 * np.median(spent):.0f} ms of processor time a frame"
+        f"{1e3 * np.median(spent):.0f} ms of CPU time a frame"
     )
 
 

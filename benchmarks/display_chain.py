@@ -85,7 +85,7 @@ def shortest(work: Callable[[], object], clock: Callable[[], float]) -> float:
 
 
 def by_frame(count: int) -> None:
-    """Print a line for each frame of Earth: light and display, of the processor's time.
+    """Print a line for each frame of Earth: light and display, of the CPU's time.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def by_device() -> None:
 
         done()
         wall, own = shortest(done, time.perf_counter), shortest(done, time.process_time)
-        print(f"{name:20s} {1e3 * wall:6.1f} ms  {1e3 * own:6.1f} ms of the processor")
+        print(f"{name:20s} {1e3 * wall:6.1f} ms  {1e3 * own:6.1f} ms of the CPU")
 
 
 def main() -> None:

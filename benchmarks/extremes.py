@@ -34,7 +34,7 @@ HEADING = "## Extremes"
 
 ABOUT = """\
 `python benchmarks/extremes.py docs/reliability.md`, quality `{quality}`: one kind of particle
-(Henyey-Greenstein), scale height an eighth of the shell, 550 nm. Seconds are processor time of the
+(Henyey-Greenstein), scale height an eighth of the shell, 550 nm. Seconds are CPU time of the
 solve. Energy: light that came, less what left the top and what the ground kept, over what came,
 where the air absorbs nothing. Verdict *solved* includes radiances, finite and not negative, from
 the ground, the top and above it, under suns and towards directions in the zenith, on both

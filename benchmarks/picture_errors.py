@@ -1,4 +1,4 @@
-"""Errors of pictures that the processor reads from the sky-view LUT, against exact marching.
+"""Errors of pictures that the CPU reads from the sky-view LUT, against exact marching.
 
 ``python benchmarks/picture_errors.py`` prints the table of docs/pictures.md; some minutes. The
 tests measure the same scenes, solved more coarsely.

@@ -15,7 +15,7 @@ NEEDLESS = [
     "scipy.interpolate", "scipy.optimize", "scipy.sparse", "scipy.special",
 ]  # fmt: skip
 
-#: Modules of the standard library, and the processor time of their import on that machine. [s]
+#: Modules of the standard library, and the CPU time of their import on that machine. [s]
 YARDSTICK = ("asyncio", "decimal", "email.message", "http.client", "json", "sqlite3",
              "unittest.mock", "xml.dom.minidom")  # fmt: skip
 USUAL = 0.10
@@ -28,7 +28,7 @@ def python(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def processor_seconds(statement: str) -> float:
-    """Processor time of a process that runs one statement, the best of three. [s]"""
+    """CPU time of a process that runs one statement, the best of three. [s]"""
     code = f"{statement}; import time; print(time.process_time())"
     return min(float(python("-c", code).stdout) for _ in range(3))
 

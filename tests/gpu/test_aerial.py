@@ -1,4 +1,4 @@
-"""Look-ups of aerial perspective in WGSL against the processor's."""
+"""Look-ups of aerial perspective in WGSL against the CPU's."""
 
 from __future__ import annotations
 

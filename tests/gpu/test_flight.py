@@ -80,14 +80,14 @@ def test_no_frame_of_a_flight_to_deep_space_jumps(
     # contribution of its table, coarser here than by default, to the mean. The eye sees no step
     # below a hundredth.
     altitudes = np.geomspace(1.0, 1e8, 60)
-    gpu, processor = means(pictures, earth, altitudes)
-    steps = np.diff(np.log(gpu)) - np.diff(np.log(processor))
+    gpu, cpu = means(pictures, earth, altitudes)
+    steps = np.diff(np.log(gpu)) - np.diff(np.log(cpu))
     worst = int(np.abs(steps).argmax())
     jump = f"{abs(steps[worst]):.1e} at {altitudes[worst]:.3g} m"
     tell(f"flight of {gpu.size} frames: largest jump {jump}")
     assert np.abs(steps).max() < 1e-3
     # and the frames themselves are those of one flight: no step is far from its neighbours'
-    assert np.abs(np.diff(np.log(gpu), 2)).max() < 1.2 * np.abs(np.diff(np.log(processor), 2)).max()
+    assert np.abs(np.diff(np.log(gpu), 2)).max() < 1.2 * np.abs(np.diff(np.log(cpu), 2)).max()
 
 
 def test_the_top_of_the_air_is_crossed_without_a_jump(
@@ -96,8 +96,8 @@ def test_the_top_of_the_air_is_crossed_without_a_jump(
     # As above, a hundred metres a frame: the table's mapping changes between two of them.
     thickness = earth.medium.thickness
     altitudes = thickness + np.linspace(-1e3, 1e3, 20)
-    gpu, processor = means(pictures, earth, altitudes)
-    steps = np.diff(np.log(gpu)) - np.diff(np.log(processor))
+    gpu, cpu = means(pictures, earth, altitudes)
+    steps = np.diff(np.log(gpu)) - np.diff(np.log(cpu))
     tell(f"across the top of the air: largest jump {np.abs(steps).max():.1e}")
     assert np.abs(steps).max() < 1e-3
 

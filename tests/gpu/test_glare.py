@@ -1,4 +1,4 @@
-"""Glare of a device against that of the processor: the same formulas in other hands."""
+"""Glare of a device against that of the CPU: the same formulas in other hands."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def towards_the_sun(width: int, height: int, projection: str = "perspective") ->
 
 @pytest.mark.parametrize("size", [(160, 90), (101, 57), (64, 6), (7, 3)])
 @pytest.mark.parametrize("amount", [1.0, 4.0])
-def test_glare_of_a_device_is_the_processor_s(
+def test_glare_of_a_device_is_the_cpu_s(
     size: tuple[int, int], amount: float, pictures: GpuRenderer
 ) -> None:
     # half of 1/255 for rounding to 8 bits, each, of the same light
@@ -61,7 +61,7 @@ def test_glare_of_a_device_is_the_processor_s(
 
 
 def test_beyond_the_circle_of_a_dome_a_device_shows_no_glare(pictures: GpuRenderer) -> None:
-    # a law: no light is shown where the picture has no direction; within, the processor's glare
+    # a law: no light is shown where the picture has no direction; within, the CPU's glare
     seen = towards_the_sun(72, 64, "fisheye")
     frame = pictures.render(seen)
     got = shown(pictures, seen, glare=10.0)

@@ -166,7 +166,7 @@ def solid_angles(camera: Camera) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("name", "scene"), cases(0))
-def test_a_marched_picture_has_the_processor_s_radiance(
+def test_a_marched_picture_has_the_cpu_s_radiance(
     name: str, scene: str, device: Device, lit: Lit, shows: Shows, tell: Callable[[str], None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -189,7 +189,7 @@ def test_a_marched_picture_has_the_processor_s_radiance(
 
 
 @pytest.mark.parametrize(("name", "scene"), cases(1))
-def test_a_picture_from_the_table_is_shown_as_the_processor_s(
+def test_a_picture_from_the_table_is_shown_as_the_cpu_s(
     name: str, scene: str, lit: Lit, shows: Shows
 ) -> None:
     # 2/255, tone mapped and encoded: invisible. The table has a quarter of the texels that it has
@@ -215,7 +215,7 @@ def test_without_the_maps_the_ground_is_alike_all_round(device: Device, lit: Lit
 
 
 @pytest.mark.parametrize("exact", [False, True])
-def test_a_filter_lets_the_same_light_through_as_the_processor_s(
+def test_a_filter_lets_the_same_light_through_as_the_cpu_s(
     exact: bool, lit: Lit, shows: Shows
 ) -> None:
     # bounds as above, of the table and of the march
@@ -301,7 +301,7 @@ def test_a_small_disc_has_its_light_on_every_projection(
     assert_allclose(disc_total(shows(), seen), processor_total(lit(), seen), rtol=0.02)
 
 
-def test_the_setting_disc_has_the_processor_s_light(
+def test_the_setting_disc_has_the_cpu_s_light(
     device: Device, solved: Callable[..., MomentsSolution]
 ) -> None:
     # 1 % at 85°, where extinction without forward peaks makes it 1.5 % brighter; on the horizon
@@ -352,20 +352,20 @@ def test_outside_the_circle_a_dome_is_black(shows: Shows) -> None:
         assert_array_equal(shows().render(seen, exact=exact).rgb[outside], 0.0)
 
 
-def test_the_shader_fills_the_table_as_the_processor_does(device: Device, lit: Lit) -> None:
+def test_the_shader_fills_the_table_as_the_cpu_does(device: Device, lit: Lit) -> None:
     # Two marches of the same light: fourth roots that agree to a quarter of 1 %. A filter asks for
     # all layers.
     layers = []
     scene = scene_of(PLANETS["earth, with a map"](), "aloft")
     scene = replace(scene, camera=replace(scene.camera, polariser=0.0))
-    for by_processor in (True, False):
-        pictures = GpuRenderer(device, (64, 32), sky_view_on_cpu=by_processor)
+    for by_cpu in (True, False):
+        pictures = GpuRenderer(device, (64, 32), sky_view_on_cpu=by_cpu)
         pictures.set_solution(lit())
         pictures.render(scene)
         layers.append([read_texture(device, one) for one in pictures._sky_views[0].layers.values()])
-    for name, processor, shader in zip(LAYERS, *layers, strict=True):
-        atol = 1e-3 * processor.max(axis=(0, 1))
-        near = np.abs(shader - processor) <= 2.5e-3 * processor + atol
+    for name, cpu, shader in zip(LAYERS, *layers, strict=True):
+        atol = 1e-3 * cpu.max(axis=(0, 1))
+        near = np.abs(shader - cpu) <= 2.5e-3 * cpu + atol
         if name in LAYERS[:4]:
             assert near.all()
         else:  # single precision loses the sine of azimuths 0 and 180 next to the zenith

@@ -43,7 +43,7 @@ def test_detail_near_the_observer_is_that_of_the_processor(on_gpu: Callable[...,
 def test_the_ground_before_a_low_observer_is_that_of_the_processor(
     device: Device, solved: Callable[..., MomentsSolution], altitude: float
 ) -> None:
-    # The processor in double precision is the second method. A radius has half a metre in single
+    # The cpu in double precision is the second method. A radius has half a metre in single
     # precision, so that the device's ground was displaced by up to a quarter of its distance, and
     # its detail differed by 22 %.
     solution = solved(load_planet("earth"), (680.0, 550.0, 440.0), "preview")

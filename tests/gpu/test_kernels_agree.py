@@ -347,7 +347,7 @@ STEPS = [
     [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *WATER, *STEPS],
     ids=lambda case: case.function.__name__,
 )
-def test_a_formula_on_the_gpu_is_the_processor_s(on_gpu: Callable[..., Any], case: Case) -> None:
+def test_a_formula_on_the_gpu_is_the_cpu_s(on_gpu: Callable[..., Any], case: Case) -> None:
     # A second compiler for the same source.
     agree(on_gpu, case.function, case.inputs, case.rtol, case.atol)
 
@@ -375,7 +375,7 @@ def test_a_ray_meets_the_ground_or_not_as_on_the_processor(on_gpu: Callable[...,
     agree(on_gpu, shell.meets_ground, (R[np.abs(MU - horizon) > 16 * EPS], mu, BOTTOM), 0.0, 0.0)
 
 
-def test_the_leg_of_a_panel_is_the_processor_s(on_gpu: Callable[..., Any]) -> None:
+def test_the_leg_of_a_panel_is_the_cpu_s(on_gpu: Callable[..., Any]) -> None:
     # A root of a difference of radii, each accurate to EPS of it: METRES under the root near 0.
     mu = uniform(0.05, 0.9, 30)
     agree(on_gpu, path.panel_leg, (R, mu, 0.2 * LENGTH, 0.7 * LENGTH, LENGTH), 16 * EPS,

@@ -61,11 +61,11 @@ def test_without_wavelengths_a_device_gets_what_fits_a_texel(fast):
     assert solve_planet(earth, quality="preview").wavelengths.size == 16
 
 
-def test_who_asks_for_the_processor_gets_it(fast):
+def test_who_asks_for_the_cpu_gets_it(fast):
     # The same device, the same planet: only "auto" and "gpu" leave a field on it.
     earth = load_planet("earth")
 
-    def solved(processor):
+    def solved(cpu):
         solver = live_solver(processor, fast)
         return solver(earth, np.array(NM), "preview", progress=lambda *_: None, cancel=None)
 

@@ -26,7 +26,7 @@ def solution() -> MomentsSolution:
 
 
 @pytest.mark.parametrize(("altitude", "sun"), [(35e3, 80.0), (200.0, 90.0)])
-def test_a_marched_picture_has_the_processor_s_radiance(
+def test_a_marched_picture_has_the_cpu_s_radiance(
     altitude: float, sun: float, solution: MomentsSolution, device: Device
 ) -> None:
     # 1 % as for the presets, pictures without the disc's rim: single precision and other points.
@@ -43,20 +43,20 @@ def test_a_marched_picture_has_the_processor_s_radiance(
     assert error[~near].max() < 0.01
 
 
-def test_the_shader_fills_the_table_as_the_processor_does(
+def test_the_shader_fills_the_table_as_the_cpu_does(
     solution: MomentsSolution, device: Device
 ) -> None:
     # Two marches of the same light with other points, one in single precision: as of one
     # exponential, 99 of 100 fourth roots agree to a quarter of 1 %.
     layers = []
-    for by_processor in (True, False):
-        pictures = GpuRenderer(device, (64, 32), sky_view_on_cpu=by_processor)
+    for by_cpu in (True, False):
+        pictures = GpuRenderer(device, (64, 32), sky_view_on_cpu=by_cpu)
         pictures.set_solution(solution)
         pictures.render(Scene(altitude=200.0, sun_zenith=66.0, camera=CAMERA))
         sky = pictures._sky_views[0].layers
         layers.append([read_texture(device, sky[name]) for name in LAYERS[:4]])
-    for processor, shader in zip(*layers, strict=True):
-        scale = processor.max()
-        error = np.abs(shader - processor) / np.maximum(processor, 1e-3 * scale)
+    for cpu, shader in zip(*layers, strict=True):
+        scale = cpu.max()
+        error = np.abs(shader - cpu) / np.maximum(processor, 1e-3 * scale)
         assert scale > 0.0
         assert np.quantile(error, 0.99) < 0.0025

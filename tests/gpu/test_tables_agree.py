@@ -352,7 +352,7 @@ CASES = [
 ]  # fmt: skip
 
 
-def by_processor(case: Case) -> list[np.ndarray]:
+def by_cpu(case: Case) -> list[np.ndarray]:
     """Each result for all inputs; the inputs and tables rounded to single precision."""
     inner = numba.njit(case.function)
 
@@ -383,7 +383,7 @@ def by_processor(case: Case) -> list[np.ndarray]:
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.function.__name__)
-def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
+def test_a_formula_with_tables_on_the_gpu_is_the_cpu_s(
     on_gpu: Callable[..., Any], case: Case
 ) -> None:
     # A second compiler for the same source.
@@ -393,7 +393,7 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
         case.function, *case.inputs, *values, tables=dict(case.tables), spectra=dict(case.spectra)
     )
     seen = seen if isinstance(seen, tuple) else (seen,)
-    wanted = by_processor(case)
+    wanted = by_cpu(case)
     assert len(seen) == len(wanted)
     for one, expected in zip(seen, wanted, strict=True):
         assert_allclose(one, expected, rtol=case.rtol, atol=case.atol)
@@ -402,7 +402,7 @@ def test_a_formula_with_tables_on_the_gpu_is_the_processor_s(
 #: Functions compared as a whole, because they are one pixel, one texel or one line of sight, with
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
-    "test_gpu_renderer.py::test_a_marched_picture_has_the_processor_s_radiance": (
+    "test_gpu_renderer.py::test_a_marched_picture_has_the_cpu_s_radiance": (
         "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
         "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
@@ -410,16 +410,16 @@ WHOLE = {
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
         "widen", "reset_peaks", "add_peaks", "peak_gain", "peak_fraction",
     ),
-    "test_gpu_renderer.py::test_a_picture_from_the_table_is_shown_as_the_processor_s": (
+    "test_gpu_renderer.py::test_a_picture_from_the_table_is_shown_as_the_cpu_s": (
         "samples_per_side", "sample_place", "sampled_light", "phase_of", "air_between",
         "bent_to_ground", "sky_view_coordinates", "sky_lookup",
     ),
-    "test_gpu_renderer.py::test_a_filter_lets_the_same_light_through_as_the_processor_s": (
+    "test_gpu_renderer.py::test_a_filter_lets_the_same_light_through_as_the_cpu_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
         "polarised_between", "polarised_ratio_columns",
         "filter_shares",
     ),
-    "test_gpu_renderer.py::test_the_shader_fills_the_table_as_the_processor_does": (
+    "test_gpu_renderer.py::test_the_shader_fills_the_table_as_the_cpu_does": (
         "sky_view_texel", "direction_of_texel",
     ),
     "test_gpu_renderer.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
@@ -445,11 +445,11 @@ WHOLE = {
         "star_share", "sky_share",
     ),
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
-    "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_processor_s": ("panel_leg",),
+    "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_cpu_s": ("panel_leg",),
     "test_kernels_agree.py::test_the_map_of_the_ground_is_read_as_on_the_processor": (
         "map_color", "add_texel", "level_place", "halved", "srgb_curve_inverse",
     ),
-    "test_glare.py::test_glare_of_a_device_is_the_processor_s": (
+    "test_glare.py::test_glare_of_a_device_is_the_cpu_s": (
         "_mean_across", "coarser_texel", "finer_texel", "_blurred_across", "blurred_texel",
         "spread_texel", "glared_texel",
     ),

@@ -13,7 +13,7 @@ from airlight import Camera, Scene, load_planet
 from airlight.errors import Cancelled, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.paint.render_scene import render_scene
-from airlight.paint.renderer import PROCESSOR, Renderer
+from airlight.paint.renderer import CPU, Renderer
 from airlight.solvers.moments.solution import MomentsSolution
 
 PLANET = "earth-atmosphere-plus"
@@ -35,20 +35,18 @@ def test_a_live_picture_ends_as_the_still_one(solved: Solved) -> None:
     assert last.finished
     assert last.frame is not None
     assert_array_equal(last.frame.rgb, still.rgb)
-    assert last.by == still.metadata["device"] == PROCESSOR
+    assert last.by == still.metadata["device"] == CPU
 
 
-def test_the_processor_takes_what_a_device_has_no_capacity_for(
-    device: Device, solved: Solved
-) -> None:
-    # a texel holds four wavelengths: five are drawn live by the processor, and refused by name
+def test_the_cpu_takes_what_a_device_has_no_capacity_for(device: Device, solved: Solved) -> None:
+    # a texel holds four wavelengths: five are rendered live by the CPU, and refused by name
     nm = (680.0, 620.0, 550.0, 500.0, 440.0)
     solution = solved(load_planet(PLANET), nm, "preview")
     renderer = Renderer(dataclasses.replace(device, software=False))
     *_, last = renderer.live(solution, SCENE, stale=never)
     renderer.close()
     *_, again = renderer.live(solution, SCENE, stale=never)
-    assert [one.by for one in (last, again)] == [PROCESSOR] * 2
+    assert [one.by for one in (last, again)] == [CPU] * 2
     with pytest.raises(ParameterError, match="at most 4 on the GPU"):
         renderer.render(solution, SCENE)
 
@@ -56,7 +54,7 @@ def test_the_processor_takes_what_a_device_has_no_capacity_for(
 def test_a_stale_picture_stops_after_its_first_coarse_step(solved: Solved) -> None:
     # the first step is shown however quickly requests follow each other; the rest is left
     renderer = Renderer()
-    renderer._rate = 2000.0  # as if the processor were slow: the first picture is a small one
+    renderer._rate = 2000.0  # as if the CPU were slow: the first picture is a small one
     steps = renderer.live(solved(load_planet(PLANET), NM, "preview"), SCENE, stale=lambda: True)
     first = next(steps)
     assert not first.finished

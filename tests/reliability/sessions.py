@@ -36,7 +36,7 @@ PLANETS = (
     "mars-rayleigh",
     "mars-standard",
 )
-#: Limits of a single edit, in processor time of this process and, where that stands still, of the
+#: Limits of a single edit, in CPU time of this process and, where that stands still, of the
 #: clock: a machine that others keep busy may give seconds of the one in minutes of the other. [s]
 LONG, LONG_STILL = 60.0, 1800.0
 
@@ -138,7 +138,7 @@ def three(planet: Planet) -> np.ndarray:
 
 
 def settled(solving: SolverThread) -> bool:
-    """Wait for the solution of an edit; False after ``LONG`` seconds of processor time."""
+    """Wait for the solution of an edit; False after ``LONG`` seconds of CPU time."""
     begun, spent = time.monotonic(), time.process_time()
     while not solving.wait(1.0):
         if time.process_time() - spent > LONG or time.monotonic() - begun > LONG_STILL:

@@ -1,4 +1,4 @@
-"""Pictures by the processor of which each pixel has one line of sight, at edges too."""
+"""Pictures by the CPU of which each pixel has one line of sight, at edges too."""
 
 from __future__ import annotations
 

@@ -73,7 +73,7 @@ def test_two_halves_of_a_star_are_the_star(solution, exact):
     assert_allclose(two, one, rtol=2e-6)
 
 
-def test_a_device_adds_lights_as_the_processor_does(device: Device, solution):
+def test_a_device_adds_lights_as_the_cpu_does(device: Device, solution):
     # The star's halves, and a second, smaller light of another colour elsewhere in the sky.
     pictures = GpuRenderer(device, (128, 64))
     pictures.set_solution(solution)

@@ -95,7 +95,7 @@ def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> Non
 
 
 @pytest.mark.parametrize(
-    ("sun", "moon", "altitude", "drawn"),
+    ("sun", "moon", "altitude", "rendered"),
     [
         (120.0, 60.0, 2.0, [True, True]),
         (120.0, 100.0, 2.0, [True, True]),  # twilight by moonlight
@@ -107,13 +107,13 @@ def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> Non
     ],
 )
 def test_lights_that_cannot_matter_are_left_out(
-    sun: float, moon: float, altitude: float, drawn: list[bool], earth: MomentsSolution
+    sun: float, moon: float, altitude: float, rendered: list[bool], earth: MomentsSolution
 ) -> None:
     # Each light in the list is a sky-view LUT and a pass over the pixels.
     scene = Scene(
         altitude=altitude, sun_zenith=sun, secondary_lights=(MoonLight(zenith=moon, azimuth=90.0),)
     )
-    assert [one.air for one in scenes_by_light(scene, earth)] == drawn
+    assert [one.air for one in scenes_by_light(scene, earth)] == rendered
 
 
 def test_moonlight_left_out_by_day_is_invisible(earth: MomentsSolution) -> None:

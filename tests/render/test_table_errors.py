@@ -62,5 +62,5 @@ def test_a_picture_of_few_pixels_is_marched(lit: Lit) -> None:
     # A table has more texels than such a picture has pixels.
     scene = Scene(camera=Camera(width=32, height=18), altitude=2.0)
     assert CpuRenderer(lit(), scene).window is None
-    exact, drawn = (render(lit(), scene, exact=choice).rgb for choice in (True, False))
-    assert (exact == drawn).all()
+    exact, rendered = (render(lit(), scene, exact=choice).rgb for choice in (True, False))
+    assert (exact == rendered).all()

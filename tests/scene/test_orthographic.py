@@ -102,8 +102,8 @@ def test_an_orthographic_camera_has_no_altitude_and_others_no_extent() -> None:
         Camera(extent=1e6)
 
 
-def test_a_device_draws_the_processor_s_disc(device: Device, lit: MomentsSolution) -> None:
-    # The second method: double precision, and the processor's own rows of pixels. Light that is
+def test_a_device_draws_the_cpu_s_disc(device: Device, lit: MomentsSolution) -> None:
+    # The second method: double precision, and the CPU's own rows of pixels. Light that is
     # not shown, below 1e-3 of the brightest, is left out.
     pictures = GpuRenderer(device)
     pictures.set_solution(lit)

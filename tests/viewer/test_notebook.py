@@ -173,12 +173,12 @@ def test_the_kernel_draws_what_a_browser_asks_for(viewer: Any, solution: Any) ->
     view["display.exposure"] = -2.0
     viewer.set_state({"wanted": {"number": 7, "view": view, "size": [40, 24]}})
     limit = time.monotonic() + 300.0
-    while viewer.drawn.get("number") != 7:
+    while viewer.rendered.get("number") != 7:
         assert time.monotonic() < limit
         time.sleep(0.01)
-    drawn = viewer.drawn
-    assert drawn["exposure"] == -2.0
-    got = np.asarray(Image.open(io.BytesIO(drawn["png"])).convert("RGB"))
+    rendered = viewer.rendered
+    assert rendered["exposure"] == -2.0
+    got = np.asarray(Image.open(io.BytesIO(rendered["png"])).convert("RGB"))
     scene = scene_of(view, 40, 24)
     light = Renderer().render(solution, scene)
     wanted = to_display(
@@ -186,14 +186,14 @@ def test_the_kernel_draws_what_a_browser_asks_for(viewer: Any, solution: Any) ->
         glare=float(view["display.glare"]), pixel_angle=light.pixel_angle,
     )  # fmt: skip
     assert_array_equal(got, wanted)
-    # what cannot be drawn is said, and the next picture is drawn
+    # what cannot be rendered is said, and the next picture is rendered
     wrong = {**view, "view.projection": "orthographic"}
     viewer.set_state({"wanted": {"number": 8, "view": wrong, "size": [40, 24]}})
     viewer.set_state({"wanted": {"number": 9, "view": view, "size": [24, 40]}})
     seen = {}
     while 9 not in seen:
         assert time.monotonic() < limit
-        seen[viewer.drawn["number"]] = dict(viewer.drawn)
+        seen[viewer.rendered["number"]] = dict(viewer.rendered)
         time.sleep(0.001)
     assert "png" in seen[9]
     assert 8 not in seen or "orthographic" in seen[8]["error"]
@@ -244,13 +244,13 @@ def test_the_kernel_leaves_compilation_to_another_process(
     assert viewer._pictures.waits
     assert "default" not in viewer.status
     time.sleep(0.3)
-    assert viewer.drawn == {}
+    assert viewer.rendered == {}
     compiler.done.set()
     limit = time.monotonic() + 300.0
-    while viewer.drawn.get("number") != 1:
+    while viewer.rendered.get("number") != 1:
         assert time.monotonic() < limit
         time.sleep(0.01)
-    assert "png" in viewer.drawn
+    assert "png" in viewer.rendered
     assert viewer.status.startswith("default, ")
 
 
@@ -262,7 +262,7 @@ def test_closing_ends_a_picture_that_waits(viewer: Any, monkeypatch: pytest.Monk
     order = {"number": 1, "view": dict(viewer.session.view), "size": [40, 24]}
     viewer.set_state({"wanted": order})
     viewer.close()
-    assert viewer.drawn == {}
+    assert viewer.rendered == {}
     assert not viewer._pictures._thread.is_alive()
 
 

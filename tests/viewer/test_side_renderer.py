@@ -50,16 +50,14 @@ def never() -> bool:
 
 
 def renderer_of(device: Device, by: Device | None = None) -> SideRenderer:
-    """PictureSource with textures on a device, that draws by the processor or by a device."""
+    """PictureSource with textures on a device, that draws by the CPU or by a device."""
     return SideRenderer(device.device, Renderer(by))
 
 
-def test_the_processor_paints_finer_and_finer(device: Device, request_: Request) -> None:
+def test_the_cpu_paints_finer_and_finer(device: Device, request_: Request) -> None:
     # Each picture has more pixels than the one before, the last has all.
     renderer = renderer_of(device)
-    renderer._renderer._rate = (
-        2000.0  # as if the processor were slow: the first picture is a small one
-    )
+    renderer._renderer._rate = 2000.0  # as if the CPU were slow: the first picture is a small one
     pictures = list(renderer.render(request_, never))
     widths = [one.width for one in pictures]
     assert widths == sorted(set(widths))
@@ -80,10 +78,10 @@ def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Req
 
 def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
     # Two renderers of one solution: by the sky-view LUT, and by ray marching for each pixel.
-    processor = renderer_of(device)
-    exact = pixels(device, list(processor.render(request_, never))[-1])
+    cpu = renderer_of(device)
+    exact = pixels(device, list(cpu.render(request_, never))[-1])
     renderer = renderer_of(device, dataclasses.replace(device, software=False))
-    while True:  # the processor renders the first pictures while the shaders are compiled
+    while True:  # the CPU renders the first pictures while the shaders are compiled
         shown = list(renderer.render(request_, never))[-1]
         if shown.by == "GPU":
             break
@@ -95,7 +93,7 @@ def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
 
 
 def test_in_software_the_exact_picture_follows(device: Device, request_: Request) -> None:
-    # From the sky-view LUT while the view moves, by the processor at rest.
+    # From the sky-view LUT while the view moves, by the CPU at rest.
     if not device.software:
         pytest.skip("this device is no software")
     renderer = renderer_of(device, device)
@@ -107,10 +105,10 @@ def test_in_software_the_exact_picture_follows(device: Device, request_: Request
     pictures = list(renderer.render(moved, never))
     renderer.close()
     assert [one.finished for one in pictures] == [False, True]
-    assert [one.by for one in pictures] == ["GPU in software", "processor"]
+    assert [one.by for one in pictures] == ["GPU in software", "CPU"]
 
 
-def test_what_the_gpu_has_no_room_for_the_processor_solves(device: Device) -> None:
+def test_what_the_gpu_has_no_room_for_the_cpu_solves(device: Device) -> None:
     # Four wavelengths fit into a texel, eight do not; both are solved.
     earth = load_planet("earth-atmosphere-plus")
     solver = live_solver("auto", dataclasses.replace(device, software=False))

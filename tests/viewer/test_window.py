@@ -504,7 +504,7 @@ def test_an_idle_window_costs_no_processor_time(
     frames = window.ask("frames")
     share = window.ask("cpu", 3.0)
     assert window.ask("frames") == frames
-    tell(f"window: at rest {100.0 * share:.2f} % of one processor")
+    tell(f"window: at rest {100.0 * share:.2f} % of one CPU")
     assert share < 0.03
 
 

@@ -174,7 +174,7 @@ class Answers:
         return not self.window.settled
 
     def cpu(self, seconds: float) -> float:
-        """Fraction of one processor that the process uses while idle. [1]"""
+        """Fraction of one CPU that the process uses while idle. [1]"""
         started, before = time.perf_counter(), time.process_time()
         time.sleep(seconds)
         return (time.process_time() - before) / (time.perf_counter() - started)
@@ -192,7 +192,7 @@ class Answers:
         return max(longest, time.monotonic() - last)
 
     def slowness(self) -> float:
-        """Ratio of wall-clock time to processor time of some work. [1]"""
+        """Ratio of wall-clock time to CPU time of some work. [1]"""
         started, before = time.perf_counter(), time.thread_time()
         while time.thread_time() - before < 0.1:
             pass

@@ -114,7 +114,7 @@ def test_air_that_is_too_thick_is_refused_in_one_line(
     assert got == "so much air is too thick to be solved here; the desktop viewer solves it"
 
 
-def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
+def test_a_page_completes_orders_along_the_vertical_as_the_cpu_does(
     gpu: Any, modules: Callable[..., Any]
 ) -> None:
     # A second method: the operator that the CPU's loops assemble from the same rays, for any

@@ -70,7 +70,7 @@ def solution_of(name: str, amounts: dict[int, float], ground: float, settings: A
 def native(gpu: Any) -> GpuRenderer:
     """Renderer of pictures without a browser; like a page it fills the sky-view LUT itself.
 
-    By the processor, with fewer points, the horizon under three times the aerosol is 2.5/255 off.
+    By the CPU, with fewer points, the horizon under three times the aerosol is 2.5/255 off.
     """
     return GpuRenderer(gpu, SKY, sky_view_on_cpu=False)
 

@@ -118,7 +118,7 @@ def animate(
     scheduler: distribution_options.Scheduler = None,
     workers: distribution_options.Workers = None,
 ) -> None:
-    """Draw the frames of a film: only those that are missing or have changed.
+    """Render the frames of a film: only those that are missing or have changed.
 
     The clock may run, and any number of the scene or the planet may follow key frames. Processes of
     this machine share the frames, or a Dask cluster does.
@@ -140,7 +140,7 @@ def animate(
     changes |= {f"film.{field}": value for field, value in plan.items() if value is not None}
     from airlight.cli.render import check_glare, check_tone_map
     from airlight.film import Finish, Quality, load_film
-    from airlight.film import animate as drawn
+    from airlight.film import animate as rendered
     from airlight.film.movie import check_movie
 
     check_tone_map(tone_map)
@@ -166,7 +166,7 @@ def animate(
                     count[0] = done
                 report(done, total, message)
 
-            result = drawn(
+            result = rendered(
                 made, folder, width=columns, height=rows,
                 how=Quality(wavelengths=nm, quality=quality, exact=exact, samples=samples),
                 finish=Finish(suffix=f".{format_}", tone_map=tone_map, encoding=encoding,
@@ -177,7 +177,7 @@ def animate(
             )  # fmt: skip
     except (KeyboardInterrupt, WorkerError, FileError):
         if count[0]:
-            note(f"{count[0]} frames were drawn; the same command draws the rest")
+            note(f"{count[0]} frames were rendered; the same command renders the rest")
         raise
     _report(result, movie, columns, rows, time.perf_counter() - started)
 
@@ -185,7 +185,7 @@ def animate(
 def _report(result: Animated, movie: Path | None, columns: int, rows: int, seconds: float) -> None:
     frames = result.frames
     say(f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {columns}x{rows}  "
-          f"{result.drawn} drawn, {result.kept} kept  {seconds:.1f} s"
+          f"{result.rendered} rendered, {result.kept} kept  {seconds:.1f} s"
           + ("  linear" if result.exposures is None else
              "  exposure {:+.2f} to {:+.2f} EV".format(*result.exposures)))  # fmt: skip
     if movie is not None:

@@ -31,7 +31,7 @@ COMMANDS: Final = {
     "planets": "List the planets that ship with airlight.",
     "show": "Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.",
     "render": "Compute a picture of a planet's air, or of a scene with several bodies and lights.",
-    "animate": "Draw the frames of a film: only those that are missing or have changed.",
+    "animate": "Render the frames of a film: only those that are missing or have changed.",
     "sky": "Write an observer's sky as an environment map, with a JSON that says where its sun "
     "stands.",
     "compose": "Lay a planet's air over a picture by its depth, and its sky behind.",

@@ -133,7 +133,7 @@ def compose(
         typer.Option("--exact", help="March through the air pixel by pixel, without froxels."),
     ] = False,
     disc: Annotated[
-        bool, typer.Option("--disc/--no-disc", help="Draw the sun's own disc in the sky.")
+        bool, typer.Option("--disc/--no-disc", help="Render the sun's own disc in the sky.")
     ] = True,
     exposure: Annotated[
         str, typer.Option(metavar="EV|auto", help="Of a .png: brightens by 2 to this power.")

@@ -76,7 +76,7 @@ Device = Annotated[
     Literal["auto", "cpu", "gpu"],
     typer.Option(
         metavar="NAME",
-        help="Who draws: cpu; gpu, at most four wavelengths, and where it cannot the processor "
+        help="Renderer: cpu; gpu, at most four wavelengths, and where it cannot the CPU "
         "with a line that says why; auto, gpu where there is a real one.",
     ),
 ]

@@ -17,7 +17,7 @@ from airlight.errors import ParameterError
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
     from airlight.exports.picture import Written
-    from airlight.paint.rendering_device import Choice
+    from airlight.paint.rendering_gpu import Choice
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
@@ -143,7 +143,7 @@ def render(
         str | None,
         typer.Option(
             metavar="X,Y,W,H",
-            help="Window of the picture that is drawn, in pixels from its left and top edge: a "
+            help="Window of the picture that is rendered, in pixels from its left and top edge: a "
             "tile. With --exposure EV and --glare 0, and for an .exr or .hdr, only it is computed.",
         ),
     ] = None,
@@ -433,7 +433,7 @@ def _rendered(
         raise ParameterError("--wavelengths", wavelengths, allowed)
 
     def refused(reason: str) -> None:
-        note(f"the processor renders instead: {reason}")
+        note(f"falling back to the CPU: {reason}")
 
     with shown_progress() as report:
         return render_scene(

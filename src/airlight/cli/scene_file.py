@@ -63,7 +63,7 @@ def rendered(
     cache: bool,
     beside: Mapping[str, object],
 ) -> tuple[Frame, tuple[int, int, int, int] | None]:
-    """Draw a scene, with progress on the standard error stream; and its window.
+    """Render a scene, with progress on the standard error stream; and its window.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def rendered(
     size, crop, wavelengths, quality, samples, cache :
         Options of ``airlight render``.
     whole : bool
-        Whether the whole picture is drawn, also of a window.
+        Whether the whole picture is rendered, also of a window.
     beside : mapping
         Options that a scene file answers itself, which must be left out.
 

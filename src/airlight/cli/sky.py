@@ -184,7 +184,7 @@ def sky(
         raise ParameterError("--wavelengths", wavelengths, allowed)
 
     def refused(reason: str) -> None:
-        note(f"the processor renders instead: {reason}")
+        note(f"falling back to the CPU: {reason}")
 
     with shown_progress() as report:
         made = environment_map(

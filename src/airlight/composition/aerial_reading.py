@@ -2,7 +2,7 @@
 
 Tables are indexed by direction as the sky-view LUT is, with azimuths denser towards the star,
 and, of the air, by distance. Between directions they are linear, along the distance cubic in its
-logarithm. The formulas run on the processor and are emitted to shaders.
+logarithm. The formulas run on the CPU and are emitted to shaders.
 """
 
 from __future__ import annotations

@@ -143,7 +143,7 @@ def compose(
         Whether the air is marched for each pixel, instead of read from froxels where these err by
         less than 0.2 %.
     disc : bool
-        Whether the star's own disc is drawn in the sky.
+        Whether the star's own disc is rendered in the sky.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 

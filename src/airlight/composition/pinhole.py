@@ -20,7 +20,7 @@ FloatArray = NDArray[np.float64]
 
 #: Models of a lens in a file that are a pinhole.
 _MODELS: Final = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE")
-#: Keys of a lens's distortion, which is not drawn.
+#: Keys of a lens's distortion, which is not rendered.
 _DISTORTION: Final = ("k1", "k2", "k3", "k4", "p1", "p2")
 #: Largest difference of a camera's axes from perpendicular ones. [1]
 _SKEW: Final = 1e-3
@@ -231,7 +231,7 @@ def _camera(data: Mapping[str, Any], size: tuple[int, int] | None) -> Pinhole:
         raise ParameterError("camera_model", model, ", ".join(_MODELS))
     for key in _DISTORTION:
         if data.get(key, 0.0) != 0.0:
-            raise ParameterError(key, data[key], "0: lenses that distort are not drawn")
+            raise ParameterError(key, data[key], "0: lenses that distort are not rendered")
     width, height = (
         _number(data, key, None if size is None else size[i]) for i, key in enumerate(("w", "h"))
     )

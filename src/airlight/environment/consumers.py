@@ -80,7 +80,7 @@ class Consumer:
 
     @property
     def look_zenith(self) -> float:
-        """Zenith angle of the camera that draws its map. [deg]"""
+        """Zenith angle of the camera that renders its map. [deg]"""
         return 90.0 if self.tilt is None else self.tilt
 
     def with_up(self, up: str) -> Consumer:

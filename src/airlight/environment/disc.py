@@ -1,6 +1,6 @@
-"""Disc of a light: drawn by itself, finely, as a light of its own or as texels of a map.
+"""Disc of a light: rendered by itself, finely, as a light of its own or as texels of a map.
 
-A map's texel is often larger than the sun. The disc is therefore drawn through the air by the
+A map's texel is often larger than the sun. The disc is therefore rendered through the air by the
 renderer, in a small picture of its own with many pixels across it, whose every pixel is put into
 the texel in which it lies: what a texel covers of the disc counts by its area, and the irradiance
 is that of the small picture however few texels there are.

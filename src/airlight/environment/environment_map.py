@@ -26,7 +26,7 @@ from airlight.scene.local_ground import local_ground
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
-    from airlight.paint.rendering_device import Choice
+    from airlight.paint.rendering_gpu import Choice
     from airlight.scene import Scene
     from airlight.units import Measures
 
@@ -47,7 +47,7 @@ class EnvironmentMap:
     frame : Frame
         Linear sRGB radiance, not negative, and what its metadata say. [W m⁻² sr⁻¹]
     scene : Scene
-        Observer, lights, and the camera that draws the map.
+        Observer, lights, and the camera that renders the map.
     sun : str
         Name from ``SUNS``.
     ground : str
@@ -97,7 +97,7 @@ class EnvironmentMap:
 
 
 def map_camera(consumer: Consumer, width: int, height: int, sun_azimuth: float) -> Camera:
-    """Camera that draws the map of a program.
+    """Camera that renders the map of a program.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def environment_map(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> EnvironmentMap:
-    """Solve a planet and draw the map of an observer's sky.
+    """Solve a planet and render the map of an observer's sky.
 
     Parameters
     ----------

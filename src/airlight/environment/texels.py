@@ -38,7 +38,7 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     Parameters
     ----------
     camera : Camera
-        Camera that draws the map.
+        Camera that renders the map.
     rows : slice, optional
         Rows from the top; all if left out.
 
@@ -50,7 +50,7 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     Raises
     ------
     ParameterError
-        If the camera draws no such map.
+        If the camera renders no such map.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
     Parameters
     ----------
     camera : Camera
-        Camera that draws the map: a panorama, an octahedral map or a fisheye.
+        Camera that renders the map: a panorama, an octahedral map or a fisheye.
     directions : array, shape (n, 3)
         Unit vectors in the observer's local frame.
 
@@ -92,7 +92,7 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
     Raises
     ------
     ParameterError
-        If the camera draws no such map.
+        If the camera renders no such map.
 
     Examples
     --------

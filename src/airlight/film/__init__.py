@@ -1,4 +1,4 @@
-"""Films: key frames, exposure and frames of a planet or a scene, drawn by many processes."""
+"""Films: key frames, exposure and frames of a planet or a scene, rendered by many processes."""
 
 from __future__ import annotations
 

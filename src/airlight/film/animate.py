@@ -1,4 +1,4 @@
-"""``animate``: a film becomes a folder of frames, drawn by many processes, only what is missing."""
+"""``animate``: a film becomes a folder of frames, rendered by many processes, only what is missing."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ FilmExposure = float | Literal["auto", "locked"]
 _KEPT: Final = 512
 #: Frames by which the number of a film's solutions is estimated.
 _SAMPLED: Final = 32
-#: Source that draws frames.
+#: Source that renders frames.
 _SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("frame_spec.py", "finish.py"))
 
 
@@ -49,16 +49,16 @@ class Animated:
     ----------
     frames : FramesFolder
         Folder of its frames.
-    drawn, kept : int
-        Number of frames that were drawn, and that were there already.
+    rendered, kept : int
+        Number of frames that were rendered, and that were there already.
     damaged : int
-        Number of the drawn frames that were there, and damaged.
+        Number of the rendered frames that were there, and damaged.
     exposures : (float, float) or None
         Lowest and highest exposure of a PNG. [EV]
     """
 
     frames: FramesFolder
-    drawn: int
+    rendered: int
     kept: int
     damaged: int
     exposures: tuple[float, float] | None
@@ -80,11 +80,11 @@ def animate(
     on_message: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Animated:
-    """Draw the frames of a film that are missing, damaged or have changed.
+    """Render the frames of a film that are missing, damaged or have changed.
 
     Each frame's file names in its header the fingerprint of all that defines it, and its checksum,
     with which all its bytes are compared. A frame is written whole; a run that was interrupted, or
-    killed, loses only the frames that were being drawn.
+    killed, loses only the frames that were being rendered.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def animate(
         present = frames.present(progress)
         if present.damaged:
             count = len(present.damaged)
-            say(f"{count} of {frames.count} frames were damaged and are drawn again")
+            say(f"{count} of {frames.count} frames were damaged and are rendered again")
         runner: Runner | None = None
 
         def opened(tasks: int) -> Runner:
@@ -147,7 +147,7 @@ def animate(
                 runner = stack.enter_context(
                     opened_runner(tasks, scheduler=scheduler, workers=workers)
                 )
-                say(f"{tasks} frames to draw by {runner.description}")
+                say(f"{tasks} frames to render by {runner.description}")
                 job.announce(tasks)
                 job.prepare(runner)
             return runner
@@ -156,8 +156,8 @@ def animate(
         whole = present.fingerprints
         missing = [n for n in range(frames.count) if whole.get(n) != job.fingerprint(n)]
         if missing:
-            say_drawn = opened(len(missing)).run(drawn_frame, job.tasks(missing))
-            for done, (number, content) in enumerate(say_drawn):
+            say_rendered = opened(len(missing)).run(rendered_frame, job.tasks(missing))
+            for done, (number, content) in enumerate(say_rendered):
                 frames.write(number, content)
                 if progress is not None:
                     progress(done + 1, len(missing), "frames")
@@ -171,7 +171,7 @@ def animate(
         values = [curve(number) for number in range(frames.count)]
         span = min(values), max(values)
     return Animated(
-        frames=frames, drawn=len(missing), kept=frames.count - len(missing),
+        frames=frames, rendered=len(missing), kept=frames.count - len(missing),
         damaged=len(present.damaged), exposures=span,
     )  # fmt: skip
 
@@ -250,7 +250,7 @@ class _Job:
         return digest((light, self._finish, value, self._eye))
 
     def tasks(self, numbers: Sequence[int]) -> Iterator[tuple[int, tuple[Any, ...]]]:
-        """Tasks of ``drawn_frame``."""
+        """Tasks of ``rendered_frame``."""
         for number in numbers:
             yield number, (
                 self.frame_spec(number), self._finish, self._exposure_of(number), self._eye,
@@ -297,7 +297,7 @@ def metered_exposure(spec: FrameSpec, code: str) -> float:
     return float(spec.render(METERED).exposure)
 
 
-def drawn_frame(
+def rendered_frame(
     spec: FrameSpec, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
 ) -> bytes:
     """Contents of a frame's file, with its fingerprint and its checksum in the header.

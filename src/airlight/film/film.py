@@ -53,7 +53,7 @@ class Film:
     view: Tables | None = field(default=None)
 
     def frame_spec(self, number: int, width: int, height: int, how: Quality) -> FrameSpec:
-        """Frame of the film before it is drawn.
+        """Frame of the film before it is rendered.
 
         Parameters
         ----------

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 #: Work of a picture of any size, for its sky-view LUT, in wavelengths of pixels. [1]
 _TABLE: Final = 1.5e6
-#: Solution of the frame drawn last, which the next one mostly shares.
+#: Solution of the frame rendered last, which the next one mostly shares.
 _SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
 
 
@@ -57,10 +57,10 @@ class Quality:
 
 
 class FrameSpec(Protocol):
-    """One frame before it is drawn."""
+    """One frame before it is rendered."""
 
     def render(self, width: int | None = None) -> Frame:
-        """Draw the frame.
+        """Render the frame.
 
         Parameters
         ----------
@@ -92,7 +92,7 @@ class FrameSpec(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class PlanetFrameSpec:
-    """Frame of one planet, as ``airlight.paint.render_scene`` draws it.
+    """Frame of one planet, as ``airlight.paint.render_scene`` renders it.
 
     The air is solved in the light of the planet's file, and shown in that of the scene's time.
 
@@ -136,9 +136,9 @@ class PlanetFrameSpec:
         """See ``FrameSpec``."""
         how, camera = self.how, self.scene.camera
         nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
-        drawn = camera.width * camera.height * (how.samples or 1) ** 2 * len(nm)
+        rendered = camera.width * camera.height * (how.samples or 1) ** 2 * len(nm)
         kind = LINES if how.exact else "picture"
-        return {kind: float(drawn) + _TABLE, "solve": solve_work(how.quality, len(nm))}
+        return {kind: float(rendered) + _TABLE, "solve": solve_work(how.quality, len(nm))}
 
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
         how, scene = self.how, self.scene
@@ -186,7 +186,7 @@ class PlanetFrameSpec:
 
 @dataclass(frozen=True, kw_only=True)
 class SystemFrameSpec:
-    """Frame of a scene of several bodies, as ``airlight.paint.render_system`` draws it.
+    """Frame of a scene of several bodies, as ``airlight.paint.render_system`` renders it.
 
     Attributes
     ----------

@@ -28,7 +28,7 @@ _SCALE: Final = (
 
 
 def check_movie(path: Path, field: str) -> None:
-    """Refuse, before frames are drawn, a film that could not be written.
+    """Refuse, before frames are rendered, a film that could not be written.
 
     Parameters
     ----------

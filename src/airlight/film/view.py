@@ -50,7 +50,7 @@ class PlanetView(Record):
     ground : str
         ``plain`` or ``detailed``.
     stars : bool
-        Whether the stars of the catalogue are drawn.
+        Whether the stars of the catalogue are rendered.
     """
 
     latitude: Annotated[

@@ -1,6 +1,6 @@
 """Pictures and solutions on the GPU, from the same formulas as on the CPU.
 
-``gpu_renderer.GpuRenderer`` draws what ``airlight.render`` renders, of solutions of at most four
+``gpu_renderer.GpuRenderer`` renders what ``airlight.render`` renders, of solutions of at most four
 wavelengths::
 
     from airlight import Scene, load_planet, solve
@@ -15,6 +15,6 @@ wavelengths::
     frame = pictures.render(Scene(), exact=True)
 
 ``exact`` marches every pixel, as the CPU does; otherwise pixels read a sky-view LUT that is
-drawn first, for pictures many times a second. ``open_device`` raises ``NoDevice``, which says in
+rendered first, for pictures many times a second. ``open_device`` raises ``NoDevice``, which says in
 one line what is missing.
 """

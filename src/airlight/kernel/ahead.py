@@ -101,8 +101,8 @@ def report(module: str, function: str) -> None:
 
     from numba.core import event
 
-    def told(name: str) -> None:
+    def on_compiled(name: str) -> None:
         print(name, flush=True)
 
-    event.register("numba:compile", CompileListener(told))
+    event.register("numba:compile", CompileListener(on_compiled))
     getattr(import_module(module), function)()

@@ -54,7 +54,7 @@ class Choice:
 
 @dataclass(frozen=True)
 class Always:
-    """Number with one value in all shaders, which the processor may have otherwise.
+    """Number with one value in all shaders, which the CPU may have otherwise.
 
     Attributes
     ----------

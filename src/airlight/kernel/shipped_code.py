@@ -55,7 +55,7 @@ _TARGETS: Final = {
 
 @cache
 def target() -> Target | None:
-    """Target whose code runs on this processor; None if there is none."""
+    """Target whose code runs on this CPU; None if there is none."""
     found = _TARGETS.get(platform.machine().lower())
     if found is None:
         return None
@@ -90,7 +90,7 @@ class ShippedCode(FunctionCache):
 
 
 def shipped_code(py_func: Any, implementation: Any, kept_in: Path) -> ShippedCode | None:
-    """Code of a function that comes with the package; None if there is none for this processor.
+    """Code of a function that comes with the package; None if there is none for this CPU.
 
     Parameters
     ----------

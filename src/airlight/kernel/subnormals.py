@@ -22,7 +22,7 @@ from airlight.kernel import compiled_loop
 #: Bits of the control register MXCSR: subnormal results become zero, and subnormal operands.
 _AS_ZERO: Final = 0x8000 | 0x0040
 _WORD: Final = ir.IntType(32)
-#: Whether the processor has that register.
+#: Whether the CPU has that register.
 _HAS_REGISTER: Final = platform.machine().lower() in ("x86_64", "amd64", "i386", "i686")
 
 

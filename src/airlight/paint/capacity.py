@@ -1,4 +1,4 @@
-"""Planets that a graphics device has the capacity to solve and draw."""
+"""Planets that a GPU has the capacity to solve and render."""
 
 from __future__ import annotations
 

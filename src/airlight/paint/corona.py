@@ -23,7 +23,7 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Factors and powers of the distance.
 _TERMS: Final = ((0.0532, 2.5), (1.425, 7.0), (2.565, 17.0))
-#: Distance at which the corona has faded into the zodiacal light, which is not drawn. [radii]
+#: Distance at which the corona has faded into the zodiacal light, which is not rendered. [radii]
 OUTERMOST: Final = 30.0
 
 

@@ -1,4 +1,4 @@
-"""Moons in front of a star, as a planet's air sees them: who draws the planet then."""
+"""Moons in front of a star, as a planet's air sees them: who renders the planet then."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``render_scene``: a planet and a scene become a frame, on the CPU or on a device."""
+"""``render_scene``: a planet and a scene become a frame, on the CPU or on a GPU."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import thread_count
 from airlight.paint.renderer import Renderer
-from airlight.paint.rendering_device import Choice, rendering_device
+from airlight.paint.rendering_gpu import Choice, rendering_gpu
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_catalogue, check_stars
 from airlight.pixels.sky_view_window import is_always_read
@@ -24,7 +24,7 @@ from airlight.planets.picture_wavelengths import (
     texel_wavelengths,
 )
 from airlight.planets.reading.reader import PlanetLike, load_planet
-from airlight.render.ahead import DRAWING, drawing_ahead
+from airlight.render.ahead import SKY_VIEW_LOOPS, drawing_ahead
 from airlight.scene.basin import on_basin_floor
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -74,7 +74,7 @@ def render_scene(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
-    """Solve a planet and draw a camera's view of it.
+    """Solve a planet and render a camera's view of it.
 
     Parameters
     ----------
@@ -83,14 +83,14 @@ def render_scene(
     scene : Scene
         Observer, star and camera.
     wavelengths : array, shape (nl,), optional
-        Wavelengths, at least three. By default sixteen over the visible; on a device the four that
+        Wavelengths, at least three. By default sixteen over the visible; on a GPU the four that
         reproduce colours best, with a matrix fitted to the star. [nm]
     quality : str
         Quality as for ``airlight.solve``.
     polarisation : bool
         Whether light is polarised, as for ``airlight.solve``.
     device : "cpu", "gpu" or "auto"
-        ``gpu`` leaves to the CPU what exceeds the capacity of the device; ``auto`` takes a device
+        ``gpu`` leaves to the CPU what exceeds the capacity of the GPU; ``auto`` takes a GPU
         if it is a hardware GPU.
     exact : bool
         Whether each pixel is marched, instead of read from a sky-view LUT.
@@ -99,7 +99,7 @@ def render_scene(
     samples : int
         Samples per side of every pixel, as for ``airlight.render``.
     stokes : bool
-        Whether the frame has Q and U beside the picture, which the CPU draws.
+        Whether the frame has Q and U beside the picture, which the CPU renders.
     cache : bool
         Whether the CPU looks for the solution on disk first, and stores it there.
     local : bool
@@ -115,7 +115,7 @@ def render_scene(
     Returns
     -------
     Frame
-        Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device and the local ground.
+        Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the GPU and the local ground.
 
     Raises
     ------
@@ -135,7 +135,7 @@ def render_scene(
     >>> scene = Scene(altitude=2.0, sun_zenith=60.0, camera=Camera(width=8, height=6))
     >>> frame = render_scene(earth, scene, wavelengths=(680, 550, 440), quality="preview")
     >>> frame.rgb.shape, frame.metadata["device"]
-    ((6, 8, 3), 'processor')
+    ((6, 8, 3), 'CPU')
     """
     painted = render_with_solution(
         planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
@@ -165,7 +165,7 @@ def render_with_solution(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> RenderedScene:
-    """Draw a scene as ``render_scene`` does, and keep the solution.
+    """Render a scene as ``render_scene`` does, and keep the solution.
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ def render_with_solution(
     cache, local, stars :
         Arguments of ``render_scene``.
     disc : bool
-        Whether the discs of the lights are drawn.
+        Whether the discs of the lights are rendered.
     refused, progress, cancel :
         Arguments of ``render_scene``.
 
@@ -197,11 +197,11 @@ def render_with_solution(
             raise ParameterError("wavelengths", list(nm), f"{FEWEST} or more, or none given")
     if stokes and device != "cpu":
         if device == "gpu" and refused is not None:
-            refused("a device draws no Q and U")
+            refused("a GPU renders no Q and U")
         device = "cpu"
     check_drawn(scene.camera.columns, scene.camera.rows, 3 if stokes else 1)
     count = LIVE if nm is None else len(nm)
-    chosen = rendering_device(device, planet, count, scene.camera.columns, refused)
+    chosen = rendering_gpu(device, planet, count, scene.camera.columns, refused)
     weights, told = None, {}
     if nm is None:
         by_default = picture_wavelengths if chosen is None else texel_wavelengths
@@ -241,9 +241,9 @@ def render_with_solution(
 
 @contextmanager
 def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
-    """Have what draws the picture compiled by another process, if it is not, and then wait for it.
+    """Have what renders the picture compiled by another process, if it is not, and then wait for it.
 
-    The first picture on a machine compiles longer than it solves and draws. Numba compiles one
+    The first picture on a machine compiles longer than it solves and renders. Numba compiles one
     function at a time in a process, so that a second core is of use only to another one.
     """
     if not reads_table or thread_count() < 2:
@@ -251,9 +251,9 @@ def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
         return
     ahead = drawing_ahead()
     try:
-        with FIRST_COMPILATION.elsewhere(DRAWING):
+        with FIRST_COMPILATION.elsewhere(SKY_VIEW_LOOPS):
             yield
-            for loop in DRAWING:
+            for loop in SKY_VIEW_LOOPS:
                 if not ahead.wait(loop, cancel or (lambda: False)):
                     raise Cancelled("cancelled")
     finally:

@@ -5,7 +5,7 @@ which dims it, bends it and adds its own light, until it ends on a surface, on a
 the dark. Bodies do not overlap, so their order along every line is that of the power of the
 observer's point, d² - R².
 
-A planet with air is drawn by ``CpuRenderer``, as in a picture of it alone, once for each light. What
+A planet with air is rendered by ``CpuRenderer``, as in a picture of it alone, once for each light. What
 stands behind air is sampled line by line.
 """
 
@@ -75,7 +75,7 @@ def render_system(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
-    """Draw a scene of several bodies and lights.
+    """Render a scene of several bodies and lights.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def render_system(
         Samples per side of a pixel that the edge of a body or of a star crosses, 1 to 16; 4 by
         default.
     crop : (int, int, int, int), optional
-        Window that is drawn, as for ``Camera``. [pixel]
+        Window that is rendered, as for ``Camera``. [pixel]
     cache : bool
         Whether solutions are looked for on disk first, and stored there.
     progress, cancel : callable, optional
@@ -175,7 +175,7 @@ class _SystemRenderer:
             if body.planet is not None:
                 solutions[body.name] = self._solved(body, quality, cache, progress, cancel)
         self.lights = SceneLights(system, self.wavelengths, solutions)
-        #: Stars of whose discs something is drawn, by name.
+        #: Stars of whose discs something is rendered, by name.
         self._seen: dict[str, LightSource] = {}
         self.colors = self.lights.source(self.lights.stars[0], self.eye).colors()
         bodies = sorted(system.bodies, key=self._power)
@@ -295,7 +295,7 @@ class _SystemRenderer:
                 "bodies": names,
                 "wavelengths": f"{nm} nm",
                 "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
-                "device": "processor",
+                "device": "CPU",
             },
             pixel_angle=self.camera.glare_angle,
             circle=self.camera.circle,

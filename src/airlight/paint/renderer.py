@@ -1,18 +1,18 @@
-"""``Renderer``: who draws the view of a solution, and in which steps it becomes visible.
+"""``Renderer``: who renders the view of a solution, and in which steps it becomes visible.
 
 The policy of command line, window and saved pictures alike:
 
-* Without a device, and where a device has too little capacity, the processor draws.
-* A still picture is drawn once, whole.
-* A live picture of the processor is drawn coarsely at once, then finer; a newer request interrupts
+* Without a GPU, and where a GPU has too little capacity, the CPU renders.
+* A still picture is rendered once, whole.
+* A live picture of the CPU is rendered coarsely at once, then finer; a newer request interrupts
   all but the first.
-* A live picture of a hardware device is drawn once, whole: that takes milliseconds.
-* A software device draws from a coarse sky-view LUT while the view changes; after a short time
-  without changes the processor draws the finished picture, which, unlike a long pass, leaves the
+* A live picture of a hardware GPU is rendered once, whole: that takes milliseconds.
+* A software GPU renders from a coarse sky-view LUT while the view changes; after a short time
+  without changes the CPU renders the finished picture, which, unlike a long pass, leaves the
   device free for the window.
-* The processor also draws until the shaders of live pictures are compiled, which takes seconds;
+* The CPU also renders until the shaders of live pictures are compiled, which takes seconds;
   unless its own loops are not compiled either, which takes longer (``render.ahead``): then a
-  hardware device draws first. The first picture of a window is the whole one, which needs no loop
+  hardware GPU renders first. The first picture of a window is the whole one, which needs no loop
   that marches each pixel: to compile or to load that, which small pictures take, takes longer.
 
 All of them read a sky-view LUT, unless an exact picture is requested.
@@ -30,7 +30,7 @@ from typing import TYPE_CHECKING, Any, Final
 from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.memory import give_back
 from airlight.render import render
-from airlight.render.ahead import DRAWING, MARCHING
+from airlight.render.ahead import MARCH_LOOPS, SKY_VIEW_LOOPS
 from airlight.scene.picture_size import scaled
 
 if TYPE_CHECKING:
@@ -47,11 +47,11 @@ if TYPE_CHECKING:
     from airlight.scene.frame import Frame
     from airlight.solvers.moments.solution import MomentsSolution
 
-#: The frame's ``device`` where the CPU draws.
-PROCESSOR: Final = "processor"
-#: Format of the textures into which a device draws live pictures: encoded sRGB.
+#: The frame's ``device`` where the CPU renders.
+CPU: Final = "CPU"
+#: Format of the textures into which a GPU renders live pictures: encoded sRGB.
 LIVE_FORMAT: Final = "rgba8unorm"
-#: Time for the processor's first picture of a new view, which limits its size. [s]
+#: Time for the CPU's first picture of a new view, which limits its size. [s]
 _AT_ONCE: Final = 0.05
 #: Factor of the pixels per side from one picture to the next. [1]
 _STEP: Final = 3.0
@@ -61,7 +61,7 @@ _SMALLEST: Final = 1.0 / 12.0
 _NEARLY_WHOLE: Final = 0.7
 #: Speed assumed until one has been measured. [pixel s⁻¹]
 _FIRST_GUESS: Final = 2e5
-#: Time without a change after which a software device's picture is finished. [s]
+#: Time without a change after which a software GPU's picture is finished. [s]
 _STILL: Final = 0.2
 #: Interval of looking whether that time is over, or the shaders are compiled. [s]
 _POLL: Final = 0.02
@@ -71,7 +71,7 @@ _TINY: Final = 16.0
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LiveFrame:
-    """Step of a live picture: a frame, or a device that is ready to draw one into a texture.
+    """Step of a live picture: a frame, or a GPU that is ready to render one into a texture.
 
     Attributes
     ----------
@@ -82,11 +82,11 @@ class LiveFrame:
     finished : bool
         False if a finer step follows.
     seconds : float
-        Time to render the frame; 0 for a device. [s]
+        Time to render the frame; 0 for a GPU. [s]
     frame : Frame or None
-        Linear sRGB radiance; None where a device draws.
+        Linear sRGB radiance; None where a GPU renders.
     pictures : GpuRenderer or None
-        Renderer with the solution, where a device draws.
+        Renderer with the solution, where a GPU renders.
     """
 
     scene: Scene
@@ -98,13 +98,13 @@ class LiveFrame:
 
     @property
     def by(self) -> str:
-        """Short name of what draws it."""
+        """Short name of what renders it."""
         if self.pictures is None:
-            return PROCESSOR
+            return CPU
         return "GPU in software" if self.pictures.device.software else "GPU"
 
     def linear(self, width: float) -> NDArray[np.float32]:
-        """Linear sRGB radiance of this picture, from a device only ``width`` pixels wide."""
+        """Linear sRGB radiance of this picture, from a GPU only ``width`` pixels wide."""
         if self.frame is not None:
             return self.frame.rgb
         assert self.pictures is not None
@@ -114,7 +114,7 @@ class LiveFrame:
     def display(
         self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
     ) -> None:
-        """Draw into a texture of ``LIVE_FORMAT``, where a device draws.
+        """Render into a texture of ``LIVE_FORMAT``, where a GPU renders.
 
         Parameters
         ----------
@@ -136,9 +136,9 @@ class Renderer:
     Parameters
     ----------
     device : Device, optional
-        Device that draws, see ``rendering_device``; without one the processor does.
+        Device that renders, see ``rendering_gpu``; without one the CPU does.
     ahead : CompiledAhead, optional
-        Process that compiles the processor's loops, which pictures wait for.
+        Process that compiles the CPU's loops, which pictures wait for.
     """
 
     def __init__(self, device: Device | None = None, ahead: CompiledAhead | None = None) -> None:
@@ -151,7 +151,7 @@ class Renderer:
         self._closing = False
         self._began = False
         self._rate = _FIRST_GUESS
-        self._last: tuple[MomentsSolution, LiveFrame] | None = None  # finished by the processor
+        self._last: tuple[MomentsSolution, LiveFrame] | None = None  # finished by the CPU
 
     def render(
         self,
@@ -167,7 +167,7 @@ class Renderer:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
-        """Draw a still picture.
+        """Render a still picture.
 
         Parameters
         ----------
@@ -180,31 +180,31 @@ class Renderer:
         orders : str
             Orders as for ``airlight.render``.
         disc : bool
-            Whether the discs of the lights are drawn.
+            Whether the discs of the lights are rendered.
         samples : int
             Samples per side of every pixel, as for ``airlight.render``.
         stokes : bool
-            Whether the frame has Q and U, which the processor alone draws.
+            Whether the frame has Q and U, which the CPU alone renders.
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance, for a device; by default ``picture_weights``.
+            Linear sRGB per radiance, for a GPU; by default ``picture_weights``.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
         Returns
         -------
         Frame
-            Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
+            Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the GPU.
 
         Raises
         ------
         ParameterError
-            If the solution or the picture exceeds the capacity of the device, or Q and U are
+            If the solution or the picture exceeds the capacity of the GPU, or Q and U are
             requested of one.
         Cancelled
             If ``cancel`` requested it.
         """
         if self._device is None:
-            if not self._has(DRAWING, cancel or (lambda: False)):
+            if not self._has(SKY_VIEW_LOOPS, cancel or (lambda: False)):
                 raise Cancelled("the picture")
             frame = render(
                 solution, scene, exact=exact, orders=orders, disc=disc, samples=samples,
@@ -212,7 +212,7 @@ class Renderer:
             )  # fmt: skip
         else:
             if stokes:
-                raise ParameterError("stokes", True, "False where a device draws")
+                raise ParameterError("stokes", True, "False where a GPU renders")
             pictures = self._renderer(live=False)
             pictures.set_solution(solution, weights)
             self._shown = None
@@ -220,7 +220,7 @@ class Renderer:
                 scene, exact=exact, orders=orders, disc=disc, samples=samples, progress=progress,
                 cancel=cancel,
             )  # fmt: skip
-        return replace(frame, metadata={"device": PROCESSOR, **frame.metadata})
+        return replace(frame, metadata={"device": CPU, **frame.metadata})
 
     def live(
         self,
@@ -230,7 +230,7 @@ class Renderer:
         orders: str = "all",
         stale: Callable[[], bool],
     ) -> Iterator[LiveFrame]:
-        """Draw a picture step by step, each finer than the one before; the last is finished.
+        """Render a picture step by step, each finer than the one before; the last is finished.
 
         Parameters
         ----------
@@ -246,18 +246,18 @@ class Renderer:
         Raises
         ------
         Cancelled
-            If the request became stale while the processor was drawing.
+            If the request became stale while the CPU was rendering.
         """
         picture = LiveFrame(scene=scene, orders=orders, finished=True)
         if self._device is None:
-            yield from self._by_processor(solution, picture, stale)
+            yield from self._on_cpu(solution, picture, stale)
             return
         if not self._compiled:
             yield from self._while_compiling(solution, picture, stale)
             if stale() or (self._device.software and self._knows(solution, picture)):
                 return
         if not self._takes(solution):
-            yield from self._by_processor(solution, picture, stale)
+            yield from self._on_cpu(solution, picture, stale)
             return
         by_device = replace(picture, pictures=self._pictures, finished=not self._device.software)
         if by_device.finished:
@@ -270,7 +270,7 @@ class Renderer:
                 if stale():
                     return
                 time.sleep(_POLL)
-        yield from self._by_processor(solution, picture, stale, coarse=False)
+        yield from self._on_cpu(solution, picture, stale, coarse=False)
 
     def close(self) -> None:
         """Wait for the thread that compiles, if there is one."""
@@ -278,9 +278,9 @@ class Renderer:
         if self._compiling is not None:
             self._compiling.join()
 
-    # --- by the processor ---------------------------------------------------------------------
+    # --- by the CPU ---------------------------------------------------------------------
 
-    def _by_processor(
+    def _on_cpu(
         self,
         solution: MomentsSolution,
         picture: LiveFrame,
@@ -291,10 +291,10 @@ class Renderer:
         if self._last is not None and self._knows(solution, picture):
             yield self._last[1]
             return
-        if not self._has(DRAWING, stale):
+        if not self._has(SKY_VIEW_LOOPS, stale):
             raise Cancelled("a newer view")
-        # To load the loop that marches takes longer than to draw the first picture whole.
-        coarse = coarse and (self._ahead is None or (self._began and self._has(MARCHING)))
+        # To load the loop that marches takes longer than to render the first picture whole.
+        coarse = coarse and (self._ahead is None or (self._began and self._has(MARCH_LOOPS)))
         self._began = True
         for step, part in enumerate(self._parts(picture.scene) if coarse else [1.0]):
             started = perf_counter()
@@ -325,16 +325,16 @@ class Renderer:
         yield 1.0
 
     def _knows(self, solution: MomentsSolution, picture: LiveFrame) -> bool:
-        """Whether the processor's last finished picture shows the same light."""
+        """Whether the CPU's last finished picture shows the same light."""
         if self._last is None:
             return False
         of, last = self._last
         return of is solution and last.orders == picture.orders and last.scene == picture.scene
 
-    # --- by a device --------------------------------------------------------------------------
+    # --- by a GPU --------------------------------------------------------------------------
 
     def _renderer(self, *, live: bool) -> GpuRenderer:
-        """Renderer with the sky-view LUT that the device fills quickly enough."""
+        """Renderer with the sky-view LUT that the GPU fills quickly enough."""
         from airlight.gpu.picture.gpu_renderer import (
             QUICK_SKY_VIEW_SIZE,
             SKY_VIEW_SIZE,
@@ -350,7 +350,7 @@ class Renderer:
         return self._pictures
 
     def _takes(self, solution: MomentsSolution) -> bool:
-        """Upload a solution; False if it exceeds the device's capacity."""
+        """Upload a solution; False if it exceeds the GPU's capacity."""
         pictures = self._renderer(live=True)
         if solution is self._shown:
             return True
@@ -372,13 +372,13 @@ class Renderer:
                 daemon=True,
             )  # fmt: skip
             self._compiling.start()
-        if not self._device.software and not self._has(DRAWING):
+        if not self._device.software and not self._has(SKY_VIEW_LOOPS):
             while not self._compiled and not stale():
                 time.sleep(_POLL)
             return
         over = (lambda: False) if self._device.software else (lambda: self._compiled)
         try:
-            yield from self._by_processor(solution, picture, lambda: stale() or over())
+            yield from self._on_cpu(solution, picture, lambda: stale() or over())
             if self._device.software:
                 return
         except Cancelled:
@@ -388,16 +388,16 @@ class Renderer:
             time.sleep(_POLL)
 
     def _compile(self, solution: MomentsSolution, picture: LiveFrame) -> None:
-        """Draw one very small picture, which compiles the shaders.
+        """Render one very small picture, which compiles the shaders.
 
-        A software device compiles them in the queue in which the window's frames wait. It therefore
+        A software GPU compiles them in the queue in which the window's frames wait. It therefore
         compiles them first in another queue, without the maps, and finds them then in the driver's
         cache.
         """
         assert self._device is not None
         try:
             if self._device.software:
-                self._has((DRAWING[0],), lambda: self._closing)  # fills the sky-view LUT
+                self._has((SKY_VIEW_LOOPS[0],), lambda: self._closing)  # fills the sky-view LUT
             if self._takes(solution):
                 assert self._pictures is not None
                 if self._device.software and not self._closing:
@@ -412,7 +412,7 @@ class Renderer:
 
 
 def _draw_small(picture: LiveFrame) -> None:
-    """Draw a picture of a few pixels, by all shaders."""
+    """Render a picture of a few pixels, by all shaders."""
     import wgpu
 
     assert picture.pictures is not None

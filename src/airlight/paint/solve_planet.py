@@ -1,8 +1,8 @@
 """Choice of the solver of a planet: one policy for command line, window, notebook and page.
 
-A graphics device solves if it is a hardware GPU and has the capacity: at most four wavelengths,
+A GPU solves if it is a hardware GPU and has the capacity: at most four wavelengths,
 clear or dusty air. The CPU solves all other cases: thick air, many wavelengths and constituents,
-and everything where the device is software, which would share the CPU, whose own solver is faster.
+and everything where the GPU is software, which would share the CPU, whose own solver is faster.
 Edits are many, and few recur: their solutions are not stored on disk, those of presets are.
 """
 
@@ -19,7 +19,7 @@ from airlight import solvers
 from airlight.errors import ConvergenceError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.capacity import fits
-from airlight.paint.rendering_device import Choice, live_device
+from airlight.paint.rendering_gpu import Choice, live_gpu
 from airlight.planets.medium import Medium
 from airlight.planets.missing_bands import warn_of_missing_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
@@ -58,7 +58,7 @@ def solve_planet(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MomentsSolution:
-    """Solve a planet for pictures, on a device where that is faster.
+    """Solve a planet for pictures, on a GPU where that is faster.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def solve_planet(
     Returns
     -------
     MomentsSolution
-        Solution from the device or the CPU.
+        Solution from the GPU or the CPU.
 
     Raises
     ------
@@ -122,13 +122,13 @@ def live_solver(
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        Device as for ``live_device``; it solves if it is a hardware GPU.
+        Device as for ``live_gpu``; it solves if it is a hardware GPU.
     device : Device, optional
         Device from ``open_device``, if any.
     keeps : callable
         Whether the solution of a planet is looked for on disk, and stored there: asked each time.
     """
-    drawing = live_device(choice, device)
+    drawing = live_gpu(choice, device)
 
     def solve(*arguments: Any, **options: Any) -> MomentsSolution:
         return solve_planet(*arguments, device=drawing, cache=keeps(), **options)

@@ -1,4 +1,4 @@
-"""Capacity of the shaders: what a graphics device can solve and draw."""
+"""Capacity of the shaders: what a GPU can solve and render."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pixels of a planet in the shadow of a moon, each by its own march, on the processor.
+"""Pixels of a planet in the shadow of a moon, each by its own march, on the CPU.
 
 A sky-view LUT is symmetric about the star's vertical plane and the light of an eclipse is not;
 neither is it smooth over the table's texels. Ground, water, clouds and lamps are as in ``pixel``.
@@ -148,7 +148,7 @@ def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
 
 @compiled_loop
 def render_eclipsed(px, py, turn, observer, view, light, shadow, work, spare, out):
-    """Draw pixels of a planet in the shadow of a moon.
+    """Render pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------

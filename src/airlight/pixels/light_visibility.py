@@ -22,7 +22,7 @@ def light_visibility(
     bottom: float,
     thickness: float,
 ) -> float:
-    """What of a light is drawn: 2 everything, 1 its disc alone, 0 nothing.
+    """What of a light is rendered: 2 everything, 1 its disc alone, 0 nothing.
 
     Nothing of a light without irradiance, or so far below the horizon that it lights no air in
     view. By day, of a light of less than ``MIN_RELATIVE_IRRADIANCE`` of the first, the disc.

@@ -22,7 +22,7 @@ ASLANT: Final = 3
 
 @inlined
 def filter_shares(x, y, z, view):
-    """Shares of I, Q and U in the light that is drawn.
+    """Shares of I, Q and U in the light that is rendered.
 
     Parameters
     ----------

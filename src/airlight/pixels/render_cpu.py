@@ -32,7 +32,7 @@ def _as_color(light, lanes, weights, sums, out):
 
 @inlined
 def _pixels(exact, px, py, window, observer, view, light, work, weights, reach, out):
-    """Draw pixels, see ``render_pixels``; ``exact`` as in ``pixel_light``."""
+    """Render pixels, see ``render_pixels``; ``exact`` as in ``pixel_light``."""
     view, light, work, weights, out = borrowed((view, light, work, weights, out))
     found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
@@ -46,7 +46,7 @@ def _pixels(exact, px, py, window, observer, view, light, work, weights, reach, 
 
 @compiled_loop
 def render_pixels(px, py, window, observer, view, light, work, weights, reach, out):
-    """Draw pixels from the sky-view LUT.
+    """Render pixels from the sky-view LUT.
 
     Parameters
     ----------
@@ -70,5 +70,5 @@ def render_pixels(px, py, window, observer, view, light, work, weights, reach, o
 
 @compiled_loop
 def march_pixels(px, py, window, observer, view, light, work, weights, reach, out):
-    """Draw pixels, each by its own march; arguments as in ``render_pixels``."""
+    """Render pixels, each by its own march; arguments as in ``render_pixels``."""
     _pixels(True, px, py, window, observer, view, light, work, weights, reach, out)

@@ -2,7 +2,7 @@
 
 The horizon, and the limb of the planet seen from outside, are the edges of a picture: the disc of
 a star has its own smooth rim, and air has none. So a pixel has one sample unless the horizon comes
-nearer to its centre than its corners, and the light of a row along it is not drawn more often than
+nearer to its centre than its corners, and the light of a row along it is not rendered more often than
 needed.
 """
 

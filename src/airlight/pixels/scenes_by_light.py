@@ -25,7 +25,7 @@ class SceneForLight(NamedTuple):
     solution : MomentsSolution
         Solution under this light.
     air : bool
-        Whether its light on air and ground is drawn; otherwise its disc alone.
+        Whether its light on air and ground is rendered; otherwise its disc alone.
     light : LightPosition
         The light in the scene of all.
     """

@@ -1,6 +1,6 @@
 """Sky-view LUT filled on the CPU: complete, or the part that a picture sees.
 
-It serves pictures drawn on the CPU, and software devices, which run the shader's march about
+It serves pictures rendered on the CPU, and software GPUs, which run the shader's march about
 fifteen times slower than the compiled one.
 """
 

@@ -123,7 +123,7 @@ def _window(
 
 
 def _sampled(first: int, count: int, side: int) -> FloatArray:
-    """Positions along a side of the picture, two steps beyond what is drawn of it. [pixel]"""
+    """Positions along a side of the picture, two steps beyond what is rendered of it. [pixel]"""
     low, high = max(first - 2 * _STEP, 0), min(first + count + 2 * _STEP, side)
     return np.linspace(low, high, max(2, -(-(high - low) // _STEP) + 1))
 
@@ -131,7 +131,7 @@ def _sampled(first: int, count: int, side: int) -> FloatArray:
 def _seen_ranges(
     camera: Camera, observer: Observer, bottom: float, top: float
 ) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-    """Ranges of azimuth, in half turns, and of both halves' rows over all pixels drawn. [1]"""
+    """Ranges of azimuth, in half turns, and of both halves' rows over all pixels rendered. [1]"""
     assert camera.field_of_view is not None
     x = _sampled(camera.left, camera.columns, camera.width)
     y = _sampled(camera.top, camera.rows, camera.height)

@@ -19,7 +19,7 @@ from airlight.pixels.sky_view import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.tables.column_ratios import columns_to_top
 
-#: Radius in pixels below which a disc is drawn as points.
+#: Radius in pixels below which a disc is rendered as points.
 SMALL = 1.5
 #: Number of rings and spokes of its points.
 RINGS = 3

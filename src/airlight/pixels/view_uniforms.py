@@ -143,7 +143,7 @@ def cpu_view_uniforms(
     Parameters
     ----------
     uniforms : mapping
-        Numbers of the scene, and whether the star's disc is drawn.
+        Numbers of the scene, and whether the star's disc is rendered.
     camera : Camera
         Camera of the scene.
     ground : SurfaceMap

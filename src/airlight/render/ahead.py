@@ -1,4 +1,4 @@
-"""Loops that draw pictures, compiled before there is a solution to draw.
+"""Loops that render pictures, compiled before there is a solution to render.
 
 The types of a loop's arguments follow from the declarations of its NamedTuples; with empty tables
 of these types it is called for no pixel and no texel, which compiles it.
@@ -22,29 +22,29 @@ from airlight.solvers.moments.march_tables import MarchTables, new_workspace, qu
 
 #: Loops of a picture that reads a sky-view LUT, in the order of their use; and of one that does
 #: not.
-DRAWING: Final = (fill_texels, render_pixels)
-MARCHING: Final = (march_pixels,)
+SKY_VIEW_LOOPS: Final = (fill_texels, render_pixels)
+MARCH_LOOPS: Final = (march_pixels,)
 
 
 def compiled_ahead() -> CompiledAhead:
     """Start to compile the loops in another process, unless they are on disk."""
-    return CompiledAhead(f"{__name__}:compile_loops", DRAWING, MARCHING)
+    return CompiledAhead(f"{__name__}:compile_loops", SKY_VIEW_LOOPS, MARCH_LOOPS)
 
 
 def drawing_ahead() -> CompiledAhead:
     """Start to compile the loops of one picture from a sky-view LUT, and no others."""
-    return CompiledAhead(f"{__name__}:compile_drawing", DRAWING)
+    return CompiledAhead(f"{__name__}:compile_sky_view_loops", SKY_VIEW_LOOPS)
 
 
 def compile_loops() -> None:
-    """Compile the loops, or load them, by calls that draw nothing."""
-    for loop, arguments in zip((*DRAWING, *MARCHING), _arguments(), strict=True):
+    """Compile the loops, or load them, by calls that render nothing."""
+    for loop, arguments in zip((*SKY_VIEW_LOOPS, *MARCH_LOOPS), _arguments(), strict=True):
         loop(*arguments)
 
 
-def compile_drawing() -> None:
+def compile_sky_view_loops() -> None:
     """Compile the loops of a picture from a sky-view LUT, or load them."""
-    for loop, arguments in zip(DRAWING, _arguments()[: len(DRAWING)], strict=True):
+    for loop, arguments in zip(SKY_VIEW_LOOPS, _arguments()[: len(SKY_VIEW_LOOPS)], strict=True):
         loop(*arguments)
 
 

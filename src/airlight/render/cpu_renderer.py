@@ -1,4 +1,4 @@
-"""Picture drawn on the CPU: its inputs and its rows."""
+"""Picture rendered on the CPU: its inputs and its rows."""
 
 from __future__ import annotations
 
@@ -38,15 +38,15 @@ class CpuRenderer:
     solution, scene, orders, exact :
         Arguments of ``render``.
     disc : bool
-        Whether the star's own disc is drawn.
+        Whether the star's own disc is rendered.
     samples : int
         Samples per side of every pixel.
     edges : bool
         Whether pixels on the horizon and the limb have more.
     air : bool
-        Whether the light of air and ground is drawn; otherwise the disc alone.
+        Whether the light of air and ground is rendered; otherwise the disc alone.
     stokes : bool
-        Whether Q and U can be drawn, beside what the camera sees.
+        Whether Q and U can be rendered, beside what the camera sees.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class CpuRenderer:
     def fill_sky_view(
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
-        """Fill the sky-view LUT, if there is one, before any row is drawn.
+        """Fill the sky-view LUT, if there is one, before any row is rendered.
 
         Parameters
         ----------
@@ -123,16 +123,16 @@ class CpuRenderer:
     def render_rows(
         self, first: int, last: int, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
+        """Render rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
 
         Parameters
         ----------
         first, last : int
-            Range of rows, from the first that is drawn.
+            Range of rows, from the first that is rendered.
         rgb : array, shape (rows, columns, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         element : int, optional
-            ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U is drawn instead.
+            ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U is rendered instead.
         """
         px = np.arange(rgb.shape[1]) + (self._camera.left + 0.5)
         py = np.arange(first, last) + (self._camera.top + 0.5)
@@ -142,7 +142,7 @@ class CpuRenderer:
     def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """Draw pixels anywhere in the picture, linear sRGB.
+        """Render pixels anywhere in the picture, linear sRGB.
 
         Parameters
         ----------
@@ -151,7 +151,7 @@ class CpuRenderer:
         rgb : array, shape (n, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         element : int, optional
-            As in ``draw``.
+            As in ``render``.
         """
         view = self._view if element is None else self._view._replace(filter=element)
         pixels = march_pixels if self.window is None else render_pixels

@@ -1,4 +1,4 @@
-"""Picture of a planet in the shadow of a moon, drawn on the CPU."""
+"""Picture of a planet in the shadow of a moon, rendered on the CPU."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Float32Array = NDArray[np.float32]
 
 
 def check_unfiltered(scene: Scene) -> None:
-    """Refuse a filter where light is drawn without its polarisation.
+    """Refuse a filter where light is rendered without its polarisation.
 
     Raises
     ------
@@ -28,7 +28,7 @@ def check_unfiltered(scene: Scene) -> None:
     """
     angle = scene.camera.polariser
     if angle is not None:
-        raise ParameterError("camera.polariser", angle, "none where a moon's shadow is drawn")
+        raise ParameterError("camera.polariser", angle, "none where a moon's shadow is rendered")
 
 
 class EclipseRenderer(CpuRenderer):
@@ -47,7 +47,7 @@ class EclipseRenderer(CpuRenderer):
     Raises
     ------
     ParameterError
-        If the camera has a polarising filter: light in a moon's shadow is drawn without its
+        If the camera has a polarising filter: light in a moon's shadow is rendered without its
         polarisation.
     """
 
@@ -74,7 +74,7 @@ class EclipseRenderer(CpuRenderer):
             If one is requested.
         """
         if element is not None:
-            raise ParameterError("stokes", True, "False where a moon's shadow is drawn")
+            raise ParameterError("stokes", True, "False where a moon's shadow is rendered")
         out = np.empty((px.size, self._tables.lanes), np.float32)
         render_eclipsed(
             px, py, self._turn, self._observer, self._view, self._tables, self._shadow,

@@ -52,14 +52,14 @@ def render(
     scene : Scene
         Observer, lights and camera; each light takes as long as the first.
     orders : str
-        Light that is drawn: ``"all"``; ``"single"``, scattered or reflected once by the air or the
+        Light that is rendered: ``"all"``; ``"single"``, scattered or reflected once by the air or the
         ground; or ``"multiple"``, more often. The star's own disc is visible in the first alone.
     exact : bool
         Whether the air is marched for each pixel. Otherwise the light of the air is read from a
         sky-view LUT around the observer, filled by the same march: see docs/pictures.md for
         its errors. Pictures of few pixels are always marched.
     disc : bool
-        Whether the discs of the lights are drawn.
+        Whether the discs of the lights are rendered.
     samples : int
         Samples per side of every pixel, 1 to 16. One suffices: pixels on the horizon and on the
         limb have a grid of samples of their own.
@@ -105,10 +105,10 @@ def render(
     elements = (None, ALONG, ASLANT) if stokes else (None,)
     check_drawn(width, height, len(elements))
     pictures = scenes_by_light(scene, solution)
-    drawn = width * height * samples**2 * len(elements) * len(pictures)
+    rendered = width * height * samples**2 * len(elements) * len(pictures)
     kind = LINES if exact else "picture"
     layers = zeros((len(elements), height, width, 3), np.float32)
-    with timed(kind, drawn * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
+    with timed(kind, rendered * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
         for number, (seen, lit, air, _) in enumerate(pictures):
             renderer = CpuRenderer(
                 lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
@@ -166,20 +166,20 @@ def _add_rendered(
     lit = layers if black else zeros(layers.shape, np.float32)
     step = max(1, _BLOCK_PIXELS // width)
     blocks = -(-height // step)
-    # Filling the table counts as much as drawing the rows.
+    # Filling the table counts as much as rendering the rows.
     total = blocks if renderer.window is None else 2 * blocks
 
     def filling(done: int, count: int, message: str) -> None:
         if progress is not None:
             progress(blocks * done // count, total, message)
 
-    def drawn(done: int, _: int, message: str) -> None:
+    def rendered(done: int, _: int, message: str) -> None:
         if progress is not None:
             progress(total - blocks + done, total, message)
 
     renderer.fill_sky_view(cancel=cancel, progress=filling)
 
-    def draw(k: int) -> None:
+    def render_block(k: int) -> None:
         first, last = k * step, min((k + 1) * step, height)
         for element, rgb, whole in zip(elements, lit, layers, strict=True):
             renderer.render_rows(first, last, rgb, element)
@@ -189,5 +189,5 @@ def _add_rendered(
             release(rgb[first:last])
 
     run_blocks(
-        draw, blocks, cancel=cancel, progress=drawn, message="rendering",
+        render_block, blocks, cancel=cancel, progress=rendered, message="rendering",
     )  # fmt: skip

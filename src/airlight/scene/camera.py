@@ -62,7 +62,7 @@ class Camera:
         Length between the left and the right edge, which an orthographic camera needs; see
         ``airlight.scene.projections.orthographic.disc_extent``. [m]
     crop : (int, int, int, int), optional
-        Window of the picture that is drawn: its left and top edge, its width and height. Its pixels
+        Window of the picture that is rendered: its left and top edge, its width and height. Its pixels
         are those of the whole picture. [pixel]
 
     Raises
@@ -159,22 +159,22 @@ class Camera:
 
     @property
     def left(self) -> int:
-        """First column that is drawn. [pixel]"""
+        """First column that is rendered. [pixel]"""
         return 0 if self.crop is None else self.crop[0]
 
     @property
     def top(self) -> int:
-        """First row that is drawn. [pixel]"""
+        """First row that is rendered. [pixel]"""
         return 0 if self.crop is None else self.crop[1]
 
     @property
     def columns(self) -> int:
-        """Number of columns that are drawn. [pixel]"""
+        """Number of columns that are rendered. [pixel]"""
         return self.width if self.crop is None else self.crop[2]
 
     @property
     def rows(self) -> int:
-        """Number of rows that are drawn. [pixel]"""
+        """Number of rows that are rendered. [pixel]"""
         return self.height if self.crop is None else self.crop[3]
 
     @property

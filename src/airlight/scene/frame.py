@@ -26,7 +26,7 @@ class Frame:
         Linear sRGB of the radiance, weighted by the colour-matching functions; channels outside
         the sRGB gamut may be negative. 683 lm/W times its luminance is in cd m⁻². [W m⁻² sr⁻¹]
     polarised : array, shape (2, height, width, 3), float32, or None
-        Q and U of the same light, in the meridian plane of each line of sight; None if not drawn.
+        Q and U of the same light, in the meridian plane of each line of sight; None if not rendered.
         [W m⁻² sr⁻¹]
     metadata : dict
         Description of how it was made, as text.

@@ -1,4 +1,4 @@
-"""Overlay of the ground: light that it emits, and clouds above it, drawn over the map.
+"""Overlay of the ground: light that it emits, and clouds above it, rendered over the map.
 
 The overlay is a map of its own, whose colours are the radiance of lamps relative to that of the
 brightest towns, and whose fourth channel is the cover of clouds.

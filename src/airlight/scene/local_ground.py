@@ -44,7 +44,7 @@ def local_ground(
     The map's means of colour, water and clouds are taken with the weight of
     ``airlight.scene.ground_weight``: half of it is a few tens of kilometres around a low observer,
     the visible disc from far away. The albedo of the planet's file is multiplied by what they give
-    over what the means of the whole map give; the map itself is drawn as it is.
+    over what the means of the whole map give; the map itself is rendered as it is.
 
     Parameters
     ----------

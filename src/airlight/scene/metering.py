@@ -17,7 +17,7 @@ from airlight.scene.scene import Scene
 
 FloatArray = NDArray[np.float64]
 
-#: Width of the picture that a device draws for its exposure to be measured: of the next larger one
+#: Width of the picture that a GPU renders for its exposure to be measured: of the next larger one
 #: the exposure differs by a few hundredths of a stop, of 64 pixels by a quarter where the glow
 #: about a low sun covers a few of them. [pixel]
 METERED: Final = 128
@@ -139,7 +139,7 @@ def metering_weights(
     suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
     pixel = step * camera.pixel_angle
     cosines = np.array([left_out(one.radius(angular_radius), pixel) for one in scene.lights])
-    if camera.parallel:  # no disc is drawn
+    if camera.parallel:  # no disc is rendered
         cosines[:] = math.inf
     out, light = np.zeros((2, y.size, x.size))
     _fill(

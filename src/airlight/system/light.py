@@ -44,7 +44,7 @@ class Light(Record):
     body : str, optional
         Name of a body that shines by reflected light: a moon, a planet.
     corona : str, optional
-        ``baumbach``: the sun's corona is drawn around the disc of the star.
+        ``baumbach``: the sun's corona is rendered around the disc of the star.
     """
 
     name: Annotated[

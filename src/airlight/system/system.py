@@ -44,7 +44,7 @@ class System:
     folder : Path, optional
         Folder of the files that it names.
     stars : bool
-        Whether the stars of the catalogue are drawn; the frame is then that of the J2000 equator.
+        Whether the stars of the catalogue are rendered; the frame is then that of the J2000 equator.
     time : datetime, optional
         Time for which an ephemeris placed its bodies.
     changes : mapping

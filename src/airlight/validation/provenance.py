@@ -42,7 +42,7 @@ def _version(package: str) -> str:
 
 
 def _processor() -> str:
-    """Name of the processor, where the system gives it."""
+    """Name of the CPU, where the system gives it."""
     try:
         for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
             if line.startswith("model name"):

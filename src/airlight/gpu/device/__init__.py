@@ -1,1 +1,1 @@
-"""Graphics device, flat textures, fragment passes and their times."""
+"""GPU, flat textures, fragment passes and their times."""

@@ -1,4 +1,4 @@
-"""Device for drawing on the GPU: selected once, opened with the limits of a browser."""
+"""Device on the GPU: selected once, opened with the limits of a browser."""
 
 from __future__ import annotations
 

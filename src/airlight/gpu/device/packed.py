@@ -24,7 +24,7 @@ _BAND: Final = 64
 def packed_rows(count: int) -> int:
     """Number of rows of a packed texture of ``count`` texels, never a power of two.
 
-    Software devices recompile a shader, which takes them seconds to minutes, when a texture's
+    Software GPUs recompile a shader, which takes them seconds to minutes, when a texture's
     height becomes a power of two or ceases to be one.
 
     Parameters

@@ -193,7 +193,7 @@ class UniformStruct:
         return {"floats": 4 * len(names), "numbers": numbers, "tables": tables}
 
     def fixed(self, numbers: Mapping[str, float]) -> Fixed:
-        """Choices bound as constants, which a software device need not test for every pixel.
+        """Choices bound as constants, which a software GPU need not test for every pixel.
 
         Parameters
         ----------

@@ -1,1 +1,1 @@
-"""Pictures of a solution on a graphics device."""
+"""Pictures of a solution on a GPU."""

@@ -1,4 +1,4 @@
-"""Rows of a picture that show only sky, or no star: work that a software device can skip."""
+"""Rows of a picture that show only sky, or no star: work that a software GPU can skip."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _STEP: Final = 16
 
 
 class Band(NamedTuple):
-    """Rows that are drawn together.
+    """Rows that are rendered together.
 
     Attributes
     ----------

@@ -28,13 +28,13 @@ class DisplayPasses:
 
     Attributes
     ----------
-    drawn : hashable
-        Everything on which the light of the picture depends; None before it is drawn.
+    rendered : hashable
+        Everything on which the light of the picture depends; None before it is rendered.
     """
 
     def __init__(self, device: Device) -> None:
         self.device = device
-        self.drawn: Hashable = None
+        self.rendered: Hashable = None
         self._size = (0, 0)
         self._spread: Hashable = None
         self._picture: Any = None
@@ -45,7 +45,7 @@ class DisplayPasses:
         self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
 
     def picture(self, width: int, height: int) -> Any:
-        """View of the picture in linear light, to be drawn into.
+        """View of the picture in linear light, to be rendered into.
 
         Parameters
         ----------
@@ -58,7 +58,7 @@ class DisplayPasses:
                     one.destroy()
             self._picture = self._texture(width, height, "picture")
             self._levels, self._spreads = [], []
-            self._size, self.drawn, self._spread = (width, height), None, None
+            self._size, self.rendered, self._spread = (width, height), None, None
             self._groups.clear()
         return self._picture.create_view()
 
@@ -82,8 +82,8 @@ class DisplayPasses:
         count = glare_levels(pixel_angle, shorter) if numbers.get("glare", 0.0) > 0.0 else 0
         shares = [glare_share(level, pixel_angle, shorter) for level in range(1, count + 1)]
         encoder = self.device.device.create_command_encoder()
-        wanted = self.drawn, pixel_angle
-        if shares and (self._spread != wanted or self.drawn is None):
+        wanted = self.rendered, pixel_angle
+        if shares and (self._spread != wanted or self.rendered is None):
             self._spread_light(encoder, shares)
             self._spread = wanted
         fixed: Fixed = ()

@@ -65,7 +65,7 @@ class FramePasses:
         keep: bool = False,
         light: int = 0,
     ) -> None:
-        """Draw into a part of some targets; the rest becomes black or is kept.
+        """Render into a part of some targets; the rest becomes black or is kept.
 
         Parameters
         ----------

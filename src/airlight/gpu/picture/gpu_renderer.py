@@ -1,4 +1,4 @@
-"""``GpuRenderer``: the view of a camera, drawn by the GPU from a solution."""
+"""``GpuRenderer``: the view of a camera, rendered by the GPU from a solution."""
 
 from __future__ import annotations
 
@@ -58,9 +58,9 @@ Float32Array = NDArray[np.float32]
 SKY_VIEW_SIZE: Final = COARSEST
 #: Shape of that table on a page, where the whole one would take too long while something moves.
 MEDIUM_SKY_VIEW_SIZE: Final = (128, 64)
-#: Shape of that table on a software device while something moves.
+#: Shape of that table on a software GPU while something moves.
 QUICK_SKY_VIEW_SIZE: Final = (64, 64)
-#: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes
+#: Pixels rendered at once, read from a table, marched, and marched in software: no driver then assumes
 #: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
 #: Entry point of the shaders of a picture.
@@ -80,7 +80,7 @@ class _SkyView:
     law : array or None
         Darkening of the light's disc, where it is not that of the solution's star.
     disc : wgpu.GPUTexture or None
-        The same on the device.
+        The same on the GPU.
     seen : tuple or None
         Everything on which the table depends; None before it is filled.
     """
@@ -107,7 +107,7 @@ class GpuRenderer:
     sky_view_size : (int, int)
         Azimuths and rows of the sky-view LUT; together a multiple of ``FLAT_WIDTH``.
     sky_view_on_cpu : bool, optional
-        Whether the CPU fills that table; by default on software devices.
+        Whether the CPU fills that table; by default on software GPUs.
 
     Examples
     --------
@@ -153,13 +153,13 @@ class GpuRenderer:
         self._forget()
 
     def _forget(self) -> None:
-        """Forget what was drawn from other tables."""
+        """Forget what was rendered from other tables."""
         self._sky_views = [one for one in self._sky_views if one.shape == self._sky_view_size]
         if self._textures is not None and not self._sky_views:
             self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
         for number in range(len(self._sky_views)):
             self._read(number, None)
-        self._display.drawn = None
+        self._display.rendered = None
 
     def _read(self, number: int, law: Float32Array | None) -> None:
         """Let the passes of a light read the solution's tables, and its disc's law if another."""
@@ -189,7 +189,7 @@ class GpuRenderer:
     def set_solution(
         self, solution: MomentsSolution, weights: FloatArray | None = None, *, maps: bool = True
     ) -> None:
-        """Set the solution that is drawn from now on.
+        """Set the solution that is rendered from now on.
 
         Parameters
         ----------
@@ -198,7 +198,7 @@ class GpuRenderer:
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance; by default ``picture_weights``.
         maps : bool
-            Whether the maps of the ground are drawn; they take up to 270 MB of the device.
+            Whether the maps of the ground are rendered; they take up to 270 MB of GPU memory.
 
         Raises
         ------
@@ -233,7 +233,7 @@ class GpuRenderer:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
-        """Draw a picture in linear light, strip by strip.
+        """Render a picture in linear light, strip by strip.
 
         Parameters
         ----------
@@ -244,10 +244,10 @@ class GpuRenderer:
         orders : str
             ``all``, ``single`` or ``multiple``.
         disc : bool
-            Whether the star's disc is drawn.
+            Whether the star's disc is rendered.
         samples : int
             Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb have
-            more by themselves, except where a software device marches them.
+            more by themselves, except where a software GPU marches them.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
@@ -260,7 +260,7 @@ class GpuRenderer:
         ------
         ParameterError
             If no solution has been shown yet, the picture is wider than a texture may be, or a
-            software device shall march several samples of a pixel.
+            software GPU shall march several samples of a pixel.
         CostError
             If the picture needs more memory than is free.
         Cancelled
@@ -269,8 +269,8 @@ class GpuRenderer:
         width, height = scene.camera.columns, scene.camera.rows
         check_drawn(width, height)
         lights = scenes_by_light(scene, self._require_solution())
-        drawn = width * height * checked_samples(samples) ** 2 * len(lights)
-        with timed(DEVICE, drawn, f"a picture of {width}x{height} pixels"):
+        rendered = width * height * checked_samples(samples) ** 2 * len(lights)
+        with timed(DEVICE, rendered, f"a picture of {width}x{height} pixels"):
             frames = [
                 self._render(number, one, exact, orders, disc, samples, progress, cancel)
                 for number, one in enumerate(lights)
@@ -292,7 +292,7 @@ class GpuRenderer:
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> Frame:
-        """Draw a picture by one light; arguments of ``frame``."""
+        """Render a picture by one light; arguments of ``frame``."""
         import wgpu
 
         scene, solution = light.scene, light.solution
@@ -304,7 +304,7 @@ class GpuRenderer:
         numbers = self._numbers(light, (camera.width, camera.height), exact, orders, disc)
         numbers["first_column"] = camera.left
         if checked_samples(samples) > 1 and not numbers["edges"]:
-            raise ParameterError("samples", samples, "1 for an exact picture of a software device")
+            raise ParameterError("samples", samples, "1 for an exact picture of a software GPU")
         numbers["samples"] = samples
         rows = self._rows_at_once(samples * samples * width, height, exact)
         use = wgpu.TextureUsage
@@ -361,9 +361,9 @@ class GpuRenderer:
         size: tuple[int, int] | None = None,
         uniforms: Mapping[str, float] | None = None,
     ) -> None:
-        """Draw into a texture.
+        """Render into a texture.
 
-        What is exposed is kept in linear light: it is not drawn again for another display.
+        What is exposed is kept in linear light: it is not rendered again for another display.
 
         Parameters
         ----------
@@ -403,11 +403,11 @@ class GpuRenderer:
             return
         kept = self._display
         picture = kept.picture(width, height)
-        drawn = exact, tuple(self._passes.packed(one).tobytes() for one in numbers)
-        if kept.drawn != drawn:
-            kept.drawn = None
+        rendered = exact, tuple(self._passes.packed(one).tobytes() for one in numbers)
+        if kept.rendered != rendered:
+            kept.rendered = None
             self._sum.render(parts, picture, (width, height), LINEAR)
-            kept.drawn = drawn
+            kept.rendered = rendered
         shown = {
             **display_uniforms(exposure, tone_map, encoding), "glare": checked_amount(glare),
             "circle": scene.camera.circle is not None, **(uniforms or {}),
@@ -423,7 +423,7 @@ class GpuRenderer:
         view: Any,
         target_format: str,
     ) -> None:
-        """Draw linear light of one light into a texture."""
+        """Render linear light of one light into a texture."""
         width, height = int(numbers["width"]), int(numbers["height"])
         self._fill_sky_view(number, light, numbers, exact)
         if self.device.software and not exact:

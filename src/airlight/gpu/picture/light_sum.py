@@ -1,4 +1,4 @@
-"""Pictures by several lights on a device, and their sum."""
+"""Pictures by several lights on a GPU, and their sum."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ class LightSum:
         size: tuple[int, int],
         target_format: str,
     ) -> None:
-        """Draw the sum of pictures; one alone goes straight into the target.
+        """Render the sum of pictures; one alone goes straight into the target.
 
         Parameters
         ----------
         parts : sequence of callable
-            ``part(view, format)`` draws the picture of one light.
+            ``part(view, format)`` renders the picture of one light.
         view : wgpu.GPUTextureView
             View of the target.
         size : (int, int)

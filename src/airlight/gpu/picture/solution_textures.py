@@ -78,7 +78,7 @@ class SolutionTables:
 
 @dataclass(frozen=True)
 class SolutionTextures:
-    """Tables of a solution on a device, with the ground's map.
+    """Tables of a solution on a GPU, with the ground's map.
 
     Attributes
     ----------
@@ -113,7 +113,7 @@ class SolutionTextures:
         before : SolutionTextures, optional
             Textures shown previously, for their map.
         maps : bool
-            Whether the maps of the ground are drawn.
+            Whether the maps of the ground are rendered.
 
         Raises
         ------
@@ -153,7 +153,7 @@ class SolutionTextures:
 def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
     """Texels with an additional row where the number of rows is a power of two.
 
-    Software devices recompile a shader, which takes them seconds to minutes, when a texture's
+    Software GPUs recompile a shader, which takes them seconds to minutes, when a texture's
     height becomes a power of two or ceases to be one: so none is.
     """
     rows = flat_rows(len(texels))

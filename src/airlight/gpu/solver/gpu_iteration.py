@@ -1,4 +1,4 @@
-"""Passes of the solver on a device, with their textures, kept from solve to solve."""
+"""Passes of the solver on a GPU, with their textures, kept from solve to solve."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ class GpuIteration:
         passes : tuple of SolverPass
             Passes in the order in which they run.
         times : PassTimes, optional
-            Timer of each pass on the device.
+            Timer of each pass on the GPU.
         """
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):
@@ -156,7 +156,7 @@ class GpuIteration:
         self.device.device.queue.submit([encoder.finish()])
 
     def _pass(self, one: SolverPass) -> FragmentPass:
-        """Pass on the device, compiled at its first use."""
+        """Pass on the GPU, compiled at its first use."""
         key = (self.device, one.name)
         if key not in _passes:
             formats = (_FORMAT,) * len(one.targets)

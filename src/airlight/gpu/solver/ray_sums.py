@@ -1,6 +1,6 @@
-"""Sums over the points of a ray that a device's passes make, one azimuth at a time.
+"""Sums over the points of a ray that a GPU's passes make, one azimuth at a time.
 
-The processor's loops make them for eight azimuths at once (``solvers.moments.first_order`` and
+The CPU's loops make them for eight azimuths at once (``solvers.moments.first_order`` and
 ``sweep``); both share what a single point sends.
 """
 

@@ -38,7 +38,7 @@ Float32Array = NDArray[np.float32]
 
 #: Vertical depth, each scattering weighted by 1 - g, beyond which orders alone do not end. [1]
 THICKEST: Final = 2.5
-#: Packed field of each solution, on the device that solved it.
+#: Packed field of each solution, on the GPU that solved it.
 _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDictionary()
 
 

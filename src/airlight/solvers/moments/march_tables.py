@@ -1,6 +1,6 @@
 """Tables of a solution that a march reads, and its workspace, under the same names everywhere.
 
-On the processor the arrays are flat and the spectral ones have whole groups of eight lanes; on a
+On the CPU the arrays are flat and the spectral ones have whole groups of eight lanes; on a
 device each table is a part of a texture, a spectral element is a texel of four wavelengths, and the
 workspace is arrays of constant size.
 """
@@ -244,7 +244,7 @@ def spectral_sizes(constituents: int) -> dict[str, int]:
 
 
 def new_workspace(tables: MarchTables) -> MarchWorkspace:
-    """Workspace of one thread of the processor.
+    """Workspace of one thread of the CPU.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ from airlight.render.ahead import compiled_ahead
 from airlight.solvers.moments.loops import LOOPS
 from airlight.viewer.background.solver_thread import SolverStatus
 
-#: Shortest time between two calls that redraw the viewer: it shares the processor. [s]
+#: Shortest time between two calls that redraw the viewer: it shares the CPU. [s]
 _EVERY: Final = 0.2
 
 
@@ -71,7 +71,7 @@ class Preparing:
             return f"compiling, once: {done} of {total} functions{about}"
         if status.busy and status.total:
             return f"{status.doing}: {status.done} of at most {status.total} steps"
-        return status.doing or "drawing"
+        return status.doing or "rendering"
 
     def close(self) -> None:
         """Stop counting, and end the other process."""

@@ -123,7 +123,7 @@ class SolverThread:
     session : Session or SessionSide
         Session to follow, from construction on.
     solver : PlanetSolver, optional
-        Solver, called on the thread; by default the processor's.
+        Solver, called on the thread; by default the CPU's.
     wavelengths : callable
         ``wavelengths(planet, count)`` [nm], with ``count`` as for ``picture_wavelengths``.
     on_change : callable, optional

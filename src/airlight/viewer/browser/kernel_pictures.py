@@ -1,4 +1,4 @@
-"""Pictures drawn by a notebook's kernel, for browsers without a graphics card."""
+"""Pictures rendered by a notebook's kernel, for browsers without a graphics card."""
 
 from __future__ import annotations
 
@@ -44,12 +44,12 @@ class Order(NamedTuple):
 
 
 class KernelPictures:
-    """Thread that draws pictures one after another.
+    """Thread that renders pictures one after another.
 
     Parameters
     ----------
     answer : callable
-        ``answer(drawn)`` is called on the thread: ``number``, and ``png`` with ``exposure`` [EV],
+        ``answer(rendered)`` is called on the thread: ``number``, and ``png`` with ``exposure`` [EV],
         or an ``error`` of one line.
     """
 
@@ -62,7 +62,7 @@ class KernelPictures:
         self.preparing: Preparing | None = None
 
     def prepare(self, wake: Callable[[], None]) -> None:
-        """Compile in another process what draws, which leaves this one free to answer.
+        """Compile in another process what renders, which leaves this one free to answer.
 
         Parameters
         ----------
@@ -74,12 +74,12 @@ class KernelPictures:
 
     @property
     def waits(self) -> bool:
-        """Whether the first picture waits for what draws it to be compiled."""
+        """Whether the first picture waits for what renders it to be compiled."""
         preparing = self.preparing
         return preparing is not None and not self._drew and preparing.share < 1.0
 
     def ask(self, order: Order) -> None:
-        """Draw a picture after those asked for before; returns at once."""
+        """Render a picture after those asked for before; returns at once."""
         if self._thread is None:
             self._thread = threading.Thread(
                 target=self._work, name="airlight-pictures", daemon=True
@@ -101,18 +101,18 @@ class KernelPictures:
         renderer = Renderer(ahead=None if preparing is None else preparing.ahead)
         while (order := self._orders.get()) is not None and not self._closing:
             try:
-                drawn = self._drawn(renderer, order)
+                rendered = self._rendered(renderer, order)
             except Exception as failure:
-                # The thread must survive any failure of one picture, to draw the next.
-                drawn = {"error": one_line(failure)}
+                # The thread must survive any failure of one picture, to render the next.
+                rendered = {"error": one_line(failure)}
             if preparing is not None and not self._drew:
                 preparing.finish()
             self._drew = True
             if not self._closing:
-                self._answer({"number": order.number, **drawn})
+                self._answer({"number": order.number, **rendered})
         renderer.close()
 
-    def _drawn(self, renderer: Renderer, order: Order) -> dict[str, Any]:
+    def _rendered(self, renderer: Renderer, order: Order) -> dict[str, Any]:
         view, scene = order.view, scene_of(order.view, *order.size)
         frame = renderer.render(
             order.solution, scene, orders=str(view["light.orders"]), cancel=lambda: self._closing

@@ -1,6 +1,6 @@
 """Viewer in a notebook: JupyterLab, marimo and other hosts of anywidget.
 
-The picture is drawn in the browser, by the page's JavaScript, or by Python where the browser has no
+The picture is rendered in the browser, by the page's JavaScript, or by Python where the browser has no
 graphics card; the planet is solved in Python.
 Requires the extra ``airlight[notebook]``.
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import AirlightError
-from airlight.paint.rendering_device import any_device
+from airlight.paint.rendering_gpu import any_gpu
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import texel_wavelengths
 from airlight.viewer.background.solver_thread import SolverThread
@@ -53,7 +53,7 @@ class Viewer(anywidget.AnyWidget):
     height : int
         Height of the widget. [pixel]
     device : str
-        What draws: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s processor, or
+        What renders: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s processor, or
         ``auto``: a graphics card of the browser, else the kernel.
     solving : callable, optional
         Factory of the solving thread, with the arguments of ``SolverThread``.
@@ -97,7 +97,7 @@ class Viewer(anywidget.AnyWidget):
     device = traitlets.Unicode("auto").tag(sync=True)
     drawer = traitlets.Unicode("").tag(sync=True)
     wanted = traitlets.Dict().tag(sync=True)
-    drawn = traitlets.Dict().tag(sync=True)
+    rendered = traitlets.Dict().tag(sync=True)
     stale = traitlets.Bool(False).tag(sync=True)
 
     _ending: tuple[Callable[[], None], ...] = ()
@@ -134,7 +134,7 @@ class Viewer(anywidget.AnyWidget):
         self._pictures = KernelPictures(self._answer)
         self._solving = solving(
             self.session,
-            solver=live_solver("auto", any_device()),
+            solver=live_solver("auto", any_gpu()),
             wavelengths=texel_wavelengths,
             on_change=self._wake,
         )
@@ -221,16 +221,16 @@ class Viewer(anywidget.AnyWidget):
         elif solved is not None:
             self.status = f"{solved.quality}, {solved.seconds:.2f} s"
 
-    def _answer(self, drawn: dict[str, Any]) -> None:
+    def _answer(self, rendered: dict[str, Any]) -> None:
         """Pass a picture from its thread to the notebook's event loop, and to the browser."""
         if self._loop is None or self._loop.is_closed():
-            self._show_drawn(drawn)
+            self._show_rendered(rendered)
         else:
-            self._loop.call_soon_threadsafe(self._show_drawn, drawn)
+            self._loop.call_soon_threadsafe(self._show_rendered, rendered)
 
-    def _show_drawn(self, drawn: dict[str, Any]) -> None:
-        self.drawn = drawn
-        self._follow_solution()  # which no longer waits for what draws
+    def _show_rendered(self, rendered: dict[str, Any]) -> None:
+        self.rendered = rendered
+        self._follow_solution()  # which no longer waits for what renders
 
     # --- from the browser ---------------------------------------------------------------------
 
@@ -306,12 +306,12 @@ class Viewer(anywidget.AnyWidget):
         self._notify()
 
     def _take_drawer(self, change: Mapping[str, Any]) -> None:
-        """Prepare the kernel for drawing, once the browser has found no graphics card."""
+        """Prepare the kernel for rendering, once the browser has found no graphics card."""
         if change["new"] == "kernel":
             self._pictures.prepare(self._wake)
 
     def _take_wanted(self, change: Mapping[str, Any]) -> None:
-        """Draw the picture that the browser asks for, once there is a solution."""
+        """Render the picture that the browser asks for, once there is a solution."""
         wanted = change["new"]
         if not wanted:
             return

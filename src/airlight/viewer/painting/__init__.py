@@ -1,1 +1,1 @@
-"""Pictures and probes of a session, computed by the processor or the GPU."""
+"""Pictures and probes of a session, computed by the CPU or the GPU."""

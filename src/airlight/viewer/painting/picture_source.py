@@ -79,7 +79,7 @@ class Request:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Picture:
-    """Finished or coarse picture on the graphics device.
+    """Finished or coarse picture on the GPU.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ class Picture:
     seconds : float
         Time to compute it. [s]
     by : str
-        Short name of the processor or device that computed it.
+        Short name of the CPU or device that computed it.
     """
 
     view: Any

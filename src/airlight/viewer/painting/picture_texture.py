@@ -11,7 +11,7 @@ from airlight.paint.renderer import LIVE_FORMAT
 
 
 class PictureTexture:
-    """8-bit picture on the graphics device; its texture is replaced only when the size changes.
+    """8-bit picture on the GPU; its texture is replaced only when the size changes.
 
     Parameters
     ----------

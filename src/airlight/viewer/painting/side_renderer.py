@@ -26,7 +26,7 @@ class SideRenderer:
     device : wgpu.GPUDevice
         Device that holds the pictures.
     renderer : Renderer
-        Policy of who draws; it is closed with this renderer.
+        Policy of who renders; it is closed with this renderer.
     """
 
     def __init__(self, device: Any, renderer: Renderer) -> None:
@@ -95,7 +95,7 @@ class SideRenderer:
         return min(max(exposure, -MOST_EXPOSURE), MOST_EXPOSURE), settled
 
     def _automatic(self, request: Request, step: LiveFrame) -> float:
-        """Measured exposure; a device draws for it, so that of the same light is kept. [EV]"""
+        """Measured exposure; a GPU renders for it, so that of the same light is kept. [EV]"""
         radius = request.solution.lights[0].angular_radius
         if step.frame is not None:
             return scene_exposure(step.frame.rgb, step.scene, radius)

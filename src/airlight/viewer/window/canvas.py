@@ -2,7 +2,7 @@
 
 A canvas that is drawn on demand still polls for events many times a second. Here the loop blocks
 inside the window system instead, until an event arrives or ``wake`` is called, so that an idle
-window uses no processor time.
+window uses no CPU time.
 """
 
 from __future__ import annotations

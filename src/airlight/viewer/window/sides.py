@@ -28,7 +28,7 @@ class Sides:
     renderer : callable
         Factory of renderers, called once per side.
     solver : PlanetSolver, optional
-        Solver, called on the threads of ``SolverThread``; by default the processor's.
+        Solver, called on the threads of ``SolverThread``; by default the CPU's.
     wake : callable
         Called from any thread after each new solution, status or picture.
     """
@@ -118,7 +118,7 @@ class Sides:
             return "" if solving.idle else f"{side}: {solving.status.text or 'solving …'}"
         if shown.request.same_light(self._request(side, solved)) or not self._threads[side].busy:
             return ""
-        return f"{side}: drawing …"
+        return f"{side}: rendering …"
 
     def solved(self, side: str = "") -> SolverResult | None:
         """Newest solution of a side, by default of the edited one."""

@@ -16,7 +16,7 @@ from airlight.exports.whole_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
 from airlight.kernel.ahead import CompiledAhead
 from airlight.paint.renderer import Renderer
-from airlight.paint.rendering_device import Choice, live_device
+from airlight.paint.rendering_gpu import Choice, live_gpu
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.reading.reader import read_tables
 from airlight.scene import look_at
@@ -87,7 +87,7 @@ def show(start: Start) -> None:
     Raises
     ------
     WindowError
-        If the packages, a display or a graphics device are missing.
+        If the packages, a display or a GPU are missing.
     ParameterError, FileError
         If the planet, a value or the file is invalid.
     """
@@ -125,7 +125,7 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     Raises
     ------
     WindowError
-        If the packages or a graphics device are missing.
+        If the packages or a GPU are missing.
     ParameterError, FileError
         If the planet to compare with is invalid.
     """
@@ -143,7 +143,7 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
         preparing.close()
         canvas.close()
         if isinstance(error, NoDevice):
-            reason = f"the window needs a graphics device: {error.reason}"
+            reason = f"the window needs a GPU: {error.reason}"
             raise WindowError(reason) from error
         raise
     return window
@@ -201,10 +201,10 @@ def _session_of(planet: str) -> Session:
 def renderer_by(
     choice: Choice, device: Device, ahead: CompiledAhead | None = None
 ) -> Callable[[], PictureSource]:
-    """Factory of renderers for the graphics device or the processor, which waits for its loops."""
+    """Factory of renderers for the GPU or the CPU, which waits for its loops."""
 
     def make() -> PictureSource:
-        return SideRenderer(device.device, Renderer(live_device(choice, device), ahead))
+        return SideRenderer(device.device, Renderer(live_gpu(choice, device), ahead))
 
     return make
 

@@ -61,7 +61,7 @@ class Window:
     renderer : callable
         Factory of renderers, called once per side.
     solver : PlanetSolver, optional
-        Solver, called on the threads of ``SolverThread``; by default the processor's.
+        Solver, called on the threads of ``SolverThread``; by default the CPU's.
     preparing : Preparing, optional
         Progress until the first picture; it is closed with the window.
 

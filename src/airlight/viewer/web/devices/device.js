@@ -55,7 +55,7 @@ export async function openDevice(canvas, wanted = "auto", others = {}) {
 /**
  * Names of the back ends, the fastest first.
  *
- * A graphics card in software is the processor: there WebGL2 shows a page after 9 s, WebGPU after
+ * A graphics card in software is the CPU: there WebGL2 shows a page after 9 s, WebGPU after
  * 64 s, and draws its frames four times as fast.
  */
 async function ordered(others) {

@@ -6,7 +6,7 @@ import { CHANNELS, PACKED_FORMAT } from "../generated/sizes.js";
 /** Polling interval for unfinished compilation or drawing. [ms] */
 const PATIENCE = 4;
 
-/** Names of renderers that are the processor. */
+/** Names of renderers that are the CPU. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 export class WebGl2Device {

@@ -56,12 +56,12 @@ export class Picture {
     this.maps = {};
     this.skyViews = ["", ""];
     this.laws = "";
-    this.drawn = "";
+    this.rendered = "";
     this.spread = "";
     this.solutions = 0;
     this.shape = null;
     this.texelTime = SLOW;
-    this.drawings = 0;
+    this.renderings = 0;
     this.exposure = 0;
     this.adaptation = new Adaptation();
   }
@@ -108,7 +108,7 @@ export class Picture {
   }
 
   /**
-   * Draw on the canvas.
+   \* Render and display on the canvas.
    *
    * The promise resolves directly after the last pass, so that the canvas can be copied then.
    *
@@ -120,7 +120,7 @@ export class Picture {
    * @returns {Promise<boolean>} Whether a finer picture is possible while the view rests, or one
    *     whose exposure is nearer to the measured one.
    */
-  async draw(values, width, height, effort, held = false) {
+  async display(values, width, height, effort, held = false) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
     await this.fillSkyView(lights, effort);
@@ -133,8 +133,8 @@ export class Picture {
       eases = !held && adapted !== measured;
     }
     this.exposure = exposure;
-    this.drawLight(lights, width, height);
-    this.drawGlare(lights[0].camera, width, height, values["display.glare"]);
+    this.renderLight(lights, width, height);
+    this.renderGlare(lights[0].camera, width, height, values["display.glare"]);
     program.setAll({
       ...fixed.display,
       ...this.viewUniforms(values),
@@ -158,15 +158,15 @@ export class Picture {
     });
   }
 
-  /** Draw the picture in linear light, unless only its display has changed. */
-  drawLight(lights, width, height) {
+  /** Render the picture in linear light, unless only its display has changed. */
+  renderLight(lights, width, height) {
     const numbers = lights.map((light) => this.uniformsOf(light, width, height));
-    const drawn = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
-    if (drawn === this.drawn) return;
+    const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
+    if (rendered === this.rendered) return;
     this.program.set("first_row", 0);
     this.program.set("first_column", 0);
     this.sum("picture", numbers, width, height);
-    this.drawn = drawn;
+    this.rendered = rendered;
   }
 
   /** Uniforms of a picture by one light. */
@@ -178,7 +178,7 @@ export class Picture {
     };
   }
 
-  /** Draw the sum of the lights' pictures into a target, or into an area of it. */
+  /** Render the sum of the lights' pictures into a target, or into an area of it. */
   sum(name, numbers, width, height, area = null) {
     const { program } = this;
     program.resize(name, width, height);
@@ -196,8 +196,8 @@ export class Picture {
     program.runIn(`${name}_sum`, area);
   }
 
-  /** Draw the light that glare spreads, unless it is up to date: see color/glare.py. */
-  drawGlare({ projection, fieldOfView }, width, height, amount) {
+  /** Render the light that glare spreads, unless it is up to date: see color/glare.py. */
+  renderGlare({ projection, fieldOfView }, width, height, amount) {
     const { program } = this;
     const connected = CONNECTED.includes(projection);
     const angle = connected ? PIXEL_ANGLES[projection](width, height, fieldOfView) : 0;
@@ -206,7 +206,7 @@ export class Picture {
     const shares = Array.from({ length: count }, (_, i) => glare_share(i + 1, angle, shorter));
     program.set("circle", Number(CIRCULAR.includes(projection)));
     program.set("glare_total", shares.reduce((sum, one) => sum + one, 0));
-    if (count === 0 || this.spread === this.drawn) return;
+    if (count === 0 || this.spread === this.rendered) return;
     let [wide, high] = [width, height];
     for (let level = 1; level <= count; level++) {
       [wide, high] = [Math.ceil(wide / 2), Math.ceil(high / 2)];
@@ -218,10 +218,10 @@ export class Picture {
       program.setAll({ level_share: shares[level - 1], level_more: Number(level < count) });
       program.run(`spread_${level}`);
     }
-    this.spread = this.drawn;
+    this.spread = this.rendered;
   }
 
-  /** Draw the sky-view LUTs of the lights, unless they are up to date. */
+  /** Render the sky-view LUTs of the lights, unless they are up to date. */
   async fillSkyView(lights, effort) {
     const { program, fixed, planet } = this;
     const peaks = planet.uniforms.separated_1 >= 0;
@@ -235,7 +235,7 @@ export class Picture {
     const [columns, rows] = fixed.sky[shape];
     program.setAll({ separated_phases: Number(peaks), sky_columns: columns, sky_rows: rows });
     const began = performance.now();
-    let drawn = 0;
+    let rendered = 0;
     lights.forEach((light, i) => {
       if (!keys[i] || keys[i] === this.skyViews[i]) return;
       const suffix = i ? "_2" : "";
@@ -249,14 +249,14 @@ export class Picture {
         ...(light.camera.filter ? [`sky_polarised${suffix}`] : []),
       );
       this.skyViews[i] = keys[i];
-      drawn += 1;
+      rendered += 1;
     });
-    // The time is measured occasionally on a GPU, always on a software device.
-    if (drawn && (this.drawings++ % 16 === 0 || this.texelTime > SLOW)) {
+    // The time is measured occasionally on a GPU, always on a software GPU.
+    if (rendered && (this.renderings++ % 16 === 0 || this.texelTime > SLOW)) {
       await this.device.finished();
-      const time = (performance.now() - began) / this.texels(shape) / drawn;
+      const time = (performance.now() - began) / this.texels(shape) / rendered;
       // The first time includes the driver's compilation.
-      this.texelTime = this.drawings > 1 ? time : SLOW;
+      this.texelTime = this.renderings > 1 ? time : SLOW;
     }
   }
 

@@ -92,7 +92,7 @@ export class Edits {
 
 /** Progress, and the time left as it has gone so far. [ms] */
 function progressText(share, elapsed) {
-  if (share >= 1) return " and drawing";
+  if (share >= 1) return " and rendering";
   const left = (elapsed / 1000) * (1 / share - 1);
   return `, ${Math.round(100 * share)} %${left >= 1 ? `, about ${Math.round(left)} s left` : ""}`;
 }

@@ -157,7 +157,7 @@ export class Viewer {
       this.picture = await this.source.picture(this.device, (done, total) =>
         this.prepare(`compiling shaders ${done} of ${total}`),
       );
-      this.prepare("drawing");
+      this.prepare("rendering");
       this.edits = this.source.edits?.(this) ?? null;
       this.showWork();
       this.showViewpoints();
@@ -245,7 +245,7 @@ export class Viewer {
     const began = performance.now();
     const effort = resting && !moving ? "resting" : "moving";
     const { values, holdsExposure: held } = this.state;
-    const again = await this.picture.draw(values, width, height, effort, held);
+    const again = await this.picture.display(values, width, height, effort, held);
     this.film?.frame();
     await this.device.finished();
     this.milliseconds = performance.now() - began;
@@ -278,7 +278,7 @@ export class Viewer {
     const blob = await this.alone(async () => {
       this.device.resize(width, height);
       const { values, holdsExposure: held } = this.state;
-      await this.picture.draw(values, width, height, "best", held);
+      await this.picture.display(values, width, height, "best", held);
       return new Promise((resolve) => this.parts.canvas.toBlob(resolve, "image/png"));
     });
     this.request();

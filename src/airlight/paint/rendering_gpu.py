@@ -1,7 +1,7 @@
-"""Device that solves and draws, and the reason if it is not the requested one.
+"""Device that solves and renders, and the reason if it is not the requested one.
 
-A still picture leaves a software device out unless it is requested by name. Live pictures take one,
-since the processor finishes them (``Renderer``), and solves in its place (``solve_planet``).
+A still picture leaves a software GPU out unless it is requested by name. Live pictures take one,
+since the CPU finishes them (``Renderer``), and solves in its place (``solve_planet``).
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ if TYPE_CHECKING:
 Choice = Literal["auto", "cpu", "gpu"]
 
 
-def live_device(choice: Choice, device: Device | None) -> Device | None:
+def live_gpu(choice: Choice, device: Device | None) -> Device | None:
     """Device for the pictures and solutions of a session, or None for the CPU.
 
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        ``cpu`` ignores a device, the others take it.
+        ``cpu`` ignores a GPU, the others take it.
     device : Device or None
         Open device, if any.
     """
     return None if choice == "cpu" else device
 
 
-def any_device() -> Device | None:
+def any_gpu() -> Device | None:
     """Device of this machine, opened, or None if there is none."""
     from airlight.gpu.device.device import NoDevice, open_device
 
@@ -40,19 +40,19 @@ def any_device() -> Device | None:
         return None
 
 
-def rendering_device(
+def rendering_gpu(
     choice: Choice,
     planet: Planet,
     wavelengths: int,
     width: int,
     refused: Callable[[str], None] | None = None,
 ) -> Device | None:
-    """Device that can draw a still picture, or None for the CPU.
+    """Device that can render a still picture, or None for the CPU.
 
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        ``auto`` takes no software device, and falls back silently; ``gpu`` takes either.
+        ``auto`` takes no software GPU, and falls back silently; ``gpu`` takes either.
     planet : Planet
         Planet whose constituents the shaders must hold.
     wavelengths : int
