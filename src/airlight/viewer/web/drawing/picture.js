@@ -108,7 +108,7 @@ export class Picture {
   }
 
   /**
-   \* Render and display on the canvas.
+   * Render and display on the canvas.
    *
    * The promise resolves directly after the last pass, so that the canvas can be copied then.
    *
