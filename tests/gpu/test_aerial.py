@@ -17,7 +17,7 @@ from airlight.kernel.lanes import LANES
 COUNT = 2000
 
 
-def test_a_device_reads_the_air_as_the_processor(
+def test_a_device_reads_the_air_as_the_cpu(
     on_gpu: Callable[..., Any], aerial: AerialPerspective
 ) -> None:
     rng = np.random.default_rng(3)

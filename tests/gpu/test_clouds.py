@@ -35,7 +35,7 @@ def clouds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     return "./clouds.png"
 
 
-def test_clouds_of_a_device_are_those_of_the_processor(device: Device, clouds: str) -> None:
+def test_clouds_of_a_device_are_those_of_the_cpu(device: Device, clouds: str) -> None:
     # The same functions in double precision, over land, sea and lights of towns; above the layer
     # and below it, by day and at dusk; also for the clear Earth after the cloudy one, whose shaders
     # and textures are others.

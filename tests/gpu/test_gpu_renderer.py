@@ -231,7 +231,7 @@ def test_a_filter_lets_the_same_light_through_as_the_cpu_s(
 
 
 @pytest.mark.parametrize("orders", ["single", "multiple"])
-def test_orders_are_drawn_apart_as_by_the_processor(
+def test_orders_are_drawn_apart_as_by_the_cpu(
     orders: str, device: Device, lit: Lit, shows: Shows, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # Bounds and points as above: of the march, and of the table.
@@ -284,7 +284,7 @@ def test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out(
     )  # fmt: skip
     seen = Scene(altitude=0.0, sun_zenith=20.0, camera=camera)
     total = disc_total(shows(name), seen)
-    assert_allclose(total, processor_total(solution, seen), rtol=0.02)
+    assert_allclose(total, cpu_total(solution, seen), rtol=0.02)
 
 
 @pytest.mark.parametrize("projection", ["fisheye", "equirectangular", "cubemap"])
@@ -298,7 +298,7 @@ def test_a_small_disc_has_its_light_on_every_projection(
     ]
     camera = Camera(projection=projection, width=width, height=height)
     seen = Scene(altitude=0.0, sun_zenith=sun_zenith, camera=camera)
-    assert_allclose(disc_total(shows(), seen), processor_total(lit(), seen), rtol=0.02)
+    assert_allclose(disc_total(shows(), seen), cpu_total(lit(), seen), rtol=0.02)
 
 
 def test_the_setting_disc_has_the_cpu_s_light(
@@ -312,7 +312,7 @@ def test_the_setting_disc_has_the_cpu_s_light(
     for sun_zenith, tolerance in ((85.0, 0.01), (90.0, 0.04)):
         camera = Camera(width=96, height=54, look_zenith=sun_zenith, field_of_view=3.0)
         seen = Scene(altitude=20.0, sun_zenith=sun_zenith, camera=camera)
-        wanted = processor_total(solution, seen)
+        wanted = cpu_total(solution, seen)
         assert_allclose(disc_total(pictures, seen), wanted, rtol=tolerance)
 
 
@@ -323,7 +323,7 @@ def disc_total(pictures: GpuRenderer, seen: Scene) -> np.ndarray:
     return np.asarray((only * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
 
 
-def processor_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
+def cpu_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
     """Contribution of the disc by samples. [W m⁻²]"""
     rgb = np.zeros((seen.camera.height, seen.camera.width, 3), np.float32)
     add_sun_disc(rgb, solution, seen, color_weights(solution))

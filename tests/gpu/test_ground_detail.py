@@ -18,14 +18,14 @@ from airlight.solvers.moments.solution import MomentsSolution
 CELL = np.float32(finest_cell(6371e3, 2700))
 
 
-def test_noise_is_that_of_the_processor(on_gpu: Callable[..., Any]) -> None:
+def test_noise_is_that_of_the_cpu(on_gpu: Callable[..., Any]) -> None:
     # Places of up to 256 cells are accurate to 2e-5 in single precision, at a slope of 4 at most.
     places = np.random.default_rng(1).uniform(-3.0, PERIOD, (3, 500)).astype(np.float32)
     wanted = [smooth_noise(*map(float, place)) for place in places.T]
     assert_allclose(on_gpu(smooth_noise, *places), wanted, atol=2e-4)
 
 
-def test_detail_near_the_observer_is_that_of_the_processor(on_gpu: Callable[..., Any]) -> None:
+def test_detail_near_the_observer_is_that_of_the_cpu(on_gpu: Callable[..., Any]) -> None:
     # Up to a thousand of the finest cells away, where pixels are as large as they are.
     random = np.random.default_rng(2)
     away = 10.0 ** random.uniform(-1.0, 2.0, 500)
@@ -40,7 +40,7 @@ def test_detail_near_the_observer_is_that_of_the_processor(on_gpu: Callable[...,
 
 
 @pytest.mark.parametrize("altitude", [2.0, 1.7, 50.0])
-def test_the_ground_before_a_low_observer_is_that_of_the_processor(
+def test_the_ground_before_a_low_observer_is_that_of_the_cpu(
     device: Device, solved: Callable[..., MomentsSolution], altitude: float
 ) -> None:
     # The cpu in double precision is the second method. A radius has half a metre in single

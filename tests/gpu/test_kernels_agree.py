@@ -368,7 +368,7 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
                 assert plain in named, f"{room.__name__}.{name}"
 
 
-def test_a_ray_meets_the_ground_or_not_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
+def test_a_ray_meets_the_ground_or_not_as_on_the_cpu(on_gpu: Callable[..., Any]) -> None:
     # Within EPS of the horizon either result is correct: those rays are left out.
     horizon = -np.sqrt(1.0 - (BOTTOM / R) ** 2)
     mu = MU[np.abs(MU - horizon) > 16 * EPS]
@@ -464,7 +464,7 @@ def read_map(latitude, longitude, level, texels):
 _CHANNELS = 4
 
 
-def test_the_map_of_the_ground_is_read_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
+def test_the_map_of_the_ground_is_read_as_on_the_cpu(on_gpu: Callable[..., Any]) -> None:
     # Bilinear in values of 0 to 1; a position in the map is accurate to EPS of its 54 pixels. The
     # device's texture gives the texels as fractions of 255, which the shader decodes by a power.
     count = sum(h * w for h, w in [(27, 54), (14, 27), (7, 14)])

@@ -19,7 +19,7 @@ from airlight.render import render
 TARGET = 0x10 | 0x01
 
 
-def test_lights_by_night_are_those_of_the_processor(device: Device) -> None:
+def test_lights_by_night_are_those_of_the_cpu(device: Device) -> None:
     # The same functions in double precision, over Europe from above the air and from within it; the
     # sun is at the antipodes. Columns in single precision are accurate to 1e-3 of the light.
     solution = solve(load_planet("earth"), (440.0, 500.0, 560.0, 620.0), "preview", cache=False)
@@ -36,7 +36,7 @@ def test_lights_by_night_are_those_of_the_processor(device: Device) -> None:
 
 
 @pytest.mark.parametrize("name", ["night", "day", "two suns", "eclipse"])
-def test_several_lights_are_shown_as_by_the_processor(name: str, device: Device) -> None:
+def test_several_lights_are_shown_as_by_the_cpu(name: str, device: Device) -> None:
     # Each light has its sky-view LUT, its disc and its colours; the moon's phase and the second
     # star's darkening included. Discs of fifty pixels, so that the rim is little of the picture.
     solution = solve(load_planet("earth"), (440.0, 500.0, 560.0, 620.0), "preview", cache=False)

@@ -46,7 +46,7 @@ def test_what_has_no_room_or_is_thick_is_solved_by_the_cpu(fast, name, wavelengt
     assert solution.moments.field.shape[-1] == len(wavelengths)
 
 
-def test_a_processor_that_plays_a_gpu_is_not_asked(device):
+def test_a_cpu_that_plays_a_gpu_is_not_asked(device):
     # lavapipe runs on the CPU beside the CPU's solver, which is ten times faster.
     if not device.software:
         pytest.skip("this device is a GPU")
@@ -66,7 +66,7 @@ def test_who_asks_for_the_cpu_gets_it(fast):
     earth = load_planet("earth")
 
     def solved(cpu):
-        solver = live_solver(processor, fast)
+        solver = live_solver(choice, fast)
         return solver(earth, np.array(NM), "preview", progress=lambda *_: None, cancel=None)
 
     assert fields_on(fast, solved("cpu")) is None

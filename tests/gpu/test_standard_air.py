@@ -57,6 +57,6 @@ def test_the_shader_fills_the_table_as_the_cpu_does(
         layers.append([read_texture(device, sky[name]) for name in LAYERS[:4]])
     for cpu, shader in zip(*layers, strict=True):
         scale = cpu.max()
-        error = np.abs(shader - cpu) / np.maximum(processor, 1e-3 * scale)
+        error = np.abs(shader - cpu) / np.maximum(cpu, 1e-3 * scale)
         assert scale > 0.0
         assert np.quantile(error, 0.99) < 0.0025

@@ -425,7 +425,7 @@ WHOLE = {
     "test_gpu_renderer.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
         "star_disc", "leaving_air", "_point_like", "darkened", "whole_powers",
     ),
-    "test_lights.py::test_several_lights_are_shown_as_by_the_processor": ("added_texel",),
+    "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
     "test_gpu_renderer.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
         "displayed", "dithered", "within_gamut",
     ),
@@ -446,7 +446,7 @@ WHOLE = {
     ),
     "test_kernels_agree.py::test_a_projection_s_number_is_its_place": ("projected_ray",),
     "test_kernels_agree.py::test_the_leg_of_a_panel_is_the_cpu_s": ("panel_leg",),
-    "test_kernels_agree.py::test_the_map_of_the_ground_is_read_as_on_the_processor": (
+    "test_kernels_agree.py::test_the_map_of_the_ground_is_read_as_on_the_cpu": (
         "map_color", "add_texel", "level_place", "halved", "srgb_curve_inverse",
     ),
     "test_glare.py::test_glare_of_a_device_is_the_cpu_s": (
@@ -454,16 +454,16 @@ WHOLE = {
         "spread_texel", "glared_texel",
     ),
     "test_glare.py::test_beyond_the_circle_of_a_dome_a_device_shows_no_glare": ("beyond_circle",),
-    "test_ground_detail.py::test_the_ground_before_a_low_observer_is_that_of_the_processor": (
+    "test_ground_detail.py::test_the_ground_before_a_low_observer_is_that_of_the_cpu": (
         "ground_cosine",
     ),
-    "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_processor": (
+    "test_ground_detail.py::test_detail_near_the_observer_is_that_of_the_cpu": (
         "ground_detail", "smooth_noise", "lattice_value", "quintic", "shuffled", "below_289",
         "in_period",
     ),
-    "test_clouds.py::test_clouds_of_a_device_are_those_of_the_processor": ("cloud_cover",),
+    "test_clouds.py::test_clouds_of_a_device_are_those_of_the_cpu": ("cloud_cover",),
     "test_clouds.py::test_a_device_solves_for_the_mean_ground": ("_with_clouds",),
-    "test_lights.py::test_lights_by_night_are_those_of_the_processor": (
+    "test_lights.py::test_lights_by_night_are_those_of_the_cpu": (
         "columns_to_ground", "lamp_light",
     ),
     "test_solver.py::test_a_preview_agrees_with_the_cpu": (

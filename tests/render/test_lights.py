@@ -122,7 +122,7 @@ def test_every_light_has_its_disc(solution):
 
 
 def test_the_probe_adds_the_lights_of_the_picture(solution):
-    # Two processors of the same light: the probe's spectrum and a pixel marched, away from the
+    # Two computations of the same light: the probe's spectrum and a pixel marched, away from the
     # horizon, where a pixel is the mean of several lines of sight.
     moon = Dimmed(zenith=50.0, azimuth=-60.0, share=0.3, radius=0.01)
     scene = lit(replace(PLAIN, camera=replace(CAMERA, width=16, height=9)),

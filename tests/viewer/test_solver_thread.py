@@ -195,7 +195,7 @@ def test_a_solver_that_breaks_does_not_end_the_thread(fake: Fake) -> None:
         assert solving.status.error == ""
 
 
-def test_idle_costs_no_processor_time_and_close_ends_the_thread(fake: Fake) -> None:
+def test_idle_costs_no_cpu_time_and_close_ends_the_thread(fake: Fake) -> None:
     # A thread waiting on a condition uses no time; the clock counts this process's threads.
     solving = SolverThread(Session(PLANET), solver=fake)
     assert solving.wait(LONG)

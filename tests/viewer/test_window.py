@@ -412,7 +412,7 @@ def test_frames_keep_coming_while_the_planet_is_solved(
     window.mouse("mouseup", 1)
     assert window.ask("busy")
     gap, slowness = window.ask("longest_gap", 2.0), window.ask("slowness")
-    # 0.3 s, the limit of perception, on a free processor; here it is shared by the solver, the
+    # 0.3 s, the limit of perception, on a free CPU; here it is shared by the solver, the
     # software device and other processes
     tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
     assert gap < 0.3 * min(slowness, 5.0)
@@ -495,9 +495,7 @@ def test_a_panel_that_fails_ends_neither_window_nor_picture(window: Driven) -> N
     window.until(lambda: window.ask("error") == "")
 
 
-def test_an_idle_window_costs_no_processor_time(
-    window: Driven, tell: Callable[[str], None]
-) -> None:
+def test_an_idle_window_costs_no_cpu_time(window: Driven, tell: Callable[[str], None]) -> None:
     window.mouse("mousemove", 600, 200)
     assert window.ask("settled", 60.0)
     time.sleep(2.0)  # the last hints have faded

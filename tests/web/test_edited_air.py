@@ -267,7 +267,7 @@ def test_a_reset_brings_each_of_two_hazes_back(path: str, modules: Callable[...,
     assert_allclose(got[1], 3.0, rtol=1e-12)
 
 
-def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., Any]) -> None:
+def test_the_next_guess_is_weighed_as_on_the_cpu(modules: Callable[..., Any]) -> None:
     # a second method: the solver's Python code, with its eight lanes
     rng = np.random.default_rng(4)
     shape = (3, 5, 4)

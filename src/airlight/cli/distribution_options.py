@@ -20,8 +20,8 @@ Workers = Annotated[
     int | None,
     typer.Option(
         metavar="N",
-        help="Processes of this machine, which share its processors; 1 is this process alone. If "
-        "left out as many as there are processors.",
+        help="Processes of this machine, which share its cores; 1 is this process alone. If "
+        "left out as many as there are CPU cores.",
     ),
 ]
 

@@ -1,7 +1,7 @@
 """Texels of eight bits a channel: three colours encoded by sRGB, and a share that is linear.
 
 A map in this form takes a quarter of the memory of single precision and keeps every value of the
-pictures from which maps are made. A processor decodes them by a table of the 256 values, a shader
+pictures from which maps are made. The CPU decodes them by a table of the 256 values, a shader
 by the formula.
 """
 

@@ -140,7 +140,7 @@ def _settings(patience: int) -> Iterator[None]:
 
 @contextlib.contextmanager
 def started(workers: int) -> Iterator[DaskRunner]:
-    """Start processes on this machine that share its processors, and end them with the block.
+    """Start processes on this machine that share its cores, and end them with the block.
 
     Parameters
     ----------

@@ -31,8 +31,8 @@ def opened_runner(
     scheduler : str, optional
         Address of a Dask scheduler, ``tcp://host:8786``: its workers run the tasks.
     workers : int, optional
-        Number of processes of this machine, which share its processors. 1 is this process; by
-        default as many as there are processors, but not more than a sixth of the tasks, and this
+        Number of processes of this machine, which share its cores. 1 is this process; by
+        default as many as there are CPU cores, but not more than a sixth of the tasks, and this
         process alone where Dask is not installed.
 
     Yields

@@ -5,7 +5,7 @@ scattering of the star uses the exact phase function and the exact shadow; light
 comes from the moments. All wavelengths are marched together: factors of geometry alone are computed
 once per point.
 
-Restricted Python, the same for every processor: Numba compiles it for all wavelengths, in groups
+Restricted Python, the same for CPU and GPU: Numba compiles it for all wavelengths, in groups
 of eight lanes, and the emitter for a device, whose one group is a texel.
 """
 

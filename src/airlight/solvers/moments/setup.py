@@ -1,4 +1,4 @@
-"""Quantities that a solve derives from a medium beforehand: once, for every processor.
+"""Quantities that a solve derives from a medium beforehand: once, for CPU and GPU.
 
 ``Setup`` is shared by all wavelengths, ``Block`` adds the wavelengths that run together. The sweeps
 of the CPU, the passes of the GPU, the plan of a page and the march of a solution read them, so that

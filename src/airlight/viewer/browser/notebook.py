@@ -53,7 +53,7 @@ class Viewer(anywidget.AnyWidget):
     height : int
         Height of the widget. [pixel]
     device : str
-        What renders: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s processor, or
+        What renders: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s CPU, or
         ``auto``: a graphics card of the browser, else the kernel.
     solving : callable, optional
         Factory of the solving thread, with the arguments of ``SolverThread``.

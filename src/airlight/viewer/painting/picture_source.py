@@ -96,7 +96,7 @@ class Picture:
     seconds : float
         Time to compute it. [s]
     by : str
-        Short name of the CPU or device that computed it.
+        Short name of the CPU or GPU that computed it.
     """
 
     view: Any

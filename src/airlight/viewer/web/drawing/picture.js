@@ -29,7 +29,7 @@ import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generat
 /** Time limits of a sky-view LUT while the view moves, and while it rests. [ms] */
 const SMOOTH = 60;
 const PATIENT = 2500;
-/** Time per texel of the sky-view LUT on a processor, assumed until it is measured. [ms] */
+/** Time per texel of the sky-view LUT on a CPU, assumed until it is measured. [ms] */
 const SLOW = 0.05;
 
 export class Picture {

@@ -152,7 +152,7 @@ export class Viewer {
       this.device = await openDevice(this.parts.canvas, this.source.device ?? "auto", this.source.devices);
       if (this.closed) return this.device.close();
       this.device.lost.then((reason) => {
-        if (!this.closed) this.say(`the graphics device went away (${reason}): reload`);
+        if (!this.closed) this.say(`the GPU was lost (${reason}): reload`);
       });
       this.picture = await this.source.picture(this.device, (done, total) =>
         this.prepare(`compiling shaders ${done} of ${total}`),
