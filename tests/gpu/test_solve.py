@@ -65,7 +65,7 @@ def test_who_asks_for_the_cpu_gets_it(fast):
     # The same device, the same planet: only "auto" and "gpu" leave a field on it.
     earth = load_planet("earth")
 
-    def solved(cpu):
+    def solved(choice):
         solver = live_solver(choice, fast)
         return solver(earth, np.array(NM), "preview", progress=lambda *_: None, cancel=None)
 

@@ -29,7 +29,7 @@ from airlight.gpu.solver import light, mixing, packing, rays
 from airlight.gpu.solver.tables import SOLVE, GridSizes, Tables
 from airlight.solvers.moments.stopping import PASS_ITERATES
 
-#: Ways to read a texture: four wavelengths a texel, or single numbers.
+#: Element types of an input texture: four wavelengths a texel, or scalars.
 View = Literal["lanes", "numbers"]
 
 #: Iterates of the light, the latest first.
@@ -38,16 +38,16 @@ ITERATES: Final = tuple(f"iterate_{i}" for i in range(PASS_ITERATES))
 
 @dataclass(frozen=True)
 class TextureInput:
-    """Texture that a pass reads.
+    """Input texture of a pass.
 
     Attributes
     ----------
     texture : str
         Name in the plan.
     view : View
-        Way to read it.
+        Element type: vectors of four wavelengths, or scalars.
     from_sky : bool
-        Whether reading begins at the irradiances of the ground in a packed field.
+        Whether index 0 is the ground's irradiance in a packed field.
     """
 
     texture: str
@@ -64,16 +64,16 @@ class SolverPass:
     name : str
         Name of the pass and of its shader.
     function : callable
-        Function of a texel; arguments: ``index``, those of ``host_inputs``, then the texture_inputs.
+        Kernel of one texel; arguments: ``index``, ``host_inputs``, then ``texture_inputs``.
     targets : tuple of str
-        Textures of equal size that it fills, one with each result of the function; at most two,
-        since not every browser writes more than 32 bytes a texel.
+        Target textures of equal size, one for each result of the function; at most two, as some
+        browsers limit a texel of all targets to 32 bytes.
     host_inputs : tuple of str
         Names from ``sizes``, ``tables``, ``first_point``, ``weights``, ``iterates``.
     texture_inputs : tuple of TextureInput
-        Readings in the order of the function's arguments.
+        Input textures in the order of the function's arguments.
     spanned : bool
-        Whether it runs once for each span of radii.
+        Whether the pass runs once per radius range.
     """
 
     name: str
@@ -97,7 +97,10 @@ ONCE: Final = (
     SolverPass("depth", rays.depth, ("depths",), _ALONG, spanned=True),
     SolverPass(
         "radiance_once", light.radiance_once, ("radiances", "stokes_qs"), _ALONG,
-        (TextureInput("shares"), TextureInput("strengths"), TextureInput("throughs"), TextureInput("depths")),
+        (
+            TextureInput("shares"), TextureInput("strengths"), TextureInput("throughs"),
+            TextureInput("depths"),
+        ),
         spanned=True,
     ),
     SolverPass(
@@ -130,13 +133,15 @@ PACK: Final = (
         texture_inputs=(TextureInput("fine", "numbers"), TextureInput("level_heights", "numbers")),
     ),
     SolverPass(
-        "packed", packing.packed, ("packed",), ("sizes",), (TextureInput("fine"), TextureInput("scales"))
+        "packed", packing.packed, ("packed",), ("sizes",),
+        (TextureInput("fine"), TextureInput("scales")),
     ),
 )  # fmt: skip
 #: Passes of one more order: from the packed light to its iterate.
 SWEEP: Final = (
     SolverPass(
-        "row", light.row, ("rows",), _ALONG, (TextureInput("factors"), TextureInput("packed")), spanned=True
+        "row", light.row, ("rows",), _ALONG,
+        (TextureInput("factors"), TextureInput("packed")), spanned=True,
     ),
     SolverPass(
         "radiance_again", light.radiance_again, ("radiances",), _ALONG,
@@ -152,13 +157,18 @@ SWEEP: Final = (
     ),
     SolverPass(
         "azimuthal", light.azimuthal, ("azimuthals",),
-        texture_inputs=(TextureInput("radiances"), TextureInput("stokes_qs"), TextureInput("stokes_us")),
+        texture_inputs=(
+            TextureInput("radiances"), TextureInput("stokes_qs"), TextureInput("stokes_us"),
+        ),
     ),
     SolverPass(
         "gathered_onto", light.gathered_onto, ("iterate",), ("sizes",),
         (TextureInput("projections", "numbers"), TextureInput("azimuthals"), TextureInput("first")),
     ),
-    SolverPass("mean", mixing.mean, ("means",), ("sizes",), (TextureInput("iterate"), TextureInput("light"))),
+    SolverPass(
+        "mean", mixing.mean, ("means",), ("sizes",),
+        (TextureInput("iterate"), TextureInput("light")),
+    ),
 )  # fmt: skip
 #: Passes that make the next guess, from the last iterates and the host's weights.
 MIX: Final = (

@@ -36,7 +36,7 @@ def row_block(sizes: Mapping[str, Any]) -> int:
 
 @dataclass(frozen=True, kw_only=True)
 class RadiusRange:
-    """Group of neighbouring radii whose rays are processed together.
+    """Contiguous radii whose rays are processed by one run of a pass.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class SolverPlan:
     tables : dict
         Contents of the textures ``scalars`` and ``spectra``, shapes (n, 1) and (n, 4).
     spans : tuple of RadiusRange
-        Groups of radii.
+        Radius ranges.
     """
 
     block: Block
@@ -135,7 +135,7 @@ class SolverPlan:
         one : SolverPass
             Pass of the solver.
         span : RadiusRange, optional
-            RadiusRange of a spanned pass.
+            Radius range of a spanned pass.
         """
         if span is None:
             target = ITERATES[0] if one.targets[0] == "iterate" else one.targets[0]
@@ -150,7 +150,7 @@ class SolverPlan:
         return 0, span.points * n["suns"] * row_block(n), span.first_point
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
-        """Passes in running order, spanned ones span by span, with their texels.
+        """Passes in running order with their texels; spanned passes repeat per radius range.
 
         Parameters
         ----------

@@ -92,11 +92,11 @@ def solve_on(
         raise ThickAir
     plan = plan_for(paths, settings)
     count = medium.wavelengths.size
-    with pooled_iteration(device) as iteration:
-        iteration.load(plan)
-        sweeps, residual = _iterate(iteration, progress, cancel)
-        field, sky = iteration.light()
-        fields = iteration.packed_copy()
+    with pooled_iteration(device) as gpu:
+        gpu.load(plan)
+        sweeps, residual = _iterate(gpu, progress, cancel)
+        field, sky = gpu.light()
+        fields = gpu.packed_copy()
     moments = Moments(
         degree=plan.setup.degree,
         grid=plan.setup.grid,
@@ -135,23 +135,23 @@ def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
 
 
 def _iterate(
-    iteration: GpuIteration, progress: Progress | None, cancel: Cancel | None
+    gpu: GpuIteration, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[int, FloatArray]:
     """Sweep until convergence; return the number of sweeps and the remaining change."""
-    plan = iteration.plan
+    plan = gpu.plan
     iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
-    iteration.begin()
+    gpu.begin()
     while iteration.unfinished():
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
-        mean, sky, before = iteration.sweep()
+        mean, sky, before = gpu.sweep()
         if not (mean > 0.0).any():
             return 0, np.zeros(WAVELENGTHS)
         iteration.update(before, mean)
-        iteration.combine(_weights(iteration.weights(), mean, sky))
+        gpu.combine(_weights(iteration.weights(), mean, sky))
         if progress is not None:
-            still = float(iteration.remaining_error.max())
-            message = f"orders of scattering: remaining error {still:.1e}"
+            error = float(iteration.remaining_error.max())
+            message = f"orders of scattering: remaining error {error:.1e}"
             progress(round(100 * iteration.share), 100, message)
     return iteration.sweeps, iteration.remaining_error
 

@@ -97,7 +97,7 @@ class PictureThread:
         def stale() -> bool:
             return self._closing or self._wanted is not request
 
-        for picture in self._renderer.paint(request, stale):
+        for picture in self._renderer.render(request, stale):
             self._picture = picture
             self._wake()
             if stale():

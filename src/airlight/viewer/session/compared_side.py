@@ -32,4 +32,4 @@ class SessionSide:
 
     def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
         """See ``Session.subscribe``."""
-        return self._session.follow(observer)
+        return self._session.subscribe(observer)
