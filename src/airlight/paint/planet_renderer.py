@@ -1,4 +1,4 @@
-"""Moons in front of a star, as a planet's air sees them: who renders the planet then."""
+"""CPU renderer of a planet in a scene of several bodies, with or without a moon's shadow."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def planet_renderer(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> CpuRenderer:
-    """Picture of a planet by one light, in the shadow of a moon if one falls on its air.
+    """Renderer of a planet under one light; ``EclipseRenderer`` in the shadow of a moon.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ def planet_renderer(
     Raises
     ------
     ParameterError
-        If the camera has a polarising filter, and a shadow falls.
+        If the camera has a polarising filter and a shadow falls on the air.
     """
     source = lights.seen_from(light, body)
     star = None if light.star is None else occulting_moon(lights, light, body, source)
     if star is None:
         return CpuRenderer(lit, scene, disc=False)
-    check_unfiltered(scene)  # before the minutes that a shadow takes
+    check_unfiltered(scene)  # before the shadow is solved, which takes minutes
     eclipsed = EclipsedSolution(lit, star, cache=cache, progress=progress, cancel=cancel)
     return EclipseRenderer(eclipsed, scene, local)
 
@@ -68,9 +68,9 @@ def planet_renderer(
 def occulting_moon(
     lights: SceneLights, star: Light, body: Body, source: LightSource
 ) -> OccultedStar | None:
-    """Body without air that hides a part of a star from the air of a planet; None if there is none.
+    """Airless body that occults a star for a planet's atmosphere; None if there is none.
 
-    Of several the one whose shadow passes nearest to the planet's centre is taken.
+    Of several, the body whose shadow axis passes nearest to the planet's centre.
 
     Parameters
     ----------

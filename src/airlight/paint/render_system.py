@@ -1,12 +1,12 @@
-"""``render_system``: several bodies, with and without air, in one picture.
+"""``render_system``: frame of several bodies, with and without atmospheres.
 
-Each line of sight is followed from the observer on: it passes the air of the bodies that it meets,
-which dims it, bends it and adds its own light, until it ends on a surface, on a star's disc, or in
-the dark. Bodies do not overlap, so their order along every line is that of the power of the
-observer's point, d² - R².
+Rays are traced from the observer through the atmospheres that they cross, which attenuate and
+refract them and add path radiance, until they meet a surface, a star's disc, or leave the scene.
+Bodies do not overlap, so all rays meet them in the order of the power of the observer's point,
+d² - R².
 
-A planet with air is rendered by ``CpuRenderer``, as in a picture of it alone, once for each light. What
-stands behind air is sampled line by line.
+``CpuRenderer`` renders the atmosphere and ground of each planet once for each light; whatever lies
+behind is sampled ray by ray.
 """
 
 from __future__ import annotations
@@ -50,15 +50,15 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Samples per side of a pixel that an edge may cross.
+#: Default samples per side of a pixel that an edge may cross.
 _SAMPLES: Final = 4
-#: Steps towards the direction in which a star is seen through air.
+#: Iterations for the apparent direction of a star behind refracting air.
 _BENDS: Final = 4
 #: Pixels in one block of rows.
 _BLOCK_PIXELS: Final = 1 << 14
-#: Lines of sight that are followed together.
+#: Rays traced together.
 _LINES: Final = 1 << 15
-#: Share of a star's irradiance below which a light of a planet is left out. [1]
+#: Fraction of the strongest irradiance below which a light is ignored. [1]
 _FAINTEST: Final = 1e-12
 
 
@@ -88,12 +88,11 @@ def render_system(
     quality : str
         Quality as for ``airlight.solve``.
     samples : int, optional
-        Samples per side of a pixel that the edge of a body or of a star crosses, 1 to 16; 4 by
-        default.
+        Samples per side of a pixel on the edge of a body or star, 1 to 16; 4 by default.
     crop : (int, int, int, int), optional
-        Window that is rendered, as for ``Camera``. [pixel]
+        Window to render, as for ``Camera``. [pixel]
     cache : bool
-        Whether solutions are looked for on disk first, and stored there.
+        Whether solutions are read from and stored on disk.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -105,10 +104,10 @@ def render_system(
     Raises
     ------
     ParameterError
-        If bodies overlap, the observer stands inside one, a planet is not known at the
-        wavelengths, or the camera has a polarising filter where a moon's shadow falls on air.
+        If bodies overlap, the observer is inside a body, a wavelength is outside a planet's range,
+        or the camera has a polarising filter and a moon's shadow falls on an atmosphere.
     ConvergenceError
-        If the orders of scattering do not converge.
+        If the solver does not converge.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -125,7 +124,7 @@ def render_system(
 
 @dataclass(frozen=True, eq=False)
 class _Air:
-    """Planet with air as this observer sees it."""
+    """Rendered atmosphere and ground of a planet, and its solution."""
 
     body: Body
     solution: MomentsSolution
@@ -134,7 +133,7 @@ class _Air:
     layer: Float32Array
 
     def raised(self, true: FloatArray) -> FloatArray:
-        """Directions in which far points are seen from inside the air, shape (n, 3). [1]"""
+        """Apparent directions of points at infinity from inside the air, shape (n, 3). [1]"""
         local = raised_points(self.solution, self.altitude, true @ self.axes.T)
         return np.asarray(local @ self.axes)
 
@@ -160,7 +159,7 @@ class _SystemRenderer:
             projection=view.projection, width=width, height=height,
             field_of_view=view.field_of_view, polariser=view.polariser, crop=crop,
         )  # fmt: skip
-        #: Share of unpolarised light that the camera receives: of surfaces and stars.
+        #: Transmittance of the camera's filter for unpolarised light, of surfaces and stars. [1]
         self.received = 1.0 if view.polariser is None else 0.5
         self.eye, self.axes = system.eye, system.camera_axes
         if wavelengths is None:
@@ -175,7 +174,7 @@ class _SystemRenderer:
             if body.planet is not None:
                 solutions[body.name] = self._solved(body, quality, cache, progress, cancel)
         self.lights = SceneLights(system, self.wavelengths, solutions)
-        #: Stars of whose discs something is rendered, by name.
+        #: Stars whose discs are visible, by name.
         self._seen: dict[str, LightSource] = {}
         self.colors = self.lights.source(self.lights.stars[0], self.eye).colors()
         bodies = sorted(system.bodies, key=self._power)
@@ -241,7 +240,7 @@ class _SystemRenderer:
         self, body: Body, light: Light, up: FloatArray, local: FloatArray, latitude: float,
         longitude: float, altitude: float,
     ) -> Scene:  # fmt: skip
-        """Scene of a planet alone under one light, in the frame of that light."""
+        """Single-planet scene of one light, in the local frame of that light."""
         towards = self.lights.towards(light, body.centre[None])[0]
         north = self.system.axes(body)[2]
         east = np.cross(north, up)
@@ -305,7 +304,7 @@ class _SystemRenderer:
         )
 
     def _metered(self) -> Scene | None:
-        """Camera and the stars whose discs are in view, for the exposure; None without one."""
+        """Scene with the visible stars alone, for metering; None if no star is visible."""
         seen = [one.towards(self.eye) for one in self.lights.stars if one.name in self._seen]
         return metered_scene(self.camera, self.axes, seen) if seen else None
 
@@ -333,7 +332,7 @@ class _SystemRenderer:
         plain = ~inside & ~edge
         for layer in layers:
             if layer is not None:
-                # Air in front of air: nothing here is behind it but other air, found below.
+                # Pixels without a surface or star behind: layers of air add up.
                 out[plain] += layer[plain]
         count = self.samples
         for chosen, n in ((np.flatnonzero(inside & ~edge), 1), (np.flatnonzero(edge), count)):
@@ -343,14 +342,14 @@ class _SystemRenderer:
                 lines = rays.reshape(-1, 3)
                 for at in range(0, chosen.size, _LINES):
                     some = chosen[at : at + _LINES]
-                    found = self._followed(lines[some], [
+                    found = self._traced(lines[some], [
                         None if layer is None else layer[some] for layer in layers
                     ])  # fmt: skip
                     out[some] += found / (n * n)
         rgb[first:last] = out.reshape(*shape, 3)
 
     def _regions(self, rays: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Pixels that show more than one thing, and those that an edge may cross."""
+        """Masks of pixels with a surface, star or air behind air, and of pixels on an edge."""
         inside, edge = np.zeros(len(rays), bool), np.zeros(len(rays), bool)
         margin = 2.0 * self.camera.pixel_angle
         bend = max(
@@ -379,8 +378,8 @@ class _SystemRenderer:
                 inside |= shown & (angle < OUTERMOST * source.angular_radius + margin + bend)
         return inside, edge
 
-    def _followed(self, rays: FloatArray, layers: list[Float32Array | None]) -> FloatArray:
-        """Light along lines of sight, linear sRGB, shape (n, 3). [W m⁻² sr⁻¹]"""
+    def _traced(self, rays: FloatArray, layers: list[Float32Array | None]) -> FloatArray:
+        """Radiance along rays, linear sRGB, shape (n, 3). [W m⁻² sr⁻¹]"""
         out, behind = np.zeros((2, len(rays), 3))
         through = np.ones((len(rays), self.wavelengths.size))
         white = self.colors.sum(axis=0)
@@ -400,7 +399,7 @@ class _SystemRenderer:
         return np.asarray(out + self.received * behind)
 
     def _add_stars(self, rgb: FloatArray) -> None:
-        """Add the catalogue's stars as points: dimmed, reddened and lifted by air, or hidden."""
+        """Add the star catalogue: points, attenuated and refracted by air or occulted."""
         catalogue = stars()
         x, _, _ = pixel_positions(self.camera, catalogue.directions @ self.axes.T)
         shown = np.flatnonzero(np.isfinite(x))
@@ -418,10 +417,10 @@ class _SystemRenderer:
         add_points(rgb, *place, light[seen] / solid[seen, None])
 
     def _apparent(self, true: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Directions in which far points are seen, and the transmittance towards them.
+        """Apparent directions of points at infinity, and the transmittance towards them.
 
-        Found by steps against the difference to where the line leads behind the air, from the
-        direction that the table of the planet's own apparent star gives inside its air.
+        Fixed-point iteration on the error of the refracted direction, from the direction that the
+        refraction table of the observer's planet gives.
         """
         rays = true
         for item in self.items:
@@ -435,7 +434,7 @@ class _SystemRenderer:
         return rays, self._behind(rays)[0]
 
     def _behind(self, rays: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Transmittance of lines of sight past all bodies, and their directions behind them."""
+        """Transmittance of rays past all bodies, and their refracted directions."""
         through = np.ones((len(rays), self.wavelengths.size))
         for item in self.items:
             if isinstance(item, _Air):
@@ -447,18 +446,18 @@ class _SystemRenderer:
         return through, rays
 
     def _meets(self, body: Body, rays: FloatArray) -> tuple[NDArray[np.intp], FloatArray]:
-        """Lines of sight that meet a body without air, and how far away. [m]"""
+        """Indices of rays that hit an airless body, and distances. [m]"""
         apart = body.centre - self.eye
         radius = self.system.radius(body)
         along = rays @ apart
-        # R² - d² sin²: from the cross product, which loses nothing far away.
+        # R² - d² sin² by the cross product, which avoids cancellation at large distances.
         miss = np.linalg.norm(np.cross(rays, apart), axis=-1)
         met = np.flatnonzero((along > 0.0) & (miss < radius))
         length = along[met] - np.sqrt((radius - miss[met]) * (radius + miss[met]))
         return met, np.maximum(length, 0.0)
 
     def _hit(self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
-        """Add the light of a body without air, which ends the lines that meet it."""
+        """Add the reflected radiance of an airless body; rays end there."""
         met, length = self._meets(body, rays)
         open_ = through[met].max(axis=1) > 0.0
         met, length = met[open_], length[open_]
@@ -485,7 +484,7 @@ class _SystemRenderer:
         through[met] = 0.0
 
     def _texture(self, body: Body, normal: FloatArray, length: FloatArray) -> FloatArray:
-        """Colours of a body's map relative to its mean, shape (n, 3). [1]"""
+        """Colour of a body's map over its mean luminance, shape (n, 3). [1]"""
         if body.map is None:
             return np.ones((len(normal), 3))
         folder = self.system.folder
@@ -502,7 +501,7 @@ class _SystemRenderer:
         return np.asarray(colors / max(mean, 1e-6), dtype=np.float64)
 
     def _star(self, light: Light, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
-        """Add the disc of a star to the lines that end on it."""
+        """Add the limb-darkened disc and the corona of a star."""
         source = self.lights.source(light, self.eye)
         alpha = source.angular_radius
         if alpha <= 0.0:
@@ -525,5 +524,5 @@ class _SystemRenderer:
 
 
 def _angle_between(rays: FloatArray, towards: FloatArray) -> FloatArray:
-    """Angles between unit vectors, accurate when small, shape (n,). [rad]"""
+    """Angles between unit vectors, accurate for small angles, shape (n,). [rad]"""
     return np.asarray(np.arctan2(np.linalg.norm(np.cross(rays, towards), axis=-1), rays @ towards))

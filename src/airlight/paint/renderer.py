@@ -1,21 +1,21 @@
-"""``Renderer``: who renders the view of a solution, and in which steps it becomes visible.
+"""``Renderer``: frames of a solution on the CPU or the GPU, at once or progressively.
 
-The policy of command line, window and saved pictures alike:
+The policy of command line, window and saved frames alike:
 
-* Without a GPU, and where a GPU has too little capacity, the CPU renders.
-* A still picture is rendered once, whole.
-* A live picture of the CPU is rendered coarsely at once, then finer; a newer request interrupts
-  all but the first.
-* A live picture of a hardware GPU is rendered once, whole: that takes milliseconds.
-* A software GPU renders from a coarse sky-view LUT while the view changes; after a short time
-  without changes the CPU renders the finished picture, which, unlike a long pass, leaves the
-  device free for the window.
-* The CPU also renders until the shaders of live pictures are compiled, which takes seconds;
-  unless its own loops are not compiled either, which takes longer (``render.ahead``): then a
-  hardware GPU renders first. The first picture of a window is the whole one, which needs no loop
-  that marches each pixel: to compile or to load that, which small pictures take, takes longer.
+* The CPU renders where there is no GPU, or where the solution exceeds its capacity.
+* A still frame is rendered once, at full resolution.
+* Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
+  first.
+* A live frame of a hardware GPU is rendered once, at full resolution: that takes milliseconds.
+* A software GPU renders from a small sky-view LUT while the view changes; after a short time
+  without changes the CPU renders the final frame, which, unlike a long pass, leaves the GPU
+  queue free for the window.
+* The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
+  not compiled either, which takes longer (``render.ahead``): then a hardware GPU renders first.
+  The first frame of a window has full resolution, as coarse frames need the loop that marches
+  every pixel, which takes longer to compile or load.
 
-All of them read a sky-view LUT, unless an exact picture is requested.
+All of them interpolate a sky-view LUT, unless an exact frame is requested.
 """
 
 from __future__ import annotations
@@ -47,31 +47,30 @@ if TYPE_CHECKING:
     from airlight.scene.frame import Frame
     from airlight.solvers.moments.solution import MomentsSolution
 
-#: The frame's ``device`` where the CPU renders.
+#: Value of the frame's metadata ``device`` for the CPU.
 CPU: Final = "CPU"
-#: Format of the textures into which a GPU renders live pictures: encoded sRGB.
+#: Format of the target textures of live frames: encoded sRGB.
 LIVE_FORMAT: Final = "rgba8unorm"
-#: Time for the CPU's first picture of a new view, which limits its size. [s]
+#: Time budget of the CPU's first frame of a new view. [s]
 _AT_ONCE: Final = 0.05
-#: Factor of the pixels per side from one picture to the next. [1]
+#: Ratio of the pixels per side of successive frames. [1]
 _STEP: Final = 3.0
-#: Scale of the smallest picture, as fewer pixels per side show nothing; and scale above which the
-#: next picture is the whole one. [1]
+#: Smallest scale of a coarse frame; and scale above which the next frame has full resolution. [1]
 _SMALLEST: Final = 1.0 / 12.0
 _NEARLY_WHOLE: Final = 0.7
-#: Speed assumed until one has been measured. [pixel s⁻¹]
+#: Initial estimate of the CPU's rendering speed. [pixel s⁻¹]
 _FIRST_GUESS: Final = 2e5
-#: Time without a change after which a software GPU's picture is finished. [s]
+#: Time without a change of view after which the CPU renders the final frame. [s]
 _STILL: Final = 0.2
-#: Interval of looking whether that time is over, or the shaders are compiled. [s]
+#: Polling interval. [s]
 _POLL: Final = 0.02
-#: Width of the picture that compiles the shaders. [pixel]
+#: Width of the frame that compiles the shaders. [pixel]
 _TINY: Final = 16.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LiveFrame:
-    """Step of a live picture: a frame, or a GPU that is ready to render one into a texture.
+    """Step of progressive rendering: a frame, or a GPU renderer that is ready to display one.
 
     Attributes
     ----------
@@ -82,11 +81,11 @@ class LiveFrame:
     finished : bool
         False if a finer step follows.
     seconds : float
-        Time to render the frame; 0 for a GPU. [s]
+        Time to render the frame; 0 on the GPU. [s]
     frame : Frame or None
-        Linear sRGB radiance; None where a GPU renders.
-    pictures : GpuRenderer or None
-        Renderer with the solution, where a GPU renders.
+        Linear sRGB radiance; None on the GPU.
+    renderer : GpuRenderer or None
+        Renderer with the solution; None on the CPU.
     """
 
     scene: Scene
@@ -94,58 +93,58 @@ class LiveFrame:
     finished: bool
     seconds: float = 0.0
     frame: Frame | None = None
-    pictures: GpuRenderer | None = None
+    renderer: GpuRenderer | None = None
 
     @property
     def by(self) -> str:
-        """Short name of what renders it."""
-        if self.pictures is None:
+        """Short name of the CPU or the kind of GPU."""
+        if self.renderer is None:
             return CPU
-        return "GPU in software" if self.pictures.device.software else "GPU"
+        return "GPU in software" if self.renderer.device.software else "GPU"
 
     def linear(self, width: float) -> NDArray[np.float32]:
-        """Linear sRGB radiance of this picture, from a GPU only ``width`` pixels wide."""
+        """Linear sRGB radiance; the GPU renders it at a width of at most ``width`` pixels."""
         if self.frame is not None:
             return self.frame.rgb
-        assert self.pictures is not None
+        assert self.renderer is not None
         small = scaled(self.scene, min(1.0, width / self.scene.camera.width))
-        return self.pictures.render(small, orders=self.orders).rgb
+        return self.renderer.render(small, orders=self.orders).rgb
 
     def display(
         self, view: Any, *, exposure: float, tone_map: str, uniforms: Mapping[str, float]
     ) -> None:
-        """Render into a texture of ``LIVE_FORMAT``, where a GPU renders.
+        """Display into a texture of ``LIVE_FORMAT`` on the GPU.
 
         Parameters
         ----------
         view : wgpu.GPUTextureView
-            View of the target, which has the size of the scene's camera.
+            View of the target, of the camera's size.
         exposure, tone_map, uniforms :
             Arguments of ``GpuRenderer.display``.
         """
-        assert self.pictures is not None
-        self.pictures.display(
+        assert self.renderer is not None
+        self.renderer.display(
             self.scene, view, LIVE_FORMAT, orders=self.orders, exposure=exposure,
             tone_map=tone_map, uniforms=uniforms,
         )  # fmt: skip
 
 
 class Renderer:
-    """Painter of any number of pictures; it keeps its device, shaders and textures between them.
+    """Renderer of successive frames, which reuses its GPU, shaders and textures.
 
     Parameters
     ----------
     device : Device, optional
-        Device that renders, see ``rendering_gpu``; without one the CPU does.
+        GPU, see ``rendering_gpu``; by default the CPU renders.
     ahead : CompiledAhead, optional
-        Process that compiles the CPU's loops, which pictures wait for.
+        Process that compiles the loops of the CPU, for which frames wait.
     """
 
     def __init__(self, device: Device | None = None, ahead: CompiledAhead | None = None) -> None:
         self._device = device
         self._ahead = ahead
-        self._pictures: GpuRenderer | None = None
-        self._shown: object = None
+        self._gpu: GpuRenderer | None = None
+        self._loaded: object = None
         self._compiling: threading.Thread | None = None
         self._compiled = device is None
         self._closing = False
@@ -167,7 +166,7 @@ class Renderer:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
-        """Render a still picture.
+        """Render a still frame.
 
         Parameters
         ----------
@@ -176,47 +175,47 @@ class Renderer:
         scene : Scene
             Observer, star and camera.
         exact : bool
-            Whether each pixel is marched, instead of read from a sky-view LUT.
+            Whether every pixel is marched; otherwise a sky-view LUT is interpolated.
         orders : str
-            Orders as for ``airlight.render``.
+            Orders of scattering as for ``airlight.render``.
         disc : bool
             Whether the discs of the lights are rendered.
         samples : int
             Samples per side of every pixel, as for ``airlight.render``.
         stokes : bool
-            Whether the frame has Q and U, which the CPU alone renders.
+            Whether the frame has Stokes Q and U; CPU only.
         weights : array, shape (nl, 3), optional
-            Linear sRGB per radiance, for a GPU; by default ``picture_weights``.
+            Linear sRGB per radiance, on the GPU; by default ``picture_weights``.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
         Returns
         -------
         Frame
-            Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the GPU.
+            Linear sRGB radiance [W m⁻² sr⁻¹]; its metadata name the device.
 
         Raises
         ------
         ParameterError
-            If the solution or the picture exceeds the capacity of the GPU, or Q and U are
-            requested of one.
+            If the solution or the frame exceeds the capacity of the GPU, or Q and U are requested
+            of the GPU.
         Cancelled
             If ``cancel`` requested it.
         """
         if self._device is None:
             if not self._has(SKY_VIEW_LOOPS, cancel or (lambda: False)):
-                raise Cancelled("the picture")
+                raise Cancelled("the frame")
             frame = render(
                 solution, scene, exact=exact, orders=orders, disc=disc, samples=samples,
                 stokes=stokes, progress=progress, cancel=cancel,
             )  # fmt: skip
         else:
             if stokes:
-                raise ParameterError("stokes", True, "False where a GPU renders")
-            pictures = self._renderer(live=False)
-            pictures.set_solution(solution, weights)
-            self._shown = None
-            frame = pictures.render(
+                raise ParameterError("stokes", True, "False on the GPU")
+            gpu = self._gpu_renderer(live=False)
+            gpu.set_solution(solution, weights)
+            self._loaded = None
+            frame = gpu.render(
                 scene, exact=exact, orders=orders, disc=disc, samples=samples, progress=progress,
                 cancel=cancel,
             )  # fmt: skip
@@ -230,14 +229,14 @@ class Renderer:
         orders: str = "all",
         stale: Callable[[], bool],
     ) -> Iterator[LiveFrame]:
-        """Render a picture step by step, each finer than the one before; the last is finished.
+        """Render progressively, each frame finer than the last.
 
         Parameters
         ----------
         solution, scene, orders :
-            Arguments of ``frame``.
+            Arguments of ``render``.
         stale : callable
-            ``stale()`` is True once the request is superseded; the rest may then be skipped.
+            ``stale()`` is True once the request is superseded; rendering may then stop.
 
         Yields
         ------
@@ -246,31 +245,31 @@ class Renderer:
         Raises
         ------
         Cancelled
-            If the request became stale while the CPU was rendering.
+            If the request became stale during rendering on the CPU.
         """
-        picture = LiveFrame(scene=scene, orders=orders, finished=True)
+        step = LiveFrame(scene=scene, orders=orders, finished=True)
         if self._device is None:
-            yield from self._on_cpu(solution, picture, stale)
+            yield from self._on_cpu(solution, step, stale)
             return
         if not self._compiled:
-            yield from self._while_compiling(solution, picture, stale)
-            if stale() or (self._device.software and self._knows(solution, picture)):
+            yield from self._while_compiling(solution, step, stale)
+            if stale() or (self._device.software and self._knows(solution, step)):
                 return
         if not self._takes(solution):
-            yield from self._on_cpu(solution, picture, stale)
+            yield from self._on_cpu(solution, step, stale)
             return
-        by_device = replace(picture, pictures=self._pictures, finished=not self._device.software)
-        if by_device.finished:
-            yield by_device
+        on_gpu = replace(step, renderer=self._gpu, finished=not self._device.software)
+        if on_gpu.finished:
+            yield on_gpu
             return
-        if not self._knows(solution, picture):
-            yield by_device
+        if not self._knows(solution, step):
+            yield on_gpu
             until = perf_counter() + _STILL
             while perf_counter() < until:
                 if stale():
                     return
                 time.sleep(_POLL)
-        yield from self._on_cpu(solution, picture, stale, coarse=False)
+        yield from self._on_cpu(solution, step, stale, coarse=False)
 
     def close(self) -> None:
         """Wait for the thread that compiles, if there is one."""
@@ -278,44 +277,44 @@ class Renderer:
         if self._compiling is not None:
             self._compiling.join()
 
-    # --- by the CPU ---------------------------------------------------------------------
+    # --- on the CPU ---------------------------------------------------------------------------
 
     def _on_cpu(
         self,
         solution: MomentsSolution,
-        picture: LiveFrame,
+        step: LiveFrame,
         stale: Callable[[], bool],
         *,
         coarse: bool = True,
     ) -> Iterator[LiveFrame]:
-        if self._last is not None and self._knows(solution, picture):
+        if self._last is not None and self._knows(solution, step):
             yield self._last[1]
             return
         if not self._has(SKY_VIEW_LOOPS, stale):
             raise Cancelled("a newer view")
-        # To load the loop that marches takes longer than to render the first picture whole.
+        # Loading the loop that marches takes longer than the first frame at full resolution.
         coarse = coarse and (self._ahead is None or (self._began and self._has(MARCH_LOOPS)))
         self._began = True
-        for step, part in enumerate(self._parts(picture.scene) if coarse else [1.0]):
+        for number, part in enumerate(self._parts(step.scene) if coarse else [1.0]):
             started = perf_counter()
-            scene = scaled(picture.scene, part)
-            # The first, coarse picture is never interrupted: in flight, each is stale quickly.
-            stop = None if step == 0 and part < 1.0 else stale
-            frame = render(solution, scene, orders=picture.orders, cancel=stop)
+            scene = scaled(step.scene, part)
+            # The first, coarse frame is never interrupted: in flight every request is soon stale.
+            stop = None if number == 0 and part < 1.0 else stale
+            frame = render(solution, scene, orders=step.orders, cancel=stop)
             seconds = max(perf_counter() - started, 1e-6)
             self._rate = scene.camera.width * scene.camera.height / seconds
-            done = replace(picture, scene=scene, frame=frame, seconds=seconds, finished=part == 1.0)
+            done = replace(step, scene=scene, frame=frame, seconds=seconds, finished=part == 1.0)
             if done.finished:
                 self._last = solution, replace(done, seconds=0.0)
             yield done
 
     def _has(self, loops: tuple[Any, ...], stale: Callable[[], bool] = lambda: True) -> bool:
-        """Whether loops are compiled, after waiting until they are or the request is stale."""
+        """Whether loops are compiled; waits until they are or the request is stale."""
         ahead = self._ahead
         return ahead is None or all(ahead.wait(loop, stale) for loop in loops)
 
     def _parts(self, scene: Scene) -> Iterator[float]:
-        """Scales of successive pictures."""
+        """Scales of successive frames."""
         camera = scene.camera
         part = (self._rate * _AT_ONCE / (camera.width * camera.height)) ** 0.5
         part = max(part, _SMALLEST)
@@ -324,17 +323,17 @@ class Renderer:
             part *= _STEP
         yield 1.0
 
-    def _knows(self, solution: MomentsSolution, picture: LiveFrame) -> bool:
-        """Whether the CPU's last finished picture shows the same light."""
+    def _knows(self, solution: MomentsSolution, step: LiveFrame) -> bool:
+        """Whether the CPU's last final frame has the same solution, scene and orders."""
         if self._last is None:
             return False
         of, last = self._last
-        return of is solution and last.orders == picture.orders and last.scene == picture.scene
+        return of is solution and last.orders == step.orders and last.scene == step.scene
 
-    # --- by a GPU --------------------------------------------------------------------------
+    # --- on the GPU ---------------------------------------------------------------------------
 
-    def _renderer(self, *, live: bool) -> GpuRenderer:
-        """Renderer with the sky-view LUT that the GPU fills quickly enough."""
+    def _gpu_renderer(self, *, live: bool) -> GpuRenderer:
+        """GPU renderer, with a small sky-view LUT for live frames of a software GPU."""
         from airlight.gpu.picture.gpu_renderer import (
             QUICK_SKY_VIEW_SIZE,
             SKY_VIEW_SIZE,
@@ -343,32 +342,32 @@ class Renderer:
 
         assert self._device is not None
         shape = QUICK_SKY_VIEW_SIZE if live and self._device.software else SKY_VIEW_SIZE
-        if self._pictures is None:
-            self._pictures = GpuRenderer(self._device, shape)
-        elif self._pictures.sky_view_size != shape:
-            self._pictures.sky_view_size = shape
-        return self._pictures
+        if self._gpu is None:
+            self._gpu = GpuRenderer(self._device, shape)
+        elif self._gpu.sky_view_size != shape:
+            self._gpu.sky_view_size = shape
+        return self._gpu
 
     def _takes(self, solution: MomentsSolution) -> bool:
         """Upload a solution; False if it exceeds the GPU's capacity."""
-        pictures = self._renderer(live=True)
-        if solution is self._shown:
+        gpu = self._gpu_renderer(live=True)
+        if solution is self._loaded:
             return True
         try:
-            pictures.set_solution(solution)
+            gpu.set_solution(solution)
         except ParameterError:  # too many wavelengths or constituents
-            self._shown = None
+            self._loaded = None
             return False
-        self._shown = solution
+        self._loaded = solution
         return True
 
     def _while_compiling(
-        self, solution: MomentsSolution, picture: LiveFrame, stale: Callable[[], bool]
+        self, solution: MomentsSolution, step: LiveFrame, stale: Callable[[], bool]
     ) -> Iterator[LiveFrame]:
         assert self._device is not None
         if self._compiling is None:
             self._compiling = threading.Thread(
-                target=self._compile, args=(solution, picture), name="airlight-compiling",
+                target=self._compile, args=(solution, step), name="airlight-compiling",
                 daemon=True,
             )  # fmt: skip
             self._compiling.start()
@@ -378,7 +377,7 @@ class Renderer:
             return
         over = (lambda: False) if self._device.software else (lambda: self._compiled)
         try:
-            yield from self._on_cpu(solution, picture, lambda: stale() or over())
+            yield from self._on_cpu(solution, step, lambda: stale() or over())
             if self._device.software:
                 return
         except Cancelled:
@@ -387,41 +386,40 @@ class Renderer:
         while not self._compiled and not stale():
             time.sleep(_POLL)
 
-    def _compile(self, solution: MomentsSolution, picture: LiveFrame) -> None:
-        """Render one very small picture, which compiles the shaders.
+    def _compile(self, solution: MomentsSolution, step: LiveFrame) -> None:
+        """Compile the shaders by rendering a few pixels.
 
-        A software GPU compiles them in the queue in which the window's frames wait. It therefore
-        compiles them first in another queue, without the maps, and finds them then in the driver's
-        cache.
+        A software GPU compiles in the queue of the window's frames. Shaders are therefore compiled
+        in a separate queue first, without maps, and are then in the driver's cache.
         """
         assert self._device is not None
         try:
             if self._device.software:
                 self._has((SKY_VIEW_LOOPS[0],), lambda: self._closing)  # fills the sky-view LUT
             if self._takes(solution):
-                assert self._pictures is not None
+                assert self._gpu is not None
                 if self._device.software and not self._closing:
-                    apart = type(self._pictures)(self._device.apart(), self._pictures.sky_view_size)
-                    apart.set_solution(solution, maps=False)
-                    _draw_small(replace(picture, pictures=apart))
+                    separate = type(self._gpu)(self._device.apart(), self._gpu.sky_view_size)
+                    separate.set_solution(solution, maps=False)
+                    _render_small(replace(step, renderer=separate))
                 if not self._closing:
-                    _draw_small(replace(picture, pictures=self._pictures))
+                    _render_small(replace(step, renderer=self._gpu))
         finally:
             self._compiled = True
             give_back()
 
 
-def _draw_small(picture: LiveFrame) -> None:
-    """Render a picture of a few pixels, by all shaders."""
+def _render_small(step: LiveFrame) -> None:
+    """Render a few pixels with all shaders."""
     import wgpu
 
-    assert picture.pictures is not None
-    small = scaled(picture.scene, _TINY / picture.scene.camera.width)
-    texture = picture.pictures.device.device.create_texture(
+    assert step.renderer is not None
+    small = scaled(step.scene, _TINY / step.scene.camera.width)
+    texture = step.renderer.device.device.create_texture(
         size=(small.camera.width, small.camera.height, 1),
         format=LIVE_FORMAT,
         usage=wgpu.TextureUsage.RENDER_ATTACHMENT,
     )
-    ready = replace(picture, scene=small)
+    ready = replace(step, scene=small)
     ready.display(texture.create_view(), exposure=0.0, tone_map="natural", uniforms={})
     ready.linear(_TINY)

@@ -1,7 +1,7 @@
-"""Loops that render pictures, compiled before there is a solution to render.
+"""Compilation of the rendering loops before a solution exists.
 
-The types of a loop's arguments follow from the declarations of its NamedTuples; with empty tables
-of these types it is called for no pixel and no texel, which compiles it.
+The argument types of a loop follow from the annotations of its NamedTuples; a call with empty
+tables of these types and zero pixels compiles it.
 """
 
 from __future__ import annotations
@@ -20,8 +20,7 @@ from airlight.pixels.view_uniforms import cpu_view_uniforms, observer_from
 from airlight.scene import Camera
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 
-#: Loops of a picture that reads a sky-view LUT, in the order of their use; and of one that does
-#: not.
+#: Loops of a frame with a sky-view LUT, in the order of use; and of a frame without.
 SKY_VIEW_LOOPS: Final = (fill_texels, render_pixels)
 MARCH_LOOPS: Final = (march_pixels,)
 
@@ -32,24 +31,24 @@ def compiled_ahead() -> CompiledAhead:
 
 
 def drawing_ahead() -> CompiledAhead:
-    """Start to compile the loops of one picture from a sky-view LUT, and no others."""
+    """Start to compile the loops with a sky-view LUT only."""
     return CompiledAhead(f"{__name__}:compile_sky_view_loops", SKY_VIEW_LOOPS)
 
 
 def compile_loops() -> None:
-    """Compile the loops, or load them, by calls that render nothing."""
+    """Compile or load all loops by calls with zero pixels."""
     for loop, arguments in zip((*SKY_VIEW_LOOPS, *MARCH_LOOPS), _arguments(), strict=True):
         loop(*arguments)
 
 
 def compile_sky_view_loops() -> None:
-    """Compile the loops of a picture from a sky-view LUT, or load them."""
+    """Compile or load the loops with a sky-view LUT."""
     for loop, arguments in zip(SKY_VIEW_LOOPS, _arguments()[: len(SKY_VIEW_LOOPS)], strict=True):
         loop(*arguments)
 
 
 def _arguments() -> list[tuple[Any, ...]]:
-    """Arguments of each loop, for no texel and no pixel."""
+    """Arguments of each loop for zero texels and pixels."""
     tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1)))
     work = new_workspace(tables)
     numbers: Any = defaultdict(float)
@@ -69,7 +68,7 @@ def _view_uniform_names() -> tuple[str, ...]:
 
 
 def empty(bundle: Any) -> Any:
-    """NamedTuple whose numbers are 1, and whose tables have one element, of the declared types.
+    """Instance of a NamedTuple with numbers 1 and tables of one element, of the annotated types.
 
     Parameters
     ----------
@@ -93,7 +92,7 @@ def empty(bundle: Any) -> Any:
 
 
 def _number(kind: Any, *, spectral: bool) -> Any:
-    """Type of a table's numbers: of its annotation, or that of all spectral tables."""
+    """Element type of a table, from its annotation or that of spectral tables."""
     inner = [one for part in get_args(kind) for one in get_args(part)]
     named = [one for one in inner if isinstance(one, type) and issubclass(one, np.generic)]
     return named[0] if named else np.float32 if spectral else np.float64

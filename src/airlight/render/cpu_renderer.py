@@ -1,4 +1,4 @@
-"""Picture rendered on the CPU: its inputs and its rows."""
+"""``CpuRenderer``: radiance of pixels of one solution, scene and light on the CPU."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Float32Array = NDArray[np.float32]
 
 
 class CpuRenderer:
-    """Picture by one light, with all inputs of its rows.
+    """Renderer of a scene under one light, row by row.
 
     Parameters
     ----------
@@ -42,16 +42,16 @@ class CpuRenderer:
     samples : int
         Samples per side of every pixel.
     edges : bool
-        Whether pixels on the horizon and the limb have more.
+        Whether pixels on the horizon and the limb are supersampled.
     air : bool
-        Whether the light of air and ground is rendered; otherwise the disc alone.
+        Whether air and ground are rendered; otherwise only the star's disc.
     stokes : bool
-        Whether Q and U can be rendered, beside what the camera sees.
+        Whether Stokes Q and U can be rendered too.
 
     Attributes
     ----------
     window : SkyViewWindow or None
-        Part of a sky-view LUT that the picture reads; None where each pixel is marched.
+        Window of the sky-view LUT; None where every pixel is marched.
     """
 
     def __init__(
@@ -98,7 +98,7 @@ class CpuRenderer:
     def fill_sky_view(
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
-        """Fill the sky-view LUT, if there is one, before any row is rendered.
+        """Fill the sky-view LUT, if any; to be called before rendering.
 
         Parameters
         ----------
@@ -123,16 +123,16 @@ class CpuRenderer:
     def render_rows(
         self, first: int, last: int, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """Render rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
+        """Render rows ``first`` to ``last`` - 1, linear sRGB.
 
         Parameters
         ----------
         first, last : int
-            Range of rows, from the first that is rendered.
+            Range of rows of the crop window.
         rgb : array, shape (rows, columns, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         element : int, optional
-            ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U is rendered instead.
+            ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U instead of I.
         """
         px = np.arange(rgb.shape[1]) + (self._camera.left + 0.5)
         py = np.arange(first, last) + (self._camera.top + 0.5)
@@ -142,16 +142,16 @@ class CpuRenderer:
     def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """Render pixels anywhere in the picture, linear sRGB.
+        """Render pixels at given positions, linear sRGB.
 
         Parameters
         ----------
         px, py : array, shape (n,)
-            Centres of the pixels, from the picture's left and top edge. [pixel]
+            Pixel centres, from the left and top edge of the uncropped frame. [pixel]
         rgb : array, shape (n, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         element : int, optional
-            As in ``render``.
+            As in ``render_rows``.
         """
         view = self._view if element is None else self._view._replace(filter=element)
         pixels = march_pixels if self.window is None else render_pixels
@@ -163,7 +163,7 @@ class CpuRenderer:
 
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
-    """Linear sRGB per radiance over irradiance at each wavelength.
+    """Linear sRGB per radiance of unit irradiance at each wavelength.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 
 
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
-    """Weights as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
+    """Colour weights by lane, shape (3·w,), zero in unused lanes."""
     weights = color_weights(solution)
     padded = np.zeros((3, solution.light.lanes), np.float32)
     padded[:, : weights.shape[0]] = weights.T

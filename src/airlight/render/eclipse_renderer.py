@@ -1,4 +1,4 @@
-"""Picture of a planet in the shadow of a moon, rendered on the CPU."""
+"""``EclipseRenderer``: frame of a planet in the shadow of a moon, on the CPU."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Float32Array = NDArray[np.float32]
 
 
 def check_unfiltered(scene: Scene) -> None:
-    """Refuse a filter where light is rendered without its polarisation.
+    """Raise if the camera has a polarising filter, which eclipses do not support.
 
     Raises
     ------
     ParameterError
-        If the scene's camera has one.
+        If it has.
     """
     angle = scene.camera.polariser
     if angle is not None:
@@ -32,23 +32,22 @@ def check_unfiltered(scene: Scene) -> None:
 
 
 class EclipseRenderer(CpuRenderer):
-    """Picture by a star that a moon hides in part; each pixel is marched.
+    """Renderer under a partly occulted star; every pixel is marched.
 
     Parameters
     ----------
     eclipsed : EclipsedSolution
-        Solution of the planet and of the shadow.
+        Solution of the planet and the shadow.
     scene : Scene
         Observer and camera, in the frame of the star.
     local : array, shape (3, 3)
-        Axes of the observer's frame in that of the eclipse, as rows: x to the side of the star, z
-        to the zenith. [1]
+        Axes of the observer's local frame in that of the eclipse, as rows: x horizontally towards
+        the star, z to the zenith. [1]
 
     Raises
     ------
     ParameterError
-        If the camera has a polarising filter: light in a moon's shadow is rendered without its
-        polarisation.
+        If the camera has a polarising filter, as eclipses are rendered without polarisation.
     """
 
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
@@ -66,12 +65,12 @@ class EclipseRenderer(CpuRenderer):
     def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """See ``CpuRenderer``; there is no picture of Q or U.
+        """See ``CpuRenderer``; Stokes Q and U are not supported.
 
         Raises
         ------
         ParameterError
-            If one is requested.
+            If Q or U is requested.
         """
         if element is not None:
             raise ParameterError("stokes", True, "False where a moon's shadow is rendered")

@@ -1,4 +1,4 @@
-"""``render``: rows of pixels on all cores, in blocks that limit the memory."""
+"""``render``: frame of a solution, in blocks of rows on all CPU cores."""
 
 from __future__ import annotations
 
@@ -47,24 +47,23 @@ def render(
     Parameters
     ----------
     solution : MomentsSolution, Planet, str or Path
-        Solution of at least three wavelengths; or a planet, the name of a preset or a path, which
-        is solved as by ``render_scene``: for the ground around the observer, at sixteen wavelengths.
+        Solution of at least three wavelengths; or a planet, preset name or path, which is solved
+        as by ``render_scene``, with the albedo around the observer, at sixteen wavelengths.
     scene : Scene
         Observer, lights and camera; each light takes as long as the first.
     orders : str
-        Light that is rendered: ``"all"``; ``"single"``, scattered or reflected once by the air or the
-        ground; or ``"multiple"``, more often. The star's own disc is visible in the first alone.
+        Orders of scattering and reflection: ``"all"``; ``"single"``, the first; or ``"multiple"``,
+        the second and higher. The star's disc is visible only with ``"all"``.
     exact : bool
-        Whether the air is marched for each pixel. Otherwise the light of the air is read from a
-        sky-view LUT around the observer, filled by the same march: see docs/pictures.md for
-        its errors. Pictures of few pixels are always marched.
+        Whether every pixel is marched. Otherwise radiance is interpolated in a sky-view LUT of the
+        same march, see docs/pictures.md for its errors. Small frames are always marched.
     disc : bool
         Whether the discs of the lights are rendered.
     samples : int
-        Samples per side of every pixel, 1 to 16. One suffices: pixels on the horizon and on the
-        limb have a grid of samples of their own.
+        Samples per side of every pixel, 1 to 16. 1 suffices: pixels on the horizon and the limb
+        are supersampled anyway.
     stokes : bool
-        Whether the frame has Q and U beside the picture, each in its line's own meridian plane.
+        Whether the frame also has Stokes Q and U, in the meridian plane of each line of sight.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -76,11 +75,10 @@ def render(
     Raises
     ------
     ParameterError
-        If the solution is of another solver (pictures march the moments), ``orders`` or
-        ``samples`` has another value, or polarised light is requested of scalar transfer or
-        behind a filter.
+        If the solution is not of the moments solver, ``orders`` or ``samples`` is out of range, or
+        polarisation is requested of scalar transfer or behind a filter.
     CostError
-        If the picture needs more memory than is free.
+        If the frame needs more memory than is free.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -136,7 +134,7 @@ def render(
 def _solved(
     given: PlanetLike, scene: Scene, progress: Progress | None, cancel: Cancel | None
 ) -> Solution:
-    """Solution of a planet for the ground around an observer."""
+    """Solution of a planet with the albedo around the observer."""
     planet = local_ground(
         load_planet(given), latitude=scene.latitude, longitude=scene.longitude,
         altitude=scene.altitude,
@@ -145,7 +143,7 @@ def _solved(
 
 
 def _shared(progress: Progress, number: int, count: int) -> Progress:
-    """Progress of one of several pictures that make a frame."""
+    """Progress callback for one of several lights."""
     return lambda done, total, message: progress(number * total + done, count * total, message)
 
 
@@ -158,22 +156,22 @@ def _add_rendered(
     *,
     black: bool,
 ) -> None:
-    """Add pictures by one light to those before it, which may still be black.
+    """Add the frame of one light to ``layers``, which are zero if ``black``.
 
-    Linear sRGB, shape (elements, height, width, 3). [W m⁻² sr⁻¹]
+    Linear sRGB of each Stokes element, shape (elements, height, width, 3). [W m⁻² sr⁻¹]
     """
     height, width = layers.shape[1:3]
     lit = layers if black else zeros(layers.shape, np.float32)
     step = max(1, _BLOCK_PIXELS // width)
     blocks = -(-height // step)
-    # Filling the table counts as much as rendering the rows.
+    # The sky-view LUT counts as half of the progress.
     total = blocks if renderer.window is None else 2 * blocks
 
     def filling(done: int, count: int, message: str) -> None:
         if progress is not None:
             progress(blocks * done // count, total, message)
 
-    def rendered(done: int, _: int, message: str) -> None:
+    def rendering(done: int, _: int, message: str) -> None:
         if progress is not None:
             progress(total - blocks + done, total, message)
 
@@ -189,5 +187,5 @@ def _add_rendered(
             release(rgb[first:last])
 
     run_blocks(
-        render_block, blocks, cancel=cancel, progress=rendered, message="rendering",
+        render_block, blocks, cancel=cancel, progress=rendering, message="rendering",
     )  # fmt: skip

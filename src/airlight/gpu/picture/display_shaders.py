@@ -1,4 +1,4 @@
-"""Shaders of what lies between a picture in linear light and a display: glare, then its values."""
+"""Shaders of the display passes: glare, exposure, tone map and encoding."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from airlight.gpu.picture.uniforms import FRAME, Lens
 
 @cache
 def coarser_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of a level of glare's pyramid, from the level before.
+    """Shader of the next coarser level of the glare pyramid.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def coarser_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the light that a level and all coarser ones spread.
+    """Shader of the light spread by a level and all coarser ones.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def added_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the sum of two pictures in linear light.
+    """Shader of the sum of two frames of linear radiance.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def _level_shader(
     numbers: tuple[str, ...],
     dialect: ShaderDialect,
 ) -> Shader:
-    """Shader with one entry point, of the shader's name: a function of tables, place, numbers."""
+    """Shader with one entry point: a kernel of tables, row, column and uniforms."""
     emitter = Emitter(dialect)
     lens = FRAME.struct_value(Lens)
     text = _called(emitter, function, lens, tables, numbers)
@@ -84,7 +84,7 @@ def _called(
     tables: tuple[str, ...],
     numbers: tuple[str, ...],
 ) -> str:
-    """Call of a function of tables, row, column, numbers."""
+    """Call of a kernel of tables, row, column and uniforms."""
     dialect = emitter.dialect
     given: list[Value] = [lens.fields[one] for one in tables]
     values = [FRAME.uniform(one) for one in numbers]
@@ -96,7 +96,7 @@ def _called(
 
 @cache
 def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the displayed values of a picture in linear light, with glare.
+    """Shader of displayed values from linear radiance and glare.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
 
 
 def all_shaders() -> tuple[Shader, ...]:
-    """All shaders of the pictures."""
+    """All shaders of rendering and display."""
     return (
         sky_air_shader(),
         sky_peaks_shader(),

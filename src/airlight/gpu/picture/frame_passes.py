@@ -1,4 +1,4 @@
-"""Passes over the pixels of a picture or of a table of it, with what they read."""
+"""Fragment passes of rendering, with their pipelines and bindings."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.gpu.picture.uniforms import FRAME
 
 
 class FramePasses:
-    """Compiled passes, kept between pictures, and what they read.
+    """Cached pipelines and bind groups of the rendering passes.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class FramePasses:
         places: Mapping[str, tuple[int, ...]],
         light: int = 0,
     ) -> None:
-        """Set the textures that the passes of a light read, and the places of tables in them."""
+        """Set the input textures of a light, and the positions of tables in them."""
         self._textures[light], self._places = textures, places
         self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
 
@@ -49,8 +49,8 @@ class FramePasses:
         return self._device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
 
     def packed(self, numbers: Mapping[str, float]) -> NDArray[np.float32]:
-        """Content of the uniform buffer for the numbers of a picture."""
-        # Above the ground as the shader has it: its radii are accurate to half a metre.
+        """Contents of the uniform buffer."""
+        # Relative to the ground radius in single precision, which is accurate to half a metre.
         r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
         return FRAME.packed({**numbers, "r": r}, dict(self._places))
 
@@ -65,7 +65,7 @@ class FramePasses:
         keep: bool = False,
         light: int = 0,
     ) -> None:
-        """Render into a part of some targets; the rest becomes black or is kept.
+        """Run a shader on an area of its targets.
 
         Parameters
         ----------
@@ -80,11 +80,11 @@ class FramePasses:
         formats : tuple of str
             Formats of the targets.
         area : (int, int, int, int), optional
-            First column, first row, number of columns and of rows; by default all of the target.
+            First column, first row, number of columns and of rows; by default the whole target.
         keep : bool
-            Whether the rest of the target is kept.
+            Whether the other texels are preserved; otherwise they are cleared.
         light : int
-            Number of the light whose textures are read.
+            Index of the light whose textures are bound.
         """
         device = self._device.device
         one = self._pass(shader, entry, formats)

@@ -1,4 +1,4 @@
-"""``GpuRenderer``: the view of a camera, rendered by the GPU from a solution."""
+"""``GpuRenderer``: frames of a solution on the GPU, as radiance or displayed in a texture."""
 
 from __future__ import annotations
 
@@ -54,16 +54,16 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Shape of the sky-view LUT: azimuths over half a turn, and rows of each half.
+#: Default size of the sky-view LUT: azimuths from 0 to π, and rows of each half.
 SKY_VIEW_SIZE: Final = COARSEST
-#: Shape of that table on a page, where the whole one would take too long while something moves.
+#: Size on a page while the view moves.
 MEDIUM_SKY_VIEW_SIZE: Final = (128, 64)
-#: Shape of that table on a software GPU while something moves.
+#: Size on a software GPU while the view moves.
 QUICK_SKY_VIEW_SIZE: Final = (64, 64)
-#: Pixels rendered at once, read from a table, marched, and marched in software: no driver then assumes
-#: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
+#: Pixels per submission: interpolated, marched, and marched in software. It stays below the
+#: watchdog limits of drivers, and a strip that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
-#: Entry point of the shaders of a picture.
+#: Entry point of the pixel shaders.
 _ENTRY: Final = "linear_picture"
 
 
@@ -78,11 +78,11 @@ class _SkyView:
     layers : dict
         Textures by name.
     law : array or None
-        Darkening of the light's disc, where it is not that of the solution's star.
+        Limb darkening of the light; None for that of the solution's star.
     disc : wgpu.GPUTexture or None
-        The same on the GPU.
+        Texture of ``law``.
     seen : tuple or None
-        Everything on which the table depends; None before it is filled.
+        Key of the current contents; None before they are computed.
     """
 
     shape: tuple[int, int]
@@ -98,23 +98,23 @@ class _SkyView:
 
 
 class GpuRenderer:
-    """Renderer of one solution at a time, for any scene.
+    """Renderer of the current solution, for any scene.
 
     Parameters
     ----------
     device : Device
         Device from ``open_device``.
     sky_view_size : (int, int)
-        Azimuths and rows of the sky-view LUT; together a multiple of ``FLAT_WIDTH``.
+        Azimuths and rows of the sky-view LUT; their product is a multiple of ``FLAT_WIDTH``.
     sky_view_on_cpu : bool, optional
-        Whether the CPU fills that table; by default on software GPUs.
+        Whether the CPU fills the sky-view LUT; by default with software GPUs.
 
     Examples
     --------
     >>> from airlight.gpu.device.device import open_device  # doctest: +SKIP
-    >>> pictures = GpuRenderer(open_device())  # doctest: +SKIP
-    >>> pictures.set_solution(solution)  # doctest: +SKIP
-    >>> frame = pictures.render(Scene())  # doctest: +SKIP
+    >>> renderer = GpuRenderer(open_device())  # doctest: +SKIP
+    >>> renderer.set_solution(solution)  # doctest: +SKIP
+    >>> frame = renderer.render(Scene())  # doctest: +SKIP
     """
 
     def __init__(
@@ -153,7 +153,7 @@ class GpuRenderer:
         self._forget()
 
     def _forget(self) -> None:
-        """Forget what was rendered from other tables."""
+        """Invalidate the sky-view LUTs and the displayed frame."""
         self._sky_views = [one for one in self._sky_views if one.shape == self._sky_view_size]
         if self._textures is not None and not self._sky_views:
             self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
@@ -162,7 +162,7 @@ class GpuRenderer:
         self._display.rendered = None
 
     def _read(self, number: int, law: Float32Array | None) -> None:
-        """Let the passes of a light read the solution's tables, and its disc's law if another."""
+        """Bind the tables of the solution, and the limb darkening of a light, to its passes."""
         assert self._textures is not None
         sky = self._sky_views[number]
         textures = {**self._textures.textures, **sky.layers}
@@ -172,7 +172,7 @@ class GpuRenderer:
         self._passes.read(textures, self._textures.places, number)
 
     def _sky(self, number: int, lit: MomentsSolution) -> _SkyView:
-        """Sky-view LUT of a light of the picture, with the law of its disc."""
+        """Sky-view LUT of a light."""
         while len(self._sky_views) <= number:
             self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
             self._read(len(self._sky_views) - 1, None)
@@ -189,7 +189,7 @@ class GpuRenderer:
     def set_solution(
         self, solution: MomentsSolution, weights: FloatArray | None = None, *, maps: bool = True
     ) -> None:
-        """Set the solution that is rendered from now on.
+        """Set the current solution.
 
         Parameters
         ----------
@@ -198,7 +198,7 @@ class GpuRenderer:
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance; by default ``picture_weights``.
         maps : bool
-            Whether the maps of the ground are rendered; they take up to 270 MB of GPU memory.
+            Whether ground maps are used; they take up to 270 MB of GPU memory.
 
         Raises
         ------
@@ -233,21 +233,21 @@ class GpuRenderer:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
-        """Render a picture in linear light, strip by strip.
+        """Render a frame of linear radiance.
 
         Parameters
         ----------
         scene : Scene
-            Observer, lights and camera; the pictures of several lights are added on the host.
+            Observer, lights and camera; frames of several lights are added on the CPU.
         exact : bool
-            Whether each pixel is marched; otherwise it reads the sky-view LUT.
+            Whether every pixel is marched; otherwise the sky-view LUT is interpolated.
         orders : str
             ``all``, ``single`` or ``multiple``.
         disc : bool
             Whether the star's disc is rendered.
         samples : int
-            Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb have
-            more by themselves, except where a software GPU marches them.
+            Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb are
+            supersampled anyway, except if a software GPU marches them.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
@@ -259,10 +259,10 @@ class GpuRenderer:
         Raises
         ------
         ParameterError
-            If no solution has been shown yet, the picture is wider than a texture may be, or a
-            software GPU shall march several samples of a pixel.
+            If there is no solution, the frame exceeds the largest texture, or several samples per
+            side are requested of exact rendering on a software GPU.
         CostError
-            If the picture needs more memory than is free.
+            If the frame needs more memory than is free.
         Cancelled
             If ``cancel`` requested it.
         """
@@ -292,7 +292,7 @@ class GpuRenderer:
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> Frame:
-        """Render a picture by one light; arguments of ``frame``."""
+        """Frame of one light; arguments of ``render``."""
         import wgpu
 
         scene, solution = light.scene, light.solution
@@ -361,28 +361,28 @@ class GpuRenderer:
         size: tuple[int, int] | None = None,
         uniforms: Mapping[str, float] | None = None,
     ) -> None:
-        """Render into a texture.
+        """Render and display into a texture.
 
-        What is exposed is kept in linear light: it is not rendered again for another display.
+        Linear radiance is cached: a change of display settings alone renders nothing again.
 
         Parameters
         ----------
         scene, exact, orders, disc :
-            Arguments of ``frame``.
+            Arguments of ``render``.
         view : wgpu.GPUTextureView
             View of the target.
         target_format : str
             Format of the target.
         exposure : float, optional
-            Exposure; without it linear light is written. [EV]
+            Exposure; by default linear radiance is written. [EV]
         tone_map : str
             Name from ``TONE_MAPS``.
         encoding : str or None
-            Name from ``ENCODINGS``; None for a target that encodes by itself.
+            Name from ``ENCODINGS``; None for a target with its own encoding.
         glare : float
-            Amount of glare, 1 for that of a lens. [1]
+            Glare relative to a typical lens. [1]
         size : (int, int), optional
-            Size of the target if it differs from the camera's. [pixel]
+            Size of the target; by default the camera's. [pixel]
         uniforms : mapping, optional
             Further uniforms of the display, by name.
 
@@ -401,18 +401,18 @@ class GpuRenderer:
         if exposure is None:
             self._sum.render(parts, view, (width, height), target_format)
             return
-        kept = self._display
-        picture = kept.picture(width, height)
+        display = self._display
+        picture = display.picture(width, height)
         rendered = exact, tuple(self._passes.packed(one).tobytes() for one in numbers)
-        if kept.rendered != rendered:
-            kept.rendered = None
+        if display.rendered != rendered:
+            display.rendered = None
             self._sum.render(parts, picture, (width, height), LINEAR)
-            kept.rendered = rendered
-        shown = {
+            display.rendered = rendered
+        values = {
             **display_uniforms(exposure, tone_map, encoding), "glare": checked_amount(glare),
             "circle": scene.camera.circle is not None, **(uniforms or {}),
         }  # fmt: skip
-        kept.display(shown, scene.camera.glare_angle, view, target_format)
+        display.display(values, scene.camera.glare_angle, view, target_format)
 
     def _render_light(
         self,
@@ -423,12 +423,12 @@ class GpuRenderer:
         view: Any,
         target_format: str,
     ) -> None:
-        """Render linear light of one light into a texture."""
+        """Render linear radiance of one light into a texture."""
         width, height = int(numbers["width"]), int(numbers["height"])
         self._fill_sky_view(number, light, numbers, exact)
         if self.device.software and not exact:
-            # Such a device evaluates both sides of every branch: each band has a shader with no
-            # more branches than it needs.
+            # A software GPU evaluates both sides of every branch: each band has a shader with only
+            # the branches that it needs.
             for band in self._bands(light, numbers):
                 seen = {
                     **numbers,
@@ -452,7 +452,7 @@ class GpuRenderer:
     def _numbers(
         self, light: SceneForLight, size: tuple[int, int], exact: bool, orders: str, disc: bool
     ) -> dict[str, float]:
-        """Uniforms of a picture by one light, except those of its display."""
+        """Uniforms of a frame of one light, without those of the display."""
         solution = light.solution
         assert self._textures is not None
         numbers = view_uniforms(light.scene, solution) | self._textures.numbers
@@ -469,7 +469,7 @@ class GpuRenderer:
             "separated_phases": peaks,
             "draws_air": float(light.air),
         }
-        if exact and self.device.software:  # it ends all loops of a pixel after 65 535 turns
+        if exact and self.device.software:  # limited to 65 535 loop iterations per pixel
             numbers["edges"] = 0.0
         if exact:
             numbers |= {"separated_1": -1.0, "separated_2": -1.0}
@@ -480,12 +480,12 @@ class GpuRenderer:
         return numbers
 
     def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
-        """Number of rows of one strip."""
+        """Rows per submission."""
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
     def _bands(self, light: SceneForLight, numbers: Mapping[str, float]) -> list[Band]:
-        """Rows of the target by what is visible in them."""
+        """Bands of rows, by what may be visible in them."""
         scene, solution = light.scene, light.solution
         width, height = int(numbers["width"]), int(numbers["height"])
         if (width, height) != (scene.camera.width, scene.camera.height):
@@ -497,7 +497,7 @@ class GpuRenderer:
     def _fill_sky_view(
         self, number: int, light: SceneForLight, numbers: Mapping[str, float], exact: bool
     ) -> None:
-        """Fill the sky-view LUT of a light, unless it is current for observer and light."""
+        """Fill the sky-view LUT of a light if it is out of date."""
         sky = self._sky(number, light.solution)
         polarised = numbers["filter"] > 0
         seen = (
@@ -526,7 +526,7 @@ class GpuRenderer:
         sky.seen = seen
 
     def _upload_sky_view(self, sky: _SkyView, numbers: Mapping[str, float]) -> None:
-        """Upload the sky-view LUT, marched on the CPU."""
+        """Fill the sky-view LUT on the CPU and upload it."""
         assert self._tables is not None
         tables = self._tables._replace(
             rules=quadratures(FEW.points), panels=FEW.panels, star_radius=numbers["star_radius"]
@@ -542,5 +542,5 @@ class GpuRenderer:
 
     def _require_solution(self) -> MomentsSolution:
         if self._solution is None:
-            raise ParameterError("solution", None, "one, taken up by show()")
+            raise ParameterError("solution", None, "a solution set by set_solution()")
         return self._solution

@@ -1,6 +1,6 @@
-"""Complete shaders: textures, emitted functions and entry points of each.
+"""Shaders of rendering: sky-view LUT and pixels, with textures, functions and entry points.
 
-They do not depend on the planet: sizes are uniforms.
+They are independent of the planet, as sizes are uniforms.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from airlight.pixels.sky_view import Observer, sky_view_texel
 from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
 
-#: A reach that leaves out no pixel: shaders look for the star's disc in all. [rad]
+#: Angular distance from the star that no pixel exceeds. [rad]
 _NO_REACH: Final = 4.0
 
 
@@ -47,13 +47,13 @@ class Shader:
     dialect : ShaderDialect
         Shading language.
     functions : str
-        Part common to all its entry points: uniforms, textures and functions.
+        Declarations shared by all entry points: uniforms, textures and functions.
     entries : dict from str to str
         Text of each entry point, a fragment function.
     textures : tuple of str
-        Textures that it reads, in the order of its bindings after the uniforms.
+        Textures in binding order, after the uniforms.
     emitter : Emitter
-        Emitter with its functions and their sources.
+        Emitter of its functions.
     """
 
     name: str
@@ -65,11 +65,11 @@ class Shader:
 
     @property
     def text(self) -> str:
-        """Shader with all its entry points, for a language that allows several."""
+        """Source with all entry points, for languages that allow several."""
         return self.dialect.module([self.functions, *self.entries.values()])
 
     def entry_text(self, entry: str) -> str:
-        """Shader with one entry point.
+        """Source with one entry point.
 
         Parameters
         ----------
@@ -80,18 +80,16 @@ class Shader:
 
 
 def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
-    """Assemble a shader from its entry points and the functions that were emitted for them.
-
-    It has the tables that all of them read.
+    """Shader from its entry points, their emitted functions and the tables that these read.
 
     Parameters
     ----------
     name : str
         Name of the shader.
     entries : dict from str to str
-        Text of its entry points.
+        Source of each entry point.
     emitter : Emitter
-        Emitter with the functions that the entry points call, in a shading language.
+        Emitter of the functions that the entry points call.
     """
     dialect = emitter.dialect
     assert isinstance(dialect, ShaderDialect)
@@ -110,7 +108,7 @@ def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
 
 @cache
 def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the air's own light and that of a white ground behind it, a line of sight a texel.
+    """Sky-view LUT shader: radiance of the air, and of a white Lambert ground behind it.
 
     Parameters
     ----------
@@ -122,7 +120,7 @@ def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of single scattering by the two peaked constituents, without phase functions.
+    """Sky-view LUT shader: single scattering by separated constituents, without phase function.
 
     Parameters
     ----------
@@ -134,7 +132,7 @@ def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def sky_polarised_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the air's light plus its Q, and plus its U.
+    """Sky-view LUT shader: I + Q and I + U of the air.
 
     Parameters
     ----------
@@ -160,7 +158,8 @@ def _sky_shader(
     found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
     made = emitter.add(
         sky_view_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
-        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter), found,
+        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter),
+        found,
         name=function,
     )  # fmt: skip
     columns, rows = (
@@ -178,7 +177,7 @@ def _sky_shader(
 
 
 def march_workspace(emitter: Emitter) -> StructValue:
-    """Workspace of a line, for the emitter.
+    """March workspace of one line of sight, for the emitter.
 
     Parameters
     ----------
@@ -194,7 +193,7 @@ def march_workspace(emitter: Emitter) -> StructValue:
 
 
 def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -> list[str]:
-    """Statements in which a function fills arrays, which they declare.
+    """Statements that declare arrays and call a function that fills them.
 
     Parameters
     ----------
@@ -213,7 +212,7 @@ def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -
 
 
 def _whole_window() -> StructValue:
-    """Window of a complete sky-view LUT, for the emitter; see ``SkyViewWindow``."""
+    """``SkyViewWindow`` of the complete LUT, for the emitter."""
     columns, rows, first = FRAME.uniform("sky_columns"), FRAME.uniform("sky_rows"), Constant(0)
     values = (columns, rows, first, columns, first, rows, first, rows)
     return StructValue(dict(zip(SkyViewWindow._fields, values, strict=True)))
@@ -221,12 +220,12 @@ def _whole_window() -> StructValue:
 
 @cache
 def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of a pixel's light, linear: from the table, or by its own march.
+    """Shader of linear radiance of pixels, from the sky-view LUT or marched.
 
     Parameters
     ----------
     exact : bool
-        Whether each pixel is marched.
+        Whether every pixel is marched.
     fixed : tuple of (str, value)
         Integers and switches of the uniforms that are known, bound instead of read: a software
         device evaluates both sides of every branch.
@@ -241,7 +240,8 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
         light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
-        _whole_window(), FRAME.struct_value(Observer, fixed), FRAME.struct_value(ViewUniforms, fixed),
+        _whole_window(), FRAME.struct_value(Observer, fixed),
+        FRAME.struct_value(ViewUniforms, fixed),
         FRAME.struct_value(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Tables of a solution in textures, and the position of each."""
+"""Upload of a solution: textures, and positions of the tables in them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 @dataclass(frozen=True)
 class SolutionTables:
-    """Tables of a solution as the shaders read them, still in memory.
+    """Tables of a solution in the layout of the shaders, in CPU memory.
 
     Attributes
     ----------
@@ -45,15 +45,15 @@ class SolutionTables:
     places: dict[str, Place]
 
     @classmethod
-    def of(cls, solution: MomentsSolution, shown: MarchTables | None = None) -> SolutionTables:
-        """Make the tables of a solution; ``shown`` if it is known already.
+    def of(cls, solution: MomentsSolution, tables: MarchTables | None = None) -> SolutionTables:
+        """Tables of a solution.
 
         Parameters
         ----------
         solution : MomentsSolution
             Solution of at most four wavelengths.
-        shown : MarchTables, optional
-            The same solution, prepared for a march.
+        tables : MarchTables, optional
+            Tables from ``render_tables``; computed by default.
 
         Raises
         ------
@@ -61,15 +61,15 @@ class SolutionTables:
             If the wavelengths or constituents exceed the capacity of the shaders.
         """
         count = solution.wavelengths.size
-        if shown is None:
-            shown = render_tables(solution)
-        check_capacity(count, shown.constituents)
-        values = shown._asdict() | shown.ground._asdict()
-        tables = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
+        if tables is None:
+            tables = render_tables(solution)
+        check_capacity(count, tables.constituents)
+        values = tables._asdict() | tables.ground._asdict()
+        layout = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
         textures, places = FRAME.laid_out(
             {
                 name: pack_texels(values[name], count) if table.spectral else values[name]
-                for name, table in tables.items()
+                for name, table in layout.items()
             }
         )
         numbers = {name: float(values[name]) for name in values if name in FRAME.numbers}
@@ -78,12 +78,12 @@ class SolutionTables:
 
 @dataclass(frozen=True)
 class SolutionTextures:
-    """Tables of a solution on a GPU, with the ground's map.
+    """Tables of a solution on the GPU, with the ground maps.
 
     Attributes
     ----------
     numbers, places : dict
-        Values as in ``SolutionTables``, including those of the map.
+        Values as in ``SolutionTables``, and those of the maps.
     textures : dict
         Textures by their names in the shaders.
     """
@@ -97,30 +97,30 @@ class SolutionTextures:
         cls,
         device: Device,
         solution: MomentsSolution,
-        shown: MarchTables | None = None,
+        tables: MarchTables | None = None,
         before: SolutionTextures | None = None,
         *,
         maps: bool = True,
     ) -> SolutionTextures:
-        """Upload a solution; an unchanged map of the ground is not uploaded again.
+        """Upload a solution; unchanged ground maps are reused.
 
         Parameters
         ----------
         device : Device
             Device from ``open_device``.
-        solution, shown : MomentsSolution, MarchTables
+        solution, tables : MomentsSolution, MarchTables
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
-            Textures shown previously, for their map.
+            Previous textures, whose maps are reused.
         maps : bool
-            Whether the maps of the ground are rendered.
+            Whether ground maps are used.
 
         Raises
         ------
         ParameterError
-            Errors of ``SolutionTables.of``.
+            As ``SolutionTables.of``.
         """
-        medium, made = solution.medium, SolutionTables.of(solution, shown)
+        medium, made = solution.medium, SolutionTables.of(solution, tables)
         solved = fields_on(device, solution)
         textures: dict[str, Any] = {} if solved is None else {"fields": solved}
         for one, contents in made.textures.items():
@@ -151,10 +151,10 @@ class SolutionTextures:
 
 
 def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Texels with an additional row where the number of rows is a power of two.
+    """Texels padded so that the number of rows is not a power of two.
 
-    Software GPUs recompile a shader, which takes them seconds to minutes, when a texture's
-    height becomes a power of two or ceases to be one: so none is.
+    Mesa recompiles a shader, which takes seconds to minutes, when a texture's height changes to or
+    from a power of two.
     """
     rows = flat_rows(len(texels))
     if rows & (rows - 1) or rows == MAX_ROWS:
