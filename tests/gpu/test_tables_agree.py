@@ -431,7 +431,7 @@ WHOLE = {
     ),
     "test_emitter.py::test_a_construct_computes_what_python_does": ("squared", "cubed"),
     "test_emitter.py::test_angles_are_better_than_wgsl_promises": (
-        "sine", "cosine", "sine_of_quarter", "cosine_of_quarter", "rest_of_quarter",
+        "sine", "cosine", "sine_of_quarter", "cosine_of_quarter", "reduced_angle",
     ),
     "test_emitter.py::test_arcs_are_good_to_the_ends": ("arc_cosine", "arc_sine"),
     "test_emitter.py::test_the_cube_root_is_numpy_s": ("third_power_root",),

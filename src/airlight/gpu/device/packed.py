@@ -1,4 +1,4 @@
-"""Packed textures: texels of eight bits a channel, which shaders decode from sRGB."""
+"""Packed textures: 8-bit sRGB texels, decoded in the shader."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def packed_rows(count: int) -> int:
 
 
 def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -> Any:
-    """Make a packed texture; the rest of its last row is 0.
+    """Packed texture from an array, zero-padded to full rows.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Duration of passes on the device itself, by its own clock."""
+"""Duration of passes by GPU timestamps."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _BYTES: Final = 8
 
 
 class PassTimes:
-    """Timers of passes: name them while recording, read them after the submission.
+    """Timestamp queries of passes, named while recording and read after submission.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ class PassTimes:
 
 
 def _tick(device: Device) -> float:
-    """Duration of a tick of the clock; browsers count nanoseconds, native APIs do not. [ns]"""
+    """Timestamp period; 1 in browsers, adapter-dependent in native APIs. [ns]"""
     from wgpu.backends.wgpu_native import lib
 
     return float(lib.wgpuQueueGetTimestampPeriod(device.device.queue._internal))

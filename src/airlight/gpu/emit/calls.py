@@ -1,4 +1,4 @@
-"""Calls in restricted Python as text: mathematics, lanes, other kernels."""
+"""Emission of calls: mathematical functions, lane operations and kernels."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ _LANE_CALLS: Final = (
 
 
 class Calls(Scope, ABC):
-    """Writer of the calls of one function; see ``Scope`` for the parameters."""
+    """Emitter of call expressions; see ``Scope`` for the parameters."""
 
     @abstractmethod
     def write(self, node: ast.expr) -> tuple[str, Value | None]:
-        """Write an expression; return text and type, None for a call without result."""
+        """Emit an expression: text and type, None for a call without result."""
 
     def as_scalar(self, node: ast.expr, wanted: Scalar) -> str:
-        """Write an expression as a number of a type."""
+        """Emit an expression, cast to a scalar type."""
         text, found = self.write(node)
         try:
             return self.cast(text, found, wanted)
@@ -53,7 +53,7 @@ class Calls(Scope, ABC):
             raise self.refuse(node, f"is no {wanted.name}") from None
 
     def number(self, node: ast.AST, found: Value | None) -> Scalar:
-        """Type of an expression that must be a number."""
+        """Scalar type of an expression; an error if it has none."""
         if found is not None and not isinstance(found, (Table, StructValue)):
             kind = run_time(found)
             if isinstance(kind, Scalar):
@@ -61,7 +61,7 @@ class Calls(Scope, ABC):
         raise self.refuse(node, "is not a number")
 
     def array_text(self, node: ast.expr) -> str:
-        """Array as written before its index."""
+        """Array expression in front of an index."""
         found = self.bound(node)
         if isinstance(found, LocalArray) and found.variable:
             return found.variable
@@ -69,7 +69,7 @@ class Calls(Scope, ABC):
         return self.dialect.array(name, is_argument=is_argument)
 
     def array_name(self, node: ast.expr) -> tuple[str, bool]:
-        """Name of an array, alone or of a bundle, and whether it was handed over."""
+        """Identifier of an array or array field, and whether it is a parameter."""
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
             owner = node.value.id
             self.arrays.add(f"{owner}_{node.attr}")
@@ -89,14 +89,14 @@ class Calls(Scope, ABC):
         return name in code.co_varnames[: code.co_argcount]
 
     def mathematics(self, function: Any, arguments: Sequence[str]) -> str:
-        """Call of a mathematical function: the language's own, or one emitted for it."""
+        """Call of a built-in mathematical function, or of an emitted replacement."""
         known = self.dialect.mathematics[function]
         if not isinstance(known, str):
             known = self.emitter.add(known, *(F32 for _ in arguments)).name
         return f"{known}({', '.join(arguments)})"
 
     def call(self, node: ast.Call) -> tuple[str, Value | None]:
-        """Write a call of mathematics, of lanes or of another function."""
+        """Emit a call."""
         called = self.bound(node.func)
         if node.keywords:
             raise self.refuse(node, "takes no names for arguments")
@@ -136,7 +136,7 @@ class Calls(Scope, ABC):
         raise self.refuse(node, "is not known here")
 
     def extreme(self, node: ast.Call, called: Any) -> tuple[str, Value]:
-        """Write ``min`` or ``max`` of two or more numbers."""
+        """Emit ``min`` or ``max`` of two or more arguments."""
         written = [self.write(one) for one in node.args]
         kinds = [self.number(node, found) for _, found in written]
         wanted = kinds[0]
@@ -149,7 +149,7 @@ class Calls(Scope, ABC):
         return total, wanted
 
     def lane_call(self, node: ast.Call, name: str) -> tuple[str, Value | None]:
-        """Write a call of ``airlight.kernel.lanes``."""
+        """Emit a call of ``airlight.kernel.lanes``."""
         if name == "splat":
             return self.as_scalar(node.args[0], VEC4), VEC4
         if name == "exponential":
@@ -173,7 +173,7 @@ class Calls(Scope, ABC):
         raise self.refuse(node, "lanes have no such thing on the GPU")
 
     def channel(self, node: ast.Call) -> tuple[str, Value]:
-        """Write a channel of a texel: a colour is decoded, as devices' own decoding differs."""
+        """Emit a channel of a texel; sRGB is decoded here, as GPUs' own decoding differs."""
         texels, channel = self.bound(node.args[0]), self.fold(node.args[2])
         if isinstance(texels, Table) and texels.spectral and isinstance(channel, int):
             read = self.dialect.element(texels.name, self.as_scalar(node.args[1], I32))
@@ -184,20 +184,20 @@ class Calls(Scope, ABC):
         raise self.refuse(node, "is a texel of a table, and a channel known beforehand")
 
     def kernel_call(self, node: ast.Call, called: Any) -> tuple[str, Value | None]:
-        """Write a call of another function, which is emitted for these arguments."""
+        """Emit a kernel for the types of its arguments, and a call of it."""
         texts: list[str] = []
         values: list[Value] = []
         for one in node.args:
             if isinstance(one, ast.Tuple):
                 members = [self.bound(item) for item in one.elts]
                 if not all(isinstance(item, (Table, Uniform, Constant)) for item in members):
-                    raise self.refuse(one, "a tuple handed over holds tables and uniforms")
+                    raise self.refuse(one, "a tuple argument may hold only tables and uniforms")
                 values.append(StructValue({str(i): item for i, item in enumerate(members)}))
                 texts.append("")
                 continue
             folded = self.fold(one)
             if folded is not None:
-                # Integers and switches are bound, which unrolls what depends on them.
+                # Integer and boolean constants specialise the callee.
                 values.append(Constant(folded) if isinstance(folded, (bool, int)) else F32)
                 texts.append(self.literal(one, folded))
                 continue

@@ -1,4 +1,4 @@
-"""Table in a flat texture: its type for the emitter, and its reader in each language."""
+"""Table in a texture: its type for the emitter, and its read functions."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from airlight.gpu.emit.shader_types import F32, FLAT_SHIFT, I32, PACKED_SHIFT, V
 
 @dataclass(frozen=True)
 class TextureTable:
-    """Array in a flat texture, or a picture in a texture of its own.
+    """Array in a flat texture, or image in its own texture.
 
     Attributes
     ----------
     name : str
-        Its functions in the shader are ``read_NAME`` and, for each axis, ``size_NAME_AXIS``.
+        Name; functions are ``read_NAME`` and, for each axis, ``size_NAME_AXIS``.
     texture : str
-        Texture that holds it.
+        Name of the texture.
     rank : int
         Number of axes.
     spectral : bool
-        Whether an element is a texel of four wavelengths rather than a single number.
+        Whether elements are texels of four wavelengths.
     start : str
-        Expression of its first texel, a float; empty if it begins the texture.
+        Float expression of the first texel; empty for 0.
     lengths : str
-        Expression of a vector with the lengths of its axes, as floats; empty if none is read.
+        Expression of a float vector of axis lengths; empty if no length is read.
     first : int
-        Component of that vector that holds the first axis.
+        Component of ``lengths`` with the first axis.
     pair : bool
-        Whether the last axis, which does not fit into the vector, has the length two.
+        Whether the last axis has length two, as it does not fit into ``lengths``.
     by_number : bool
-        Whether single numbers are read from texels of four.
+        Whether scalars are read from texels of four.
     packed : bool
-        Whether the texture is one of packed texels, which has longer rows.
+        Whether the texture has packed texels, with longer rows.
     image : bool
-        Whether the texture is a picture, read at row and column.
+        Whether it is an image, read by row and column.
     """
 
     name: str
@@ -57,7 +57,7 @@ class TextureTable:
         return Table(self.name, self.rank, self.spectral, self.image)
 
     def reader(self, dialect: ShaderDialect, texture: str) -> str:
-        """Functions with which a shader reads the table.
+        """Source of the read and size functions.
 
         Parameters
         ----------
@@ -87,7 +87,7 @@ class TextureTable:
         return sizes + dialect.function(f"read_{self.name}", places, VEC4, [fetched])
 
     def _lengths(self, dialect: ShaderDialect) -> list[str]:
-        """Length of each axis, as a constant element of the vector: drivers need not search it."""
+        """Length of each axis, by constant index into ``lengths``."""
         if not self.lengths:
             return []
         named = self.rank - 1 if self.pair else self.rank

@@ -227,8 +227,8 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     exact : bool
         Whether every pixel is marched.
     fixed : tuple of (str, value)
-        Integers and switches of the uniforms that are known, bound instead of read: a software
-        device evaluates both sides of every branch.
+        Integer and boolean uniforms bound as constants: a software GPU evaluates both sides of
+        every branch otherwise.
     dialect : ShaderDialect
         Shading language.
     """
