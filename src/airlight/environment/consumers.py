@@ -36,7 +36,7 @@ Y_UP_LEFT_HANDED: Final[Axes] = (_EAST, _UP, _NORTH)
 
 @dataclass(frozen=True, kw_only=True)
 class Consumer:
-    """Program that reads an environment map.
+    """Program that reads an environment map, with its axis convention.
 
     Attributes
     ----------
@@ -70,12 +70,12 @@ class Consumer:
     rows_reach_poles: bool = False
 
     def direction(self, enu: FloatArray) -> FloatArray:
-        """Directions in the program's axes, of directions in ENU, shape (..., 3). [1]"""
+        """Directions in the program's axes from ENU, shape (..., 3). [1]"""
         return np.asarray(enu @ np.array(self.axes).T)
 
     @property
     def handedness(self) -> str:
-        """Handedness of its axes: ``right`` or ``left``."""
+        """Handedness of the axes: ``right`` or ``left``."""
         return "right" if np.linalg.det(np.array(self.axes)) > 0.0 else "left"
 
     @property
@@ -84,7 +84,7 @@ class Consumer:
         return 90.0 if self.tilt is None else self.tilt
 
     def with_up(self, up: str) -> Consumer:
-        """USD with another axis up, in its layer and in the directions of the JSON.
+        """USD convention with another up axis.
 
         Parameters
         ----------
@@ -103,7 +103,7 @@ class Consumer:
         return replace(self, axes=Y_UP if up == "y" else Z_UP)
 
     def facing(self, front: float, tilt: float) -> Consumer:
-        """Dome with another front.
+        """Dome convention with another front bearing.
 
         Parameters
         ----------
@@ -166,7 +166,7 @@ CONSUMERS: Final[dict[str, Consumer]] = {
 
 
 def consumer_named(name: str) -> Consumer:
-    """Consumer by its word.
+    """Convention by name.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Disc of a light: rendered by itself, finely, as a light of its own or as texels of a map.
+"""Disc of a light, rendered at high resolution, for a separate light or for texels of a map.
 
 A map's texel is often larger than the sun. The disc is therefore rendered through the air by the
 renderer, in a small picture of its own with many pixels across it, whose every pixel is put into
@@ -45,7 +45,7 @@ _WIDEST: Final = math.radians(30.0)
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Disc:
-    """Disc of a light, as it is seen through the air.
+    """Disc of a light as attenuated and refracted by the atmosphere.
 
     Attributes
     ----------
@@ -73,23 +73,23 @@ class Disc:
 
     @property
     def direction(self) -> FloatArray:
-        """Unit vector to the middle of its light in ENU, shape (3,). [1]"""
+        """Unit vector to the centroid of its radiance in ENU, shape (3,). [1]"""
         total = grey_of(self.light) @ self.directions
         return np.asarray(total / np.linalg.norm(total))
 
     @property
     def irradiance(self) -> FloatArray:
-        """Irradiance on a plane that faces it: linear sRGB, shape (3,). [W m⁻²]"""
+        """Normal irradiance, linear sRGB, shape (3,). [W m⁻²]"""
         return np.asarray(self.light.sum(axis=0))
 
     @property
     def illuminance(self) -> float:
-        """Illuminance on that plane. [lx]"""
+        """Normal illuminance. [lx]"""
         return LUMINOUS_EFFICACY * float(grey_of(self.irradiance))
 
     @property
     def gamut_change(self) -> float:
-        """Largest change of a channel by the mapping into the gamut, over the luminance. [1]"""
+        """Largest change of a channel by gamut mapping, over the luminance. [1]"""
         return float(np.abs(self.moved).max() / grey_of(self.irradiance))
 
     def put_into(self, rgb: NDArray[np.float32], camera: Camera, to_local: FloatArray) -> None:
@@ -116,7 +116,7 @@ class Disc:
 
 
 def enu_from_local(sun_azimuth: float) -> FloatArray:
-    """Rotation from the frame whose x is on the sun's side to ENU, shape (3, 3). [1]
+    """Rotation from the local frame to ENU, shape (3, 3). [1]
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def enu_from_local(sun_azimuth: float) -> FloatArray:
 
 
 def seen_disc(lit: SceneForLight) -> Disc | None:
-    """Disc of a light through the air; None where nothing of it is seen.
+    """Disc of a light through the atmosphere; None if it is not visible.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def seen_disc(lit: SceneForLight) -> Disc | None:
 
 
 def _close_camera(lit: SceneForLight) -> Camera | None:
-    """Camera of the small picture; None where the light is below the horizon."""
+    """Camera of the high-resolution frame; None for a light below the horizon."""
     scene, solution = lit.scene, lit.solution
     radius = solution.lights[0].angular_radius
     zenith, width = scene.sun_zenith, _HALF_WIDTH

@@ -1,4 +1,4 @@
-"""Environment map: a planet's sky as another renderer reads it, with its lights apart."""
+"""Environment map of a planet's sky for another renderer, with separate lights."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ SUNS: Final = ("include", "exclude", "light")
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class EnvironmentMap:
-    """Map of the light around an observer.
+    """Radiance map around an observer, with separate lights.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class EnvironmentMap:
         return self.frame.rgb
 
     def irradiance(self, normal: FloatArray) -> FloatArray:
-        """Irradiance by the map of a plane: linear sRGB, shape (3,). [W m⁻²]
+        """Irradiance of a plane by the map, linear sRGB, shape (3,). [W m⁻²]
 
         Parameters
         ----------
@@ -97,7 +97,7 @@ class EnvironmentMap:
 
 
 def map_camera(consumer: Consumer, width: int, height: int, sun_azimuth: float) -> Camera:
-    """Camera that renders the map of a program.
+    """Camera for the map of a program.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def environment_map(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> EnvironmentMap:
-    """Solve a planet and render the map of an observer's sky.
+    """Solve a planet and render the environment map of an observer.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Colours without negative channels, for renderers that take light to be positive.
+"""Gamut mapping to non-negative linear sRGB, for renderers that require it.
 
 A spectral colour may lie outside the triangle of sRGB: the disc of a setting sun has negative blue.
 In linear light the nearest colour of the same luminance on the way to grey has the lowest channel
@@ -22,7 +22,7 @@ _BLOCK: Final = 1 << 18
 
 @dataclass(frozen=True, kw_only=True)
 class GamutChange:
-    """Difference that the mapping into the gamut made.
+    """Effect of gamut mapping.
 
     Attributes
     ----------
@@ -37,14 +37,14 @@ class GamutChange:
 
 
 def grey_of(rgb: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Luminance of linear sRGB as grey: the value of three equal channels, shape (...,)."""
+    """Luminance of linear sRGB as the value of a grey, shape (...,)."""
     return np.asarray(np.asarray(rgb, np.float64) @ RGB_TO_XYZ[1])
 
 
 def without_negatives(
     rgb: NDArray[np.floating],
 ) -> tuple[NDArray[np.float64], GamutChange]:
-    """Bring colours into the gamut of linear sRGB at their luminance.
+    """Map colours into the sRGB gamut at constant luminance.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def without_negatives(
 
 
 def bring_into_gamut(rgb: NDArray[np.float32]) -> GamutChange:
-    """Map a picture into the gamut where it stands, block by block; see ``without_negatives``.
+    """In-place ``without_negatives`` of a frame.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Texels of a map: the solid angle of each, and the one in which a direction lies."""
+"""Texels of a map: solid angles, and lookup by direction."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MAPS: Final = ("equirectangular", "octahedral", "fisheye")
 
 
 def check_map(camera: Camera) -> None:
-    """Refuse a projection whose texels are not known here.
+    """Raise for an unsupported projection.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
 
 
 def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Places of directions in the picture: the inverse of the camera's projection.
+    """Image positions of directions: the inverse projection.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
 
 
 def texels_of(camera: Camera, directions: FloatArray) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Row and column of the texel in which each direction lies, -1 outside the picture."""
+    """Row and column of the texel of each direction; -1 outside the map."""
     x, y = texel_positions(camera, directions)
     shown = np.isfinite(x)
     column = np.where(shown, np.clip(np.floor(np.where(shown, x, 0.0)), 0, camera.width - 1), -1)
@@ -130,7 +130,7 @@ def texels_of(camera: Camera, directions: FloatArray) -> tuple[NDArray[np.intp],
 
 
 def reaching_poles(rgb: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Rows of a panorama for a program that takes the first and the last for the poles themselves.
+    """Resampled rows of a panorama whose first and last rows are exactly the poles.
 
     Such a program looks a zenith angle up at (height - 1)/180° of it, not at height/180° less
     half a row: by a half row too near to the pole, at the poles. Rows are interpolated linearly,

@@ -1,4 +1,4 @@
-"""Films: key frames, exposure and frames of a planet or a scene, rendered by many processes."""
+"""Films: key frames, exposure curve and parallel rendering of frames."""
 
 from __future__ import annotations
 

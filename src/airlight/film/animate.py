@@ -1,4 +1,4 @@
-"""``animate``: a film becomes a folder of frames, rendered by many processes, only what is missing."""
+"""``animate``: parallel, resumable rendering of a film to a folder of frames."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ FilmExposure = float | Literal["auto", "locked"]
 _KEPT: Final = 512
 #: Frames by which the number of a film's solutions is estimated.
 _SAMPLED: Final = 32
-#: Source that renders frames.
+#: Modules whose source is part of a frame's fingerprint.
 _SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("frame_spec.py", "finish.py"))
 
 
@@ -43,16 +43,16 @@ def _code() -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Animated:
-    """Film that was written.
+    """Result of ``animate``.
 
     Attributes
     ----------
     frames : FramesFolder
         Folder of its frames.
     rendered, kept : int
-        Number of frames that were rendered, and that were there already.
+        Number of frames rendered, and of existing frames.
     damaged : int
-        Number of the rendered frames that were there, and damaged.
+        Number of rendered frames that replaced damaged ones.
     exposures : (float, float) or None
         Lowest and highest exposure of a PNG. [EV]
     """
@@ -80,7 +80,7 @@ def animate(
     on_message: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Animated:
-    """Render the frames of a film that are missing, damaged or have changed.
+    """Render the missing, damaged and changed frames of a film.
 
     Each frame's file names in its header the fingerprint of all that defines it, and its checksum,
     with which all its bytes are compared. A frame is written whole; a run that was interrupted, or
@@ -177,7 +177,7 @@ def animate(
 
 
 class _Job:
-    """One film at one size, with one finish."""
+    """Film at a given size and finish."""
 
     def __init__(
         self, film: Film, width: int, height: int, how: Quality, finish: Finish,
@@ -197,7 +197,7 @@ class _Job:
         return self._specs[number]
 
     def _digest(self, number: int) -> str:
-        """Fingerprint of a frame's light."""
+        """Fingerprint of a frame's radiance."""
         if number not in self._digests:
             spec = self.frame_spec(number)
             self._digests[number] = digest((spec.defined_by, _code()), spec.files)
@@ -206,7 +206,7 @@ class _Job:
     # --- exposure -----------------------------------------------------------------------------
 
     def curve(self, opened: Callable[[], Runner]) -> Callable[[int], float] | None:
-        """Exposure of each frame, metered where that is not known; None of linear files."""
+        """Exposure curve of the film; None for linear files."""
         if self._finish.suffix == ".exr":
             return None
         if isinstance(self._exposure, (int, float)):
@@ -241,7 +241,7 @@ class _Job:
 
     @property
     def _eye(self) -> bool:
-        """Whether faint light is seen as by an eye: not where the exposure is a number."""
+        """Whether the eye model is applied: only with automatic exposure."""
         return isinstance(self._exposure, str)
 
     def fingerprint(self, number: int) -> str:
@@ -258,7 +258,7 @@ class _Job:
             )  # fmt: skip
 
     def announce(self, frames: int) -> None:
-        """Announce frames that take long together, and solutions if they have several."""
+        """Announce long rendering, and the number of solutions."""
         count = self._film.plan.count
         sampled = min(count, _SAMPLED)
         some = [self.frame_spec(count * k // sampled) for k in range(sampled)]
@@ -274,7 +274,7 @@ class _Job:
         )
 
     def prepare(self, runner: Runner) -> None:
-        """Solve once, here and on each other machine, what all frames share."""
+        """Solve the common solution once on each machine."""
         count = self._film.plan.count
         some = [self.frame_spec(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
         if distinct_solutions(some) == 1:
@@ -286,13 +286,13 @@ class _Job:
 
 
 def prepared(spec: FrameSpec, code: str) -> None:
-    """Solve what a frame needs, and keep it on the disk of this machine."""
+    """Solve for a frame and store the solution on this machine."""
     check_code(code, *_SOURCES)
     spec.prepare()
 
 
 def metered_exposure(spec: FrameSpec, code: str) -> float:
-    """Exposure of a frame by a small picture of it. [EV]"""
+    """Exposure metered from a small frame. [EV]"""
     check_code(code, *_SOURCES)
     return float(spec.render(METERED).exposure)
 
@@ -300,7 +300,7 @@ def metered_exposure(spec: FrameSpec, code: str) -> float:
 def rendered_frame(
     spec: FrameSpec, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
 ) -> bytes:
-    """Contents of a frame's file, with its fingerprint and its checksum in the header.
+    """Bytes of a frame's file, with fingerprint and checksum in the header.
 
     Parameters
     ----------

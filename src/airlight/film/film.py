@@ -1,4 +1,4 @@
-"""``Film``: a planet or a scene with a plan, which becomes specs."""
+"""``Film``: a planet or scene with key frames, and the specification of each frame."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Tables = Mapping[str, Any]
 
 @dataclass(frozen=True, kw_only=True)
 class Film:
-    """Film of one planet, or of a scene of several bodies.
+    """Film of a planet or of a scene of several bodies.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ class Film:
     view: Tables | None = field(default=None)
 
     def frame_spec(self, number: int, width: int, height: int, how: Quality) -> FrameSpec:
-        """Frame of the film before it is rendered.
+        """Specification of a frame.
 
         Parameters
         ----------
@@ -89,7 +89,7 @@ class Film:
 
     @property
     def planets(self) -> tuple[Planet, ...]:
-        """Planets with air at the first frame."""
+        """Planets of the first frame."""
         if self.view is not None:
             return (self._planet_at(self.plan.changes(0))[1],)
         system = self._system_at(self.plan.changes(0), self._time(0))
@@ -144,7 +144,7 @@ class Film:
 
     @cached_property
     def _span(self) -> tuple[datetime, datetime]:
-        """Instants of the first and the last frame, at the places of their observers."""
+        """Times of the first and the last frame."""
         from airlight.ephemeris.sky import Place
         from airlight.ephemeris.time_text import read_time
 
@@ -172,7 +172,7 @@ def _instant(text: str, name: str) -> datetime:
 
 
 def _of_a_key(error: ParameterError) -> ParameterError:
-    """Error about a path, by the name that a film's file has for it."""
+    """Error with the field named by its key in the film file."""
     if error.field != FIELD:
         return error
     return ParameterError("film.keys", error.value, error.allowed, error.file)

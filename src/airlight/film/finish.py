@@ -1,4 +1,4 @@
-"""Finish of a frame: from its light to the bytes of a file."""
+"""Finish of a frame: display settings and file format."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.scene.frame import Frame
 
 @dataclass(frozen=True, kw_only=True)
 class Finish:
-    """Format and display of a film's frames.
+    """File format and display settings of a film.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Finish:
 def finished(
     frame: Frame, finish: Finish, exposure: float, eye: bool, metadata: Mapping[str, str]
 ) -> bytes:
-    """Contents of a frame's file.
+    """Bytes of a frame's file.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Stills: everything that defines the light of one frame, and its drawing."""
+"""Frame specifications: all parameters of a frame of a film, and its rendering."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
     from airlight.solvers.moments.solution import MomentsSolution
 
-#: Work of a picture of any size, for its sky-view LUT, in wavelengths of pixels. [1]
+#: Cost of a sky-view LUT, in pixels times wavelengths. [1]
 _TABLE: Final = 1.5e6
-#: Solution of the frame rendered last, which the next one mostly shares.
+#: Solution of the last rendered frame, which the next frame usually shares.
 _SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Quality:
-    """How a film's light is computed.
+    """Accuracy settings of a film.
 
     Attributes
     ----------
     wavelengths : tuple of float, optional
-        Wavelengths; those of pictures by default. [nm]
+        Wavelengths; by default ``picture_wavelengths``. [nm]
     quality : str
         Quality of the solutions.
     samples : int, optional
         Samples per side of a pixel; by default 1 of a planet, 4 at the edges of a scene.
     exact : bool
-        Whether every pixel of a planet's picture is marched.
+        Whether every pixel of a planet's frame is marched.
     """
 
     wavelengths: tuple[float, ...] | None = None
@@ -57,7 +57,7 @@ class Quality:
 
 
 class FrameSpec(Protocol):
-    """One frame before it is rendered."""
+    """Specification of one frame."""
 
     def render(self, width: int | None = None) -> Frame:
         """Render the frame.
@@ -65,36 +65,36 @@ class FrameSpec(Protocol):
         Parameters
         ----------
         width : int, optional
-            Width of a smaller picture of the same view, for its exposure. [pixel]
+            Width of a smaller frame, for metering. [pixel]
         """
 
     def prepare(self, progress: Progress | None = None) -> None:
-        """Solve what the frame needs and keep it on disk."""
+        """Solve and store the solution on disk."""
 
     def cost(self) -> dict[str, float]:
-        """Amounts of work of its picture and of its solutions, by kinds of ``kernel.cost``."""
+        """Work of rendering and solving, by kinds of ``kernel.cost``."""
 
     @property
     def solved_for(self) -> object:
-        """Value that is equal for specs of one solution."""
+        """Key that is equal for frames with the same solution."""
 
     @property
     def defined_by(self) -> object:
-        """Parameters of everything that the frame shows."""
+        """All parameters of the frame."""
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """Files whose contents the frame shows."""
+        """Input files of the frame."""
 
     def metadata(self) -> dict[str, str]:
-        """Facts for the header of the frame's file."""
+        """Metadata for the file header."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class PlanetFrameSpec:
-    """Frame of one planet, as ``airlight.paint.render_scene`` renders it.
+    """Frame of one planet.
 
-    The air is solved in the light of the planet's file, and shown in that of the scene's time.
+    Solved with the star of the planet file, rendered with the irradiance at the scene's time.
 
     Attributes
     ----------
@@ -103,9 +103,9 @@ class PlanetFrameSpec:
     scene : Scene
         Observer, sun and camera.
     how : Quality
-        How its light is computed.
+        Accuracy settings.
     stars : bool
-        Whether the stars of the catalogue are added.
+        Whether the star catalogue is added.
     """
 
     planet: Planet
@@ -186,16 +186,16 @@ class PlanetFrameSpec:
 
 @dataclass(frozen=True, kw_only=True)
 class SystemFrameSpec:
-    """Frame of a scene of several bodies, as ``airlight.paint.render_system`` renders it.
+    """Frame of a scene of several bodies.
 
     Attributes
     ----------
     system : System
         Bodies, lights, observer and camera.
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     how : Quality
-        How its light is computed.
+        Accuracy settings.
     """
 
     system: System
@@ -274,7 +274,7 @@ def _ground_files(planet: Planet) -> tuple[Path, ...]:
 
 
 def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, int]:
-    """Size of a smaller picture of the same shape, which the projection allows."""
+    """Smaller frame size of the same shape that the projection supports."""
     if width <= most:
         return width, height
     from airlight.scene.projections import PROJECTIONS
@@ -287,6 +287,6 @@ def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, 
 
 
 def distinct_solutions(specs: Sequence[FrameSpec]) -> int:
-    """Number of changes of the solution from still to still, and 1."""
+    """1 plus the number of changes of the solution between successive frames."""
     keys = [one.solved_for for one in specs]
     return 1 + sum(a != b for a, b in pairwise(keys))

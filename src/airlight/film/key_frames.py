@@ -1,4 +1,4 @@
-"""Key frames: one number of a scene or a planet over the length of a film."""
+"""Key frames: animation of one parameter of a scene or planet."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _read_values(section: Section, name: str, wavelengths: Wavelengths) -> Any:
 
 @parameters
 class KeyFrames(Record):
-    """Values of one number at some moments of a film, and the law between them.
+    """Key frames of one parameter, and their interpolation.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ class KeyFrames(Record):
             raise ParameterError("values", self.values, f"numbers above 0 by the law {self.law}")
 
     def value(self, share: float) -> Any:
-        """Value at a moment, as a file holds it: a number, a text with the unit, or a list.
+        """Value at a time as in a file: number, text with unit, or list.
 
         Parameters
         ----------
@@ -111,7 +111,7 @@ class KeyFrames(Record):
         return list(self.values) if isinstance(self.values, (list, tuple)) else [self.values]
 
     def _numbers(self) -> tuple[np.ndarray, str]:
-        """Values as numbers, shape (k, m), and their unit, empty if they have none."""
+        """Values as numbers, shape (k, m), and their unit or an empty text."""
         items = self._items()
         if not 2 <= len(items) <= LONGEST_LIST:
             shown = self.values if items else MISSING

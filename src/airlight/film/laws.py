@@ -1,4 +1,4 @@
-"""Laws by which a value runs from one key frame to the next."""
+"""Interpolation between key frames."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Law: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 
 
 def linear(at: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
-    """Straight lines from key to key; constant before the first and after the last.
+    """Linear interpolation, constant outside.
 
     Examples
     --------

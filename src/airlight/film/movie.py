@@ -1,4 +1,4 @@
-"""MP4 of a film's frames, by ffmpeg."""
+"""MP4 encoding of a film by ffmpeg."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _SCALE: Final = (
 
 
 def check_movie(path: Path, field: str) -> None:
-    """Refuse, before frames are rendered, a film that could not be written.
+    """Raise if a movie cannot be written.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def check_movie(path: Path, field: str) -> None:
 def write_movie(
     path: Path, frames: Sequence[Path], rate: float, progress: Progress | None = None
 ) -> None:
-    """Write an MP4 of PNG frames: H.264, 4:2:0, eight bits, BT.709.
+    """Encode PNG frames as MP4: H.264, 4:2:0, 8 bits, BT.709.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def _pixels(file: Path) -> NDArray[np.uint8]:
 
 
 def _frame_count(file: Path) -> int:
-    """Number of frames that can be read; ffmpeg does not say whether it has written all."""
+    """Number of readable frames, as ffmpeg does not report incomplete output."""
     import imageio_ffmpeg
 
     try:

@@ -1,4 +1,4 @@
-"""The ``[film]`` table: number of frames, clock and key frames."""
+"""Table ``[film]`` of a film file: number of frames, clock and key frames."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def _read_keys(section: Section, name: str, wavelengths: Wavelengths) -> tuple[K
 
 @parameters
 class FilmPlan(Record):
-    """Course of a film.
+    """Duration, clock and key frames of a film.
 
     Parameters
     ----------
@@ -93,9 +93,9 @@ class FilmPlan(Record):
         return int(self.frames)
 
     def share(self, number: int) -> float:
-        """Moment of a frame: 0 of the first, number 0, and 1 of the last. [1]"""
+        """Normalised time of a frame, from 0 to 1. [1]"""
         return number / max(self.count - 1, 1)
 
     def changes(self, number: int) -> dict[str, Any]:
-        """Values of all keys at a frame, by path."""
+        """Values of all animated parameters at a frame, by path."""
         return {key.path: key.value(self.share(number)) for key in self.keys}

@@ -1,4 +1,4 @@
-"""Films from files: a film file, a scene file, a planet file, or the name of a preset."""
+"""Reader of films from film, scene or planet files or preset names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ``[view]`` table: observer, sun and camera of a film of one planet."""
+"""Table ``[view]`` of a film file: observer, sun and camera."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PRO
 
 @parameters
 class PlanetView(Record):
-    """Observer above a planet, sun and camera, as ``airlight render PLANET`` has them.
+    """Observer, sun and camera of a single-planet film.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class PlanetView(Record):
     ground : str
         ``plain`` or ``detailed``.
     stars : bool
-        Whether the stars of the catalogue are rendered.
+        Whether the star catalogue is rendered.
     """
 
     latitude: Annotated[

@@ -1,9 +1,7 @@
-"""Samples of a pixel: a grid of them where an edge crosses it, else one.
+"""Supersampling of pixels on the horizon or the limb.
 
-The horizon, and the limb of the planet seen from outside, are the edges of a picture: the disc of
-a star has its own smooth rim, and air has none. So a pixel has one sample unless the horizon comes
-nearer to its centre than its corners, and the light of a row along it is not rendered more often than
-needed.
+Only these edges alias: stellar discs have antialiased rims, and air is smooth. Other pixels have
+one sample.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-r"""How much each part of the ground lights the air that an observer sees.
+r"""Weight of each part of the ground in the illumination of the air that an observer sees.
 
 A solver knows one albedo for the whole ground. The light that it adds to the sky of an observer
 comes from below the air on his lines of sight: a volume at y on a line receives the radiance of the
@@ -48,7 +48,7 @@ _NEAREST: Final = 1e-8 * np.pi
 
 
 class _Legs(NamedTuple):
-    """Stretches of lines of sight on which the radius only rises, or only falls; shape (n, 1).
+    """Ray segments with monotonic radius; shape (n, 1).
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class _Legs(NamedTuple):
 
 
 def ground_distances(medium: Medium, altitude: float, shares: FloatArray) -> FloatArray:
-    """Distances along the ground within which shares of the weight lie.
+    """Quantiles of the weight by distance along the ground.
 
     Parameters
     ----------
@@ -111,20 +111,20 @@ def ground_distances(medium: Medium, altitude: float, shares: FloatArray) -> Flo
 
 
 def _even_air(medium: Medium) -> tuple[FloatArray, FloatArray]:
-    """Scattering and extinction of air that scatters alike in all directions, shape (nc,). [m⁻¹]"""
+    """Scattering and extinction of isotropically scattering air, shape (nc,). [m⁻¹]"""
     even = medium.scattering[:, 0] * (1.0 - medium.phase_moments(1)[:, 0, 1])
     return even, even + medium.absorption[:, 0]
 
 
 def _through(medium: Medium, r: ArrayLike, mu: ArrayLike, length: ArrayLike) -> FloatArray:
-    """Transmittance of stretches of rays. [1]"""
+    """Transmittance of ray segments. [1]"""
     _, extinction = _even_air(medium)
     column = columns(r, mu, length, medium.bottom_radius, medium.density, nodes=_NODES, panels=2)
     return np.asarray(np.exp(-(column @ extinction)))
 
 
 def _lit_air(medium: Medium, altitude: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Points of the air on all lines of sight, shape (n,).
+    """Sample points on all lines of sight, shape (n,).
 
     Returns
     -------
@@ -151,7 +151,7 @@ def _lit_air(medium: Medium, altitude: float) -> tuple[FloatArray, FloatArray, F
 
 
 def _legs(r: float, bottom: float, top: float, lines: int) -> _Legs:
-    """Legs of the lines of sight of an observer at a radius [m], inside the air or outside."""
+    """Monotonic segments of the lines of sight of an observer at a radius. [m]"""
     rule = gauss_legendre(lines)
     rows: list[tuple[ArrayLike, ...]] = []
     start = min(r, top)
@@ -181,7 +181,7 @@ def _legs(r: float, bottom: float, top: float, lines: int) -> _Legs:
 
 
 def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Ground that a point of the air sees, in ``_DOWN`` directions between nadir and horizon.
+    """Ground visible from a point of the air, in ``_DOWN`` directions from nadir to horizon.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Metering: which pixels of a scene count for its exposure, how much, and how a star limits it."""
+"""Metering: solid-angle weights of pixels for the automatic exposure, without discs of stars."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _NEAR: Final = 0.25
 
 @kernel
 def left_out(angular_radius, pixel_angle):
-    """Cosine of the angle about a star within which pixels do not count. [1]
+    """Cosine of the angle around a star within which pixels are ignored. [1]
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def left_out(angular_radius, pixel_angle):
 def metering_weight(
     projection, x, y, width, height, field_of_view, sun_right, sun_up, sun_forward, cosine
 ):
-    """Solid angle of a pixel, below 0 near the star's disc; 0 outside the picture. [sr]
+    """Solid angle of a pixel, negative near the star's disc, 0 outside the projection. [sr]
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out, li
 def metering_weights(
     scene: Scene, angular_radius: float, step: int = 1
 ) -> tuple[FloatArray, FloatArray]:
-    """Solid angles of the pixels of a scene's picture, and the stars that they are near.
+    """Solid angles of all pixels, and the star that each is near.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def metering_weights(
 
 
 def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: float) -> float:
-    """Automatic exposure of a scene's picture, which its size does not change.
+    """Automatic exposure of a frame, independent of its size.
 
     What is away from the discs of the lights is exposed as ``automatic_exposure`` does. A disc in
     view limits that, see ``airlight.color.exposure.star_limited``; in a picture of space, or of a

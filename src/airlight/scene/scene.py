@@ -124,7 +124,7 @@ class Scene:
         camera: Camera | None = None,
         ground: str = "plain",
     ) -> Scene:
-        """Scene at a place and time: the sun where it stands then, and on Earth the Moon.
+        """Scene at a place and time, with sun and, on Earth, Moon by ephemeris.
 
         Parameters
         ----------
@@ -207,12 +207,12 @@ class Scene:
 
     @property
     def lights(self) -> tuple[LightPosition, ...]:
-        """Lights, of which a picture is the sum: the sun, at azimuth 0, and the others."""
+        """All lights: the sun, at azimuth 0, then the secondary lights."""
         sun = LightPosition(zenith=self.sun_zenith)
         return (sun, *(one.beside(sun) for one in self.secondary_lights))
 
     def lit_by(self, light: LightPosition) -> Scene:
-        """Scene with one light, at the sun's place: turned so that the light is at azimuth 0.
+        """Single-light scene in the frame of that light, at azimuth 0.
 
         Parameters
         ----------
@@ -239,7 +239,7 @@ class Scene:
         )
 
     def north_up(self) -> Scene:
-        """Scene whose camera, which looks straight down, has the north at the top of its picture.
+        """Scene of a nadir-looking camera with north up.
 
         Examples
         --------
@@ -261,7 +261,7 @@ class Scene:
         return planet_frame(self.latitude, self.longitude, self.sun_azimuth)
 
     def metadata(self) -> dict[str, str]:
-        """Scene as text for the header of a picture, every value with its unit.
+        """Metadata for file headers, with units.
 
         Examples
         --------

@@ -37,7 +37,7 @@ FIELD_OF_VIEW: Final = Key(
 
 @parameters
 class Observer(Record):
-    """Place of the observer: above a body, or anywhere.
+    """Position of the observer: above a body, or free.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class Observer(Record):
 
 @parameters
 class View(Record):
-    """Direction and projection of the camera.
+    """Orientation and projection of the camera.
 
     Parameters
     ----------

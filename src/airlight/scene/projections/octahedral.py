@@ -1,4 +1,4 @@
-r"""Whole sphere on a square whose texels all have the same solid angle.
+r"""Equal-area octahedral map of the sphere on a square.
 
 Each quarter of the upper hemisphere is a triangle beside the middle of the square, and the quarter
 below it the triangle between that and the corner. In the unit triangle with
@@ -17,7 +17,7 @@ from airlight.scene.projections.projection import Projection
 
 @kernel
 def octahedral_ray(x, y, width, height, field_of_view):
-    """View vector of a point of the square; its middle is above, its corners are below.
+    """View vector of a point of the square; zenith in the middle, nadir in the corners.
 
     Ahead is the bottom edge's middle, on the right the right edge's.
 
@@ -59,7 +59,7 @@ def octahedral_ray(x, y, width, height, field_of_view):
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:
-    """Angle of the central pixel, that is overhead. [rad]"""
+    """Angle of the central pixel, at the zenith. [rad]"""
     return 4.0 / height
 
 

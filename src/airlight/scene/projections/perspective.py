@@ -1,4 +1,4 @@
-"""Pinhole camera: straight lines stay straight."""
+"""Perspective (rectilinear) projection of a pinhole camera."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from airlight.scene.projections.projection import Projection
 
 @kernel
 def perspective_ray(x, y, width, height, field_of_view):
-    """View vector of a point of a flat picture; the field of view is horizontal.
+    """View vector of a point of the image plane; the field of view is horizontal.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""View vectors of any projection by its number: one point, or a grid of pixels."""
+"""View vectors of any projection by index: one point, or a grid of pixels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Interface that every projection's file implements."""
+"""Interface of a projection."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, kw_only=True)
 class Projection:
-    """Projection of directions onto a picture.
+    """Mapping between image positions and directions.
 
     Parameters
     ----------
@@ -60,5 +60,5 @@ class Projection:
     sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)
 
     def fits(self, width: int, height: int) -> bool:
-        """Whether a picture may have this size. [pixel]"""
+        """Whether the projection supports a frame size. [pixel]"""
         return self.aspect is None or width == self.aspect * height
