@@ -1,4 +1,4 @@
-"""Aerial perspective around one observer: tables of the air and the sky for a pass in a shader.
+"""Aerial perspective tables of path radiance, transmittance and sky around one observer.
 
 Froxels of all directions instead of a camera's: the camera may turn, and move sideways as far as
 the air is the same, without new tables. The sky behind has tables of its own.
@@ -35,7 +35,7 @@ Float32Array = NDArray[np.float32]
 
 #: Azimuths, rows of each half and steps to a factor of ten of the air's tables.
 SIZE: Final = (48, 48, 8)
-#: Azimuths and rows of each half of the sky-view LUTs.
+#: Azimuths, and rows of each half, of the tables.
 SKY_SIZE: Final = (128, 128)
 #: Limits of the tables' sizes.
 _LEAST, _MOST = 4, 512
@@ -56,7 +56,7 @@ SEED: Final = 20260621
 
 @dataclass(frozen=True)
 class AerialErrors:
-    """Errors of the tables against the march, at random directions and distances.
+    """Interpolation errors of the tables at random directions and distances.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class AerialErrors:
 
 @dataclass(frozen=True, eq=False)
 class AerialPerspective:
-    """Air before every point around an observer, and the sky behind.
+    """Path radiance and transmittance to any point around an observer, and the sky behind.
 
     Directions are unit vectors in the observer's frame: x level towards the star, z up. Radiance
     is in units of a white Lambert surface that faces the star without air, in each channel of
@@ -112,7 +112,7 @@ class AerialPerspective:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> AerialPerspective:
-        """March to every node, and measure the error between them.
+        """Fill the tables by marching, and measure their interpolation errors.
 
         Parameters
         ----------
@@ -126,7 +126,7 @@ class AerialPerspective:
         size : (int, int, int)
             Azimuths, rows of each half, and steps of distance to a factor of ten.
         sky_size : (int, int)
-            Azimuths and rows of each half of the sky-view LUTs.
+            Azimuths, and rows of each half, of the tables.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
@@ -188,7 +188,7 @@ class AerialPerspective:
         return cls(tables, scene, march.scale, _errors(tables, march))
 
     def air(self, directions: ArrayLike, distances: ArrayLike) -> tuple[Float32Array, Float32Array]:
-        """Air before points: as the shader has it.
+        """Path radiance and transmittance to points, as in the shader.
 
         Parameters
         ----------
@@ -205,7 +205,7 @@ class AerialPerspective:
         return _air_of(self.tables, directions, values_in(distances, "m", "distances"))
 
     def sky(self, directions: ArrayLike, pixel: Measure = 1e-3) -> Float32Array:
-        """Sky, or ground, behind everything, with the star's disc: as the shader has it.
+        """Radiance of sky or ground with the star's disc, as in the shader.
 
         Parameters
         ----------
@@ -224,7 +224,7 @@ class AerialPerspective:
 
 
 class _March:
-    """Exact light along lines of sight, in the colours of the tables."""
+    """Marched radiance along lines of sight, in the colours of the tables."""
 
     def __init__(self, solution: MomentsSolution, scene: Scene) -> None:
         self.solution = solution
@@ -244,7 +244,7 @@ class _March:
         self.grey = (_GREY / np.pi * received[0]) @ self._radiance
 
     def nodes(self, columns: int, rows: int) -> FloatArray:
-        """Directions of the texels, row by row, first those above the horizon, (n, 3). [1]"""
+        """Directions of the texels, row by row, from above the horizon down, (n, 3). [1]"""
         azimuth = np.pi * (np.arange(columns) / (columns - 1)) ** 2
         at = np.maximum(np.arange(rows) / (rows - 1), _ASIDE)
         horizon = (self.numbers["horizon_mu"], self.numbers["horizon_sine"])
@@ -258,7 +258,7 @@ class _March:
     def air(
         self, directions: FloatArray, distances: FloatArray, *, below: bool = False
     ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-        """Radiance and transmittance of the air, each (n, 3), and whether its end is met. [1]"""
+        """Path radiance and transmittance, each (n, 3), and whether the ray ends inside. [1]"""
         light, through, whole = self._air.before(directions, distances, below=below)
         return light @ self._radiance, through @ self._white, whole
 
@@ -286,7 +286,7 @@ def check_request(
     size: tuple[int, int, int] = SIZE,
     sky_size: tuple[int, int] = SKY_SIZE,
 ) -> None:
-    """Refuse what no table can be filled for, before long work.
+    """Validate a request before filling tables.
 
     Parameters
     ----------
@@ -318,7 +318,7 @@ def check_request(
 
 
 def _stored(values: FloatArray | Float32Array) -> Float32Array:
-    """Texels as they are written, in half precision."""
+    """Texels rounded to half precision, as in files."""
     return np.ascontiguousarray(values, np.float16).astype(np.float32).ravel()
 
 

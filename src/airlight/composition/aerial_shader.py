@@ -1,4 +1,4 @@
-"""Shader functions of aerial perspective, in WGSL and GLSL, with the numbers of one table."""
+"""Shader functions of aerial perspective in WGSL and GLSL, with the parameters of one table."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TEXTURES = ("air_light", "air_extinction", "air_sky", "air_star")
 
 
 def aerial_shader(aerial: AerialPerspective, dialect: ShaderDialect) -> str:
-    """Functions ``air_radiance``, ``air_transmittance`` and ``sky_radiance`` for a host's shader.
+    """Source of ``air_radiance``, ``air_transmittance`` and ``sky_radiance`` for a host shader.
 
     The host declares the textures of ``TEXTURES`` by their names, as flat textures of four
     channels, ``FLAT_WIDTH`` texels wide. Nothing else is bound: numbers are constants of the text.
@@ -41,7 +41,7 @@ def aerial_shader(aerial: AerialPerspective, dialect: ShaderDialect) -> str:
 
 
 def bound_tables(tables: AerialTables) -> dict[str, Value]:
-    """Numbers of the tables as constants, and the tables, for the emitter.
+    """Tables, and their parameters as constants, for the emitter.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""``compose``: the air over another renderer's picture, pixel by pixel, in bands of rows.
+"""``compose``: path radiance, transmittance and sky for another renderer's image, in bands of rows.
 
 Implements the composition of a picture with its depth: the light that reaches the camera is the
 surface's times the transmittance of the air before it, and the light of that stretch of air, which
@@ -57,18 +57,18 @@ class Composed:
     Attributes
     ----------
     rgb : array, shape (h, w, 3), float32
-        Linear sRGB, on the scale of the given colours.
+        Linear sRGB, on the scale of the input.
     scale : array, shape (3,)
-        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+        Radiance of value 1 in each channel. [W m⁻² sr⁻¹]
     scene : Scene
-        Scene whose observer and light the picture has; its camera covers the picture.
+        Scene with the observer, light and field of view of the image.
     star_radius : float
         Angular radius of the star. [rad]
     marched : float
-        Fraction of the pixels with a surface whose air was marched instead of read from froxels.
+        Fraction of surface pixels that were marched instead of interpolated in froxels.
     error : float
-        Largest error of the froxels that were used, of one pixel in each cell, over the light of a
-        grey surface behind its air; 0 without froxels.
+        Largest froxel error, sampled at one pixel per cell, over the radiance of a grey surface
+        behind the air; 0 without froxels.
     """
 
     rgb: Float32Array
@@ -80,7 +80,7 @@ class Composed:
 
     @property
     def frame(self) -> Frame:
-        """Picture in radiance, to be exposed and written as ``render``'s. [W m⁻² sr⁻¹]"""
+        """Frame of radiance, as from ``render``. [W m⁻² sr⁻¹]"""
         return Frame(
             rgb=(self.rgb * self.scale).astype(np.float32),
             pixel_angle=self.scene.camera.glare_angle,
@@ -106,7 +106,7 @@ def compose(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Composed:
-    """Lay a planet's air over a picture, and its sky behind.
+    """Composite an image with the atmosphere in front and the sky behind.
 
     Parameters
     ----------
@@ -193,15 +193,15 @@ def compose(
         total = np.zeros_like(light)
         solid = covers > 0.0
         for number, picture in enumerate(pictures):
-            air, through, told = picture.air(camera, rows, away, solid)
+            air, through, statistics = picture.air(camera, rows, away, solid)
             if relit is not None:
                 parts = [one[rows][solid] for one in relit]
                 total[solid] += picture.relit(camera, rows, away, solid, parts, through)
             elif number == 0:
                 total[solid] = surface.through(light[solid], through)
             if number == 0:
-                counts += told[:2]
-            error = max(error, told[2])
+                counts += statistics[:2]
+            error = max(error, statistics[2])
             total[solid] += covers[solid][:, None] * (air @ picture.colors)
             open_ = covers < 1.0
             total[open_] += (1.0 - covers[open_])[:, None] * picture.sky(rows, open_)
@@ -218,7 +218,7 @@ def compose(
 def _checked(
     rgb: ArrayLike, alpha: ArrayLike | None, depth: ArrayLike, kind: str, camera: Pinhole
 ) -> tuple[NDArray[Any], NDArray[Any] | None, NDArray[Any], str]:
-    """Colours, cover and depth as arrays of the camera's shape, and the kind of the depth."""
+    """Validated colours, alpha and depth of the camera's size, and the kind of depth."""
     for name, one in (("rgb", rgb), ("depth", depth), ("alpha", alpha)):
         without_unit(one, name)
     colors, passes = np.asarray(rgb), np.asarray(depth)
@@ -248,7 +248,7 @@ def _relit(
     normals: ArrayLike | None,
     shadow: ArrayLike | None,
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None:
-    """Albedo, normals and visible part of the star as arrays; None if surfaces keep their light."""
+    """Validated albedo, normals and shadow for relighting; None without relighting."""
     if albedo is None or normals is None:
         for name, one in (("albedo", albedo), ("normals", normals), ("shadow", shadow)):
             if one is not None:
@@ -266,7 +266,7 @@ def _relit(
 
 
 def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> None:
-    """Refuse values that are not finite or out of range, with their number."""
+    """Raise for values that are not finite or out of range, with their count."""
     wrong = ~(np.isfinite(values) & (values >= low) & (values <= high))
     if wrong.any():
         allowed = "finite numbers" if high == np.inf else "0 to 1"
@@ -276,7 +276,7 @@ def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> No
 
 
 class _LightRenderer:
-    """Air and sky of a picture by one light."""
+    """Atmosphere and sky of an image under one light."""
 
     def __init__(
         self, scene: Scene, solution: MomentsSolution, view: Viewpoint, exact: bool, disc: bool
@@ -292,7 +292,7 @@ class _LightRenderer:
         self._grey = self._grey_light(solution, scene)
 
     def _grey_light(self, solution: MomentsSolution, scene: Scene) -> FloatArray:
-        """Light of a level grey surface at the observer, per irradiance, shape (nl,). [sr⁻¹]"""
+        """Radiance of a horizontal grey surface at the observer, per irradiance, (nl,). [sr⁻¹]"""
         medium = solution.medium
         r = np.array([min(medium.bottom_radius + scene.altitude, medium.top_radius)])
         mu_s = np.array([scene.sun_direction[2]])
@@ -305,7 +305,7 @@ class _LightRenderer:
         return np.asarray(unit @ self._axes)
 
     def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
-        """Linear sRGB of what is behind some pixels of a band: sky or the planet's ground."""
+        """Linear sRGB of sky or ground behind pixels of a band. [W m⁻² sr⁻¹]"""
         if not self._filled:
             self._renderer.fill_sky_view()
             self._filled = True
@@ -324,14 +324,14 @@ class _LightRenderer:
     def air(
         self, camera: Pinhole, rows: slice, away: FloatArray, solid: NDArray[np.bool_]
     ) -> tuple[FloatArray, FloatArray, tuple[float, float, float]]:
-        """Air before the surfaces of a band.
+        """Path radiance and transmittance to the surfaces of a band.
 
         Returns
         -------
         radiance, transmittance : array, shape (n, nl)
             As from ``Air.before``.
-        told : (float, float, float)
-            Numbers of surfaces and of those that were marched, and the froxels' largest error.
+        statistics : (float, float, float)
+            Numbers of surfaces and of marched surfaces, and the largest froxel error.
         """
         rays = camera.rays(rows)
         directions = self._directions(rays[solid])
@@ -355,7 +355,7 @@ class _LightRenderer:
         parts: list[NDArray[Any]],
         transmittance: FloatArray,
     ) -> FloatArray:
-        """Linear sRGB of surfaces lit by the planet's light, behind the air. [W m⁻² sr⁻¹]
+        """Linear sRGB of relit surfaces, attenuated by the air. [W m⁻² sr⁻¹]
 
         Parameters
         ----------

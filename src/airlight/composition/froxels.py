@@ -1,4 +1,4 @@
-"""Froxels: the air before a picture, in cells of the screen and steps of distance.
+"""Froxels: path radiance and transmittance on a grid of screen cells and distances.
 
 A node of the table holds, per wavelength, the air's radiance and optical depth over the distance:
 both are smooth, from nothing to saturated air. Between nodes they are linear across the screen and
@@ -37,7 +37,7 @@ _BLOCK: Final = 1 << 14
 
 @dataclass(frozen=True, eq=False)
 class Froxels:
-    """Table of the air before a band of a picture.
+    """Froxel grid of a band of rows.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Froxels:
 
     @classmethod
     def fill(cls, air: Air, directions: FloatArray, nearest: float, farthest: float) -> Froxels:
-        """March to every node.
+        """Fill all nodes by marching.
 
         Parameters
         ----------
@@ -87,7 +87,7 @@ class Froxels:
     def read(
         self, x: FloatArray, y: FloatArray, distances: FloatArray
     ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-        """Read the table.
+        """Interpolate the grid.
 
         Parameters
         ----------
@@ -117,7 +117,7 @@ class Froxels:
 
 @compiled_loop
 def _read(x, y, z, values, usable, out, good):
-    """Values between nodes: linear in x and y, Catmull and Rom's cubic in z."""
+    """Interpolation: linear in x and y, Catmull-Rom in z."""
     rows, columns, steps, lanes = values.shape
     for k in range(x.size):
         i = min(max(int(x[k]), 0), columns - 2)

@@ -1,4 +1,4 @@
-"""Pinhole camera of another renderer's picture, from the files in which cameras are kept."""
+"""Pinhole camera of another renderer's image, and readers of camera files."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _MATRIX: Final = "a 4 x 4 matrix of finite numbers"
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Pinhole:
-    """Camera of a picture, in the coordinates of the scene that it shows.
+    """Pinhole camera in scene coordinates.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ class Pinhole:
         return np.asarray(self.to_world[:3, 3])
 
     def rays(self, rows: slice) -> FloatArray:
-        """Rays of some rows of pixels with a forward part of 1.
+        """Rays of rows of pixels, with forward component 1.
 
         Parameters
         ----------
@@ -120,7 +120,7 @@ class Pinhole:
         return self.rays_at(np.add(x, 0.5), np.add(y, 0.5))
 
     def rays_at(self, x: FloatArray, y: FloatArray) -> FloatArray:
-        """Rays of a grid of points, as ``rays``, shape (ny, nx, 3). [1]
+        """Rays of a grid of image positions, shape (ny, nx, 3). [1]
 
         Parameters
         ----------
@@ -140,7 +140,7 @@ class Pinhole:
         return x, 0.5 * self.height if self.centre_y is None else self.centre_y
 
     def sized(self, width: int, height: int) -> Pinhole:
-        """Same view as a picture of another size.
+        """Camera with another image size and the same view.
 
         Parameters
         ----------
@@ -168,7 +168,7 @@ class Pinhole:
 def camera_from_json(
     path: str | Path, picture: str = "", *, size: tuple[int, int] | None = None
 ) -> tuple[Pinhole, dict[str, Any]]:
-    """Read a camera as radiance-field tools keep it (``transforms.json``).
+    """Camera from ``transforms.json`` of radiance-field tools.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Air between a camera and what it sees: one stretch of each pixel's line, marched."""
+"""Path radiance and transmittance between the camera and surfaces, by marching."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _BELOW = 2.5
 
 
 class Air:
-    """Air in front of an observer, lit by one light.
+    """Atmosphere in front of an observer under one light.
 
     Parameters
     ----------
@@ -42,13 +42,13 @@ class Air:
 
     @property
     def inside(self) -> bool:
-        """Whether the observer is in the air."""
+        """Whether the observer is inside the atmosphere."""
         return self._r < self._top
 
     def before(
         self, directions: FloatArray, distances: FloatArray, *, below: bool = False
     ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-        """Light and transmittance of the air before points at some distances.
+        """Path radiance and transmittance to points.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Colours of surfaces behind air: their spectra, and what of them is transmitted.
+"""Spectral upsampling of surface colours, and their attenuation.
 
 A surface's colour is three numbers, the air's transmittance a spectrum. So a colour is taken for
 that of the smoothest reflectance that has it under the star (``color.upsampling``), and what comes
@@ -18,7 +18,7 @@ FloatArray = NDArray[np.float64]
 
 
 class SurfaceLight:
-    """Conversion of surfaces' colours through air.
+    """Attenuation of surface colours by spectral transmittance.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class SurfaceLight:
         self._shares = self.colors[:, :, None] * spectra[:, None, :]
 
     def through(self, colors: FloatArray, transmittance: FloatArray) -> FloatArray:
-        """Colours after the air, shape (n, 3).
+        """Attenuated colours, shape (n, 3).
 
         Parameters
         ----------

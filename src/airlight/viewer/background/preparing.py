@@ -1,4 +1,4 @@
-"""What is still to be done before the first picture of a viewer, counted."""
+"""Progress until the first frame of a viewer: compilation and solving."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from airlight.render.ahead import compiled_ahead
 from airlight.solvers.moments.loops import LOOPS
 from airlight.viewer.background.solver_thread import SolverStatus
 
-#: Shortest time between two calls that redraw the viewer: it shares the CPU. [s]
+#: Shortest time between two redraws, which compete for the CPU. [s]
 _EVERY: Final = 0.2
 
 
 class Preparing:
-    """Compilation of the solver, by this process, and of the renderer, by another.
+    """Compilation of the solver in this process and of the renderer in another.
 
     Parameters
     ----------
@@ -46,22 +46,22 @@ class Preparing:
 
     @property
     def share(self) -> float:
-        """Fraction of the functions that are compiled. [1]"""
+        """Compiled fraction of the functions. [1]"""
         done, total = self._counts()
         return done / total if total else 1.0
 
     def _counts(self) -> tuple[int, int]:
-        """Numbers of functions that are compiled, and of all; both processes need some of them."""
+        """Numbers of compiled functions and of all functions, each counted once."""
         one, other = self._both
         return len(one.finished | other.finished), len(one.names | other.names)
 
     def text(self, status: SolverStatus) -> str:
-        """What is being done, how far it is, and the time left.
+        """Current task, progress and time left.
 
         Parameters
         ----------
         status : SolverStatus
-            What the solver does.
+            Status of the solver.
         """
         done, total = self._counts()
         if done < total:
@@ -74,10 +74,10 @@ class Preparing:
         return status.doing or "rendering"
 
     def close(self) -> None:
-        """Stop counting, and end the other process."""
+        """Stop counting and end the other process."""
         self._solver.close()
         self.ahead.close()
 
     def finish(self) -> None:
-        """Stop counting; the other process goes on with what is needed later."""
+        """Stop counting; the other process continues."""
         self._solver.close()

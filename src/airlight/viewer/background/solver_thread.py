@@ -1,7 +1,7 @@
-"""Thread that follows a session and reads and solves each requested planet, preview first.
+"""Solver thread: observes a session, and reads and solves each planet, preview first.
 
-The newest edit wins. The host never waits: it reads ``latest`` and ``status`` at any time and is
-called when they change. The thread sleeps while there is no request.
+The newest edit wins. The host never blocks: it reads ``latest`` and ``status`` at any time and is
+notified of changes.
 """
 
 from __future__ import annotations
@@ -24,44 +24,44 @@ from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
 from airlight.viewer.session.solve_request import SolveRequest, Versions
 
-#: Time after which a preview is abandoned for a newer edit. Faster previews are finished, so that
-#: the picture follows a drag whose edits come faster than previews. [s]
+#: Time after which a preview is cancelled by a newer edit. Faster previews are finished, so that
+#: the frame keeps up during a drag. [s]
 PATIENCE: Final = 3.0
-#: Number of solutions kept, so that an undo or a switch to the other side is immediate.
+#: Number of cached solutions, for immediate undo and change of side.
 MOST_KEPT: Final = 4
-#: Part of a task after which the time left is told. [1]
+#: Completed fraction from which the remaining time is estimated. [1]
 _ESTIMATE_AFTER: Final = 0.1
 #: Shortest time between progress reports. [s]
 _REPORT_EVERY: Final = 0.1
 
 
 class Observable(Protocol):
-    """Session, or one side of it."""
+    """Observable source of solve requests: a session or one of its sides."""
 
     @property
     def solve_request(self) -> SolveRequest:
         """Request to solve."""
 
     def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
-        """Call ``observer`` after every change, on the host's thread; returns an unsubscriber."""
+        """Call ``observer`` after every change, on the host's thread; returns the unsubscriber."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class SolverResult:
-    """Solution with its planet and version.
+    """Result of a solve, with planet and version.
 
     Attributes
     ----------
     solution : Solution
-        Result of the solver.
+        Solution.
     planet : Planet
-        Planet as solved: constituents that are switched off neither scatter nor absorb.
+        Solved planet; disabled constituents neither scatter nor absorb.
     version : int
-        Version of the session's planet; the newest equals ``session.versions.planet``.
+        Version of the session's planet.
     quality : str
         Quality level of the solution.
     seconds : float
-        Time from the edit to the solution, including reading. [s]
+        Time from the edit to the solution. [s]
     """
 
     solution: Any
@@ -84,11 +84,11 @@ class SolverStatus:
     done, total : int
         Progress of that task. [1]
     version : int
-        Version of the planet in work, or of the last one.
+        Version of the current or last planet.
     error : str
         One-line error if the planet of ``version`` is invalid or cannot be solved; else empty.
     left : float or None
-        Time left, as that task has gone so far; None before that can be told. [s]
+        Estimated time left; None while unknown. [s]
     """
 
     busy: bool = False
@@ -121,9 +121,9 @@ class SolverThread:
     Parameters
     ----------
     session : Session or SessionSide
-        Session to follow, from construction on.
+        Session to observe.
     solver : PlanetSolver, optional
-        Solver, called on the thread; by default the CPU's.
+        Solver, called on the thread; by default on the CPU.
     wavelengths : callable
         ``wavelengths(planet, count)`` [nm], with ``count`` as for ``picture_wavelengths``.
     on_change : callable, optional

@@ -1,4 +1,4 @@
-"""Pictures rendered by a notebook's kernel, for browsers without a graphics card."""
+"""Rendering in the notebook's kernel, for browsers without a GPU."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _MOST: Final = 100.0
 
 
 class Order(NamedTuple):
-    """Picture that a browser asks for.
+    """Frame request of a browser.
 
     Attributes
     ----------
@@ -44,12 +44,12 @@ class Order(NamedTuple):
 
 
 class KernelPictures:
-    """Thread that renders pictures one after another.
+    """Thread that renders requested frames in order.
 
     Parameters
     ----------
     answer : callable
-        ``answer(rendered)`` is called on the thread: ``number``, and ``png`` with ``exposure`` [EV],
+        ``answer(rendered)``, called on the thread: ``number``, and ``png`` with ``exposure`` [EV],
         or an ``error`` of one line.
     """
 
@@ -74,12 +74,12 @@ class KernelPictures:
 
     @property
     def waits(self) -> bool:
-        """Whether the first picture waits for what renders it to be compiled."""
+        """Whether the first frame waits for compilation."""
         preparing = self.preparing
         return preparing is not None and not self._drew and preparing.share < 1.0
 
     def ask(self, order: Order) -> None:
-        """Render a picture after those asked for before; returns at once."""
+        """Queue a frame; returns immediately."""
         if self._thread is None:
             self._thread = threading.Thread(
                 target=self._work, name="airlight-pictures", daemon=True
@@ -88,7 +88,7 @@ class KernelPictures:
         self._orders.put(order)
 
     def close(self) -> None:
-        """End the thread, after its present picture is cancelled."""
+        """Cancel the current frame and end the thread."""
         self._closing = True
         self._orders.put(None)
         if self._thread is not None and self._thread is not threading.current_thread():
@@ -129,7 +129,7 @@ class KernelPictures:
 
 
 def _png(pixels: NDArray[np.uint8]) -> bytes:
-    """PNG of 8-bit pixels, packed quickly rather than well."""
+    """PNG of 8-bit pixels, with fast compression."""
     from PIL import Image
 
     file = io.BytesIO()

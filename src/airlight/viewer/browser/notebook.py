@@ -1,6 +1,6 @@
 """Viewer in a notebook: JupyterLab, marimo and other hosts of anywidget.
 
-The picture is rendered in the browser, by the page's JavaScript, or by Python where the browser has no
+The browser renders by the page's JavaScript, or Python does where the browser has no
 graphics card; the planet is solved in Python.
 Requires the extra ``airlight[notebook]``.
 """
@@ -178,7 +178,7 @@ class Viewer(anywidget.AnyWidget):
         }
 
     def _notify(self, heard: dict[str, int] | None = None) -> None:
-        """Send the state of the session to the browser, and which messages led to it."""
+        """Send the session state to the browser, with the handled messages."""
         message = self._state_message() | ({} if heard is None else {"heard": heard})
         self._telling = True
         try:
@@ -222,7 +222,7 @@ class Viewer(anywidget.AnyWidget):
             self.status = f"{solved.quality}, {solved.seconds:.2f} s"
 
     def _answer(self, rendered: dict[str, Any]) -> None:
-        """Pass a picture from its thread to the notebook's event loop, and to the browser."""
+        """Pass a frame from its thread via the event loop to the browser."""
         if self._loop is None or self._loop.is_closed():
             self._show_rendered(rendered)
         else:
@@ -252,7 +252,7 @@ class Viewer(anywidget.AnyWidget):
             self._notify(heard)  # with rejected and adjusted values
 
     def _act(self, message: Mapping[str, Any]) -> str:
-        """Follow one message of the browser; returns the error in one line, or an empty string."""
+        """Handle a browser message; returns a one-line error or an empty string."""
         try:
             if "command" in message:
                 self._command(message["command"])
@@ -306,12 +306,12 @@ class Viewer(anywidget.AnyWidget):
         self._notify()
 
     def _take_drawer(self, change: Mapping[str, Any]) -> None:
-        """Prepare the kernel for rendering, once the browser has found no graphics card."""
+        """Prepare rendering in the kernel for a browser without GPU."""
         if change["new"] == "kernel":
             self._pictures.prepare(self._wake)
 
     def _take_wanted(self, change: Mapping[str, Any]) -> None:
-        """Render the picture that the browser asks for, once there is a solution."""
+        """Render the frame that the browser requests, once there is a solution."""
         wanted = change["new"]
         if not wanted:
             return

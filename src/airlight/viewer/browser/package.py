@@ -1,4 +1,4 @@
-"""Data for the viewer in a browser: shaders, plan of the passes, tables.
+"""Data of the browser viewer: shaders, pass plan, tables.
 
 The plan and the shaders are the same for every planet; tables and uniforms belong to a solution.
 The names are those of ``gpu.picture.uniforms`` and ``gpu.picture.shaders``; the data are read by
@@ -62,7 +62,7 @@ _RADII: Final = 1024
 
 
 def plan() -> dict[str, Any]:
-    """Passes of a picture, and offset of each uniform; see ``web/drawing/program.js``."""
+    """Rendering and display passes, and offset of each uniform; see ``web/drawing/program.js``."""
     columns, rows = SKY_VIEW_SIZE
     where = FRAME.layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
@@ -97,7 +97,7 @@ def plan() -> dict[str, Any]:
     own = {"disc": "disc_2", **{name: f"{name}_2" for name in LAYERS}}
 
     def summed(name: str) -> list[dict[str, Any]]:
-        """Passes of a picture by two lights."""
+        """Passes of two lights and their sum."""
         parts = [f"{name}_1", f"{name}_2"]
         return [
             one(parts[0], picture, "linear_picture", resized(parts[0])),
@@ -168,7 +168,7 @@ def plan() -> dict[str, Any]:
 
 
 def program() -> dict[str, Any]:
-    """Data that are the same for every planet, as JSON values."""
+    """Planet-independent data, as JSON values."""
     return {
         "plan": plan(),
         "shaders": web_shaders(),
@@ -246,7 +246,7 @@ def solution_package(
 
 
 def light_paths(solution: MomentsSolution) -> dict[str, Any] | None:
-    """Optical radii [m] and lift of stars in a refracting atmosphere; None without refraction."""
+    """Optical radii [m] and refraction table of an atmosphere; None without refraction."""
     paths, medium = solution.paths, solution.medium
     if paths.shell is None:
         return None

@@ -1,4 +1,4 @@
-"""Data of a page's second light: the Moon's colours, and those of stars by their temperature."""
+"""Colours of a page's second light: the Moon, and stars by temperature."""
 
 from __future__ import annotations
 

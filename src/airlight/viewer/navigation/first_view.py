@@ -1,4 +1,4 @@
-"""View with which window, page and notebook begin."""
+"""Initial view of window, page and notebook."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Light of the ground along a probe's line of sight: map, law of reflection, water and clouds."""
+"""Reflected radiance of the ground at a probe: map, reflectance law, water and clouds."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def painted_ground(
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Light of the star and of the sky that the ground reflects, seen through the air.
+    """Reflected direct and diffuse radiance of the ground, attenuated by the air.
 
     Parameters
     ----------
@@ -89,13 +89,13 @@ def painted_ground(
 
 
 def _factor(shares: tuple[float, float], albedo: FloatArray) -> FloatArray:
-    """Reflectance factor of both shares. [1]"""
+    """Reflectance factor of direct and diffuse light. [1]"""
     matte, gloss = shares
     return np.asarray(matte * albedo + gloss)
 
 
 def _mirrored(solution: MomentsSolution, mu_s: float, leaving: float, nu: float) -> FloatArray:
-    """Radiance of the sky that facets turn to over that of a uniform sky, shape (nl,). [1]"""
+    """Mirrored sky radiance over that of a uniform sky, shape (nl,). [1]"""
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     mu = mirrored_cosine(leaving, solution.medium.ground.wind)
     ahead = (nu + leaving * mu_s) / math.sqrt(max(1.0 - leaving * leaving, 1e-12))

@@ -1,4 +1,4 @@
-"""Thread that renders the latest request, so that the window never waits for a picture."""
+"""Render thread of the window: always renders the latest request."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class PictureThread:
         self._thread.start()
 
     def want(self, request: Request) -> None:
-        """Set the request to be shown from now on; returns at once."""
+        """Set the latest request; returns immediately."""
         with self._news:
             if request.same(self._wanted):
                 return
@@ -44,18 +44,18 @@ class PictureThread:
 
     @property
     def picture(self) -> Picture | None:
-        """Newest picture, which may be older than the request."""
+        """Latest picture, possibly of an older request."""
         return self._picture
 
     @property
     def busy(self) -> bool:
-        """Whether a newer or finer picture will follow."""
+        """Whether a newer or finer picture is pending."""
         with self._news:
             return self._working
 
     @property
     def error(self) -> str:
-        """Reason why the request has no picture, in one line; empty if it has one."""
+        """One-line error of the request; empty if it succeeded."""
         return self._error
 
     def close(self) -> None:

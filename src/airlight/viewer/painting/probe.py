@@ -1,4 +1,4 @@
-"""Values of the light in one direction: spectrum, luminance, colour, optical depths, parts.
+"""Probe of one direction: spectrum, luminance, chromaticity, optical depths, contributions.
 
 Computed on the CPU from the moments of the solution shown, in some milliseconds per direction.
 Each part is integrated separately; none is the difference of others.
@@ -46,7 +46,7 @@ STAR: Final = "the star itself"
 
 @dataclass(frozen=True, kw_only=True)
 class Part:
-    """Part of the light in one direction.
+    """Contribution to the radiance in one direction.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Part:
 
 @dataclass(frozen=True, kw_only=True)
 class Probe:
-    """Values of the light in one direction.
+    """Radiometric and photometric values of one direction.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ class Probe:
 
 
 def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None:
-    """Probe of a pixel of the scene's picture; None outside a fisheye's circle.
+    """Probe of a pixel; None outside the image circle of a fisheye.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None
 
 
 def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
-    """Direction of a position on the picture; None outside a fisheye's circle.
+    """Direction of a position in the frame; None outside the image circle of a fisheye.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
 
 
 def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
-    """Probe of the light that an observer receives from a direction.
+    """Probe of the radiance from a direction.
 
     Parameters
     ----------
@@ -259,7 +259,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
 
 
 def _polarised(stokes: FloatArray, whole: float) -> tuple[float, float]:
-    """Degree [1] and angle [deg] of luminances Q and U beside that of all light."""
+    """Degree [1] and angle [deg] of linear polarisation from luminances I, Q and U."""
     q, u = (float(one) for one in stokes)
     degree = min(math.hypot(q, u) / whole, 1.0) if whole > 0.0 else 0.0
     return degree, 0.5 * math.degrees(math.atan2(u, q))
@@ -271,7 +271,7 @@ def _spectra(
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
 ) -> list[tuple[str, FloatArray]]:
-    """Name and spectral radiance of each part except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
+    """Name and spectral radiance of each contribution except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
     parts = radiance_parts(solution, sight)
     sun = solution.lights[0].irradiance
     once = [
@@ -301,7 +301,7 @@ def _star(
     through: FloatArray,
     to_ground: bool,
 ) -> FloatArray:
-    """Radiance of the light's disc, 0 outside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
+    """Radiance of a light's disc, 0 outside, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
     star = solution.lights[0]
     alpha = star.angular_radius
     nothing = np.zeros_like(through)
@@ -336,7 +336,7 @@ def _star(
 def _ground(
     solution: MomentsSolution, scene: Scene, direction: FloatArray, drawn: Sight
 ) -> tuple[float, float | None, float | None, FloatArray | None]:
-    """Distance [m], latitude and longitude [deg] of the ground, colour and water of its map [1]."""
+    """Distance [m], latitude and longitude [deg], colour and water fraction [1] of the ground."""
     medium, color = solution.medium, None
     if not drawn.to_ground[0]:
         return math.inf, None, None, color

@@ -1,4 +1,4 @@
-"""Clouds at a probe: their cover of the line of sight, and of the star's light on the ground."""
+"""Cloud cover at a probe, on the line of sight and on the path from the star to the ground."""
 
 from __future__ import annotations
 

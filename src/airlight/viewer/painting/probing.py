@@ -1,4 +1,4 @@
-"""Thread that runs probes: at once from the solution shown, then with a finer spectrum."""
+"""Probe thread: first with the displayed solution, then with a finer spectrum."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ class ProbeResult:
     Attributes
     ----------
     probe : Probe
-        Probe of the solution shown.
+        Probe of the displayed solution.
     spectrum : Probe
-        Probe in the same direction with as many wavelengths as are solved so far.
+        Probe with the finest available spectrum.
     quality : str
         Description of the wavelengths of ``spectrum``.
     place : (float, float)
@@ -41,7 +41,7 @@ class ProbeResult:
 
 
 class Probing:
-    """Thread that answers the newest query.
+    """Thread that evaluates the latest query.
 
     Parameters
     ----------
@@ -70,11 +70,11 @@ class Probing:
 
     @property
     def busy(self) -> bool:
-        """Whether a result, or a finer one, will follow."""
+        """Whether a result is pending."""
         return bool(self.working)
 
     def ask(self, request: Request, place: tuple[float, float]) -> None:
-        """Probe a point of a picture; a newer query replaces an older one.
+        """Probe a point of a picture; replaces an older query.
 
         Parameters
         ----------
@@ -141,7 +141,7 @@ class Probing:
         self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
 
     def _solved(self, request: Request) -> Any:
-        """Solution of the planet shown at more wavelengths; None without a planet."""
+        """Solution at more wavelengths; None without a planet."""
         planet = request.solution.planet
         if planet is None:
             return None

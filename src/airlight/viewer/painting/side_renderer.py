@@ -1,4 +1,4 @@
-"""PictureSource of a side of the window: steps of a live picture, exposed, as textures."""
+"""``SideRenderer``: progressive frames of one side of the window, displayed in textures."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _PAUSE: Final = 1.0 / 60.0
 
 
 class SideRenderer:
-    """``PictureSource`` that asks a ``Renderer`` for each step.
+    """``PictureSource`` that displays the steps of a ``Renderer``.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
-        Device that holds the pictures.
+        Device of the textures.
     renderer : Renderer
-        Policy of who renders; it is closed with this renderer.
+        Renderer, which this object closes.
     """
 
     def __init__(self, device: Any, renderer: Renderer) -> None:
@@ -40,19 +40,19 @@ class SideRenderer:
         for step in self._renderer.live(
             request.solution, request.scene, orders=request.orders, stale=stale
         ):
-            picture = self._shown(request, step)
+            picture = self._displayed(request, step)
             yield picture
         while picture is not None and step.finished and not (picture.finished or stale()):
-            # Complete but for its exposure, which is still on its way.
+            # Final radiance, while the exposure still adapts.
             sleep(_PAUSE)
-            picture = self._shown(request, step)
+            picture = self._displayed(request, step)
             yield picture
 
     def close(self) -> None:
         """See ``PictureSource.close``."""
         self._renderer.close()
 
-    def _shown(self, request: Request, step: LiveFrame) -> Picture:
+    def _displayed(self, request: Request, step: LiveFrame) -> Picture:
         started, camera = perf_counter(), step.scene.camera
         exposure, settled = self._exposure(request, step)
         texture = self._canvases.next()
@@ -83,7 +83,7 @@ class SideRenderer:
         )
 
     def _exposure(self, request: Request, step: LiveFrame) -> tuple[float, bool]:
-        """Exposure of a step, with the automatic one if that is on [EV], and whether it stays."""
+        """Exposure of a step [EV], and whether it has settled."""
         exposure, settled = request.exposure, True
         if request.automatic:
             measured, adaptation = self._automatic(request, step), request.adaptation
@@ -95,7 +95,7 @@ class SideRenderer:
         return min(max(exposure, -MOST_EXPOSURE), MOST_EXPOSURE), settled
 
     def _automatic(self, request: Request, step: LiveFrame) -> float:
-        """Measured exposure; a GPU renders for it, so that of the same light is kept. [EV]"""
+        """Metered exposure, cached as the GPU has to render for it. [EV]"""
         radius = request.solution.lights[0].angular_radius
         if step.frame is not None:
             return scene_exposure(step.frame.rgb, step.scene, radius)

@@ -145,7 +145,7 @@ def _constituent(index: int, one: Constituent, thickness: float, factor: float) 
 
 
 def _measure(one: Constituent, thickness: float) -> Measure:
-    """What one calls the amount of a constituent, while its factor is 1."""
+    """Usual measure of the amount of a constituent, at factor 1."""
     factor = "How much there is of it, over what the planet's file has."
     try:
         depth = _depth(one, thickness)
@@ -166,7 +166,7 @@ def _measure(one: Constituent, thickness: float) -> Measure:
 
 
 def _depth(one: Constituent, thickness: float) -> float:
-    """Vertical optical depth of extinction at 550 nm; negative if it takes Mie theory. [1]"""
+    """Vertical extinction optical depth at 550 nm; negative if it requires Mie theory. [1]"""
     if isinstance(one.matter, Particles):
         own = one.matter.optical_depth
         alone = one.absorption == 0.0
@@ -178,7 +178,7 @@ def _depth(one: Constituent, thickness: float) -> float:
 
 
 def _ozone(one: Constituent, depth: float, thickness: float) -> float:
-    """Column of ozone, 0 if it is none. [DU]"""
+    """Ozone column; 0 for other constituents. [DU]"""
     if isinstance(one.absorption, OzoneAbsorption):
         return float(f"{one.amount * dobson_from_column(one.absorption.column):.12g}")
     if one.name != "ozone" or not depth > 0.0:

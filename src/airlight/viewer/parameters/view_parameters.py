@@ -1,4 +1,4 @@
-"""Parameters of the view: camera, sun and moon, display and light, declared like the planet's.
+"""Declared parameters of the view: camera, sun and moon, display and light.
 
 Angles on the planet are compass bearings. The scene's azimuth, measured from the sun, is the
 heading minus the sun's bearing: see ``scene_of``.

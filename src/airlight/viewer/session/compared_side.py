@@ -1,4 +1,4 @@
-"""One side of a session's comparison, followed by its own solver."""
+"""One side of a session's comparison, as observed by its solver thread."""
 
 from __future__ import annotations
 

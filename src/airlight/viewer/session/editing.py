@@ -120,9 +120,9 @@ class Editing:
 
     @property
     def holds_exposure(self) -> bool:
-        """Whether the automatic exposure stays as it is: locked, or while the planet is dragged.
+        """Whether the automatic exposure is locked, by the user or during a drag of the planet.
 
-        An edit that darkens the air looks darker until it is let go.
+        Darker air then looks darker until the drag ends.
         """
         dragged = self._side.dragged
         edits = bool(dragged) and dragged not in VIEW_VALUE
@@ -130,7 +130,7 @@ class Editing:
 
     @property
     def orders(self) -> str:
-        """Orders of scattering that are shown: ``all``, ``single`` or ``multiple``."""
+        """Displayed orders of scattering: ``all``, ``single`` or ``multiple``."""
         return str(self._side.view["light.orders"])
 
     @property

@@ -1,4 +1,4 @@
-"""What fills the window until there is a picture: the preset's small one, and the progress."""
+"""Splash of the window: the preset's thumbnail and the progress."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LIFT: Final = 72.0
 
 
 def draw_first_picture(texture: Any, into: Rectangle, text: str, share: float) -> None:
-    """Draw a small picture, enlarged to cover a rectangle, below a line of progress.
+    """Draw a thumbnail that covers a rectangle, and the progress.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ class Sides:
     renderer : callable
         Factory of renderers, called once per side.
     solver : PlanetSolver, optional
-        Solver, called on the threads of ``SolverThread``; by default the CPU's.
+        Solver, called on ``SolverThread``; by default on the CPU.
     wake : callable
         Called from any thread after each new solution, status or picture.
     """
@@ -51,7 +51,7 @@ class Sides:
         self._arrived: dict[str, float] = {}
 
     def follow(self, *, both: bool) -> None:
-        """Request the current pictures, of the edited side or of both."""
+        """Update the requests of the edited side or of both."""
         shown = self._session.showing
         other = "A" if shown == "B" else "B"
         sides = (shown, other) if both else (shown,)

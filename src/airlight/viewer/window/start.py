@@ -201,7 +201,7 @@ def _session_of(planet: str) -> Session:
 def renderer_by(
     choice: Choice, device: Device, ahead: CompiledAhead | None = None
 ) -> Callable[[], PictureSource]:
-    """Factory of renderers for the GPU or the CPU, which waits for its loops."""
+    """Factory of picture sources on the GPU or the CPU."""
 
     def make() -> PictureSource:
         return SideRenderer(device.device, Renderer(live_gpu(choice, device), ahead))
@@ -210,7 +210,7 @@ def renderer_by(
 
 
 def _photograph(window: Window, canvas: OffscreenCanvas, path: Path) -> None:
-    """Draw until everything requested is shown, and write the picture."""
+    """Draw until all requests are displayed, and write a screenshot."""
     from airlight.exports.png import write_png
 
     until = time.monotonic() + _PATIENCE

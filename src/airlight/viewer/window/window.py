@@ -61,7 +61,7 @@ class Window:
     renderer : callable
         Factory of renderers, called once per side.
     solver : PlanetSolver, optional
-        Solver, called on the threads of ``SolverThread``; by default the CPU's.
+        Solver, called on ``SolverThread``; by default on the CPU.
     preparing : Preparing, optional
         Progress until the first picture; it is closed with the window.
 
@@ -145,7 +145,7 @@ class Window:
 
     @property
     def progress(self) -> str:
-        """What is being done, and how far it is, until there is a picture."""
+        """Activity and progress until the first picture."""
         status = self._sides.status
         return status.text if self._preparing is None else self._preparing.text(status)
 

@@ -1,4 +1,4 @@
-"""Gallery: pictures of all presets by family, of which one is chosen."""
+"""Gallery popup: thumbnails of all presets by family, to choose from."""
 
 from __future__ import annotations
 
