@@ -181,7 +181,7 @@ def by_window(names: list[str], width: int) -> Iterator[tuple[str, Image.Image]]
     from airlight.gpu.device.device import open_device
     from airlight.paint.solve_planet import live_solver
     from airlight.viewer.window.canvas import OffscreenCanvas
-    from airlight.viewer.window.start import Start, opened, painter_by
+    from airlight.viewer.window.start import Start, opened, renderer_by
     from airlight.viewer.window.window import Window
 
     device = open_device()
@@ -189,7 +189,7 @@ def by_window(names: list[str], width: int) -> Iterator[tuple[str, Image.Image]]
         canvas = OffscreenCanvas((width, width * 9 // 16))
         session = opened(Start(planet=planet))
         window = Window(
-            session, canvas, device.device, painter_by("auto", device),
+            session, canvas, device.device, renderer_by("auto", device),
             live_solver("auto", device),
         )  # fmt: skip
         window.actions.shows_panels = False

@@ -7,7 +7,6 @@ from datetime import UTC, datetime
 
 import numpy as np
 import pytest
-from airlight.film.still import PlanetFrameSpec
 from numpy.testing import assert_allclose
 
 from airlight import (
@@ -26,6 +25,7 @@ from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun, sun
 from airlight.ephemeris.sun_vector import meridian_axes
 from airlight.ephemeris.world import WORLDS
 from airlight.film import Quality, load_film
+from airlight.film.frame_spec import PlanetFrameSpec
 from airlight.paint.star_points import add_catalogue
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.system.stars import stars
@@ -162,7 +162,7 @@ def test_a_film_of_a_planet_has_stars() -> None:
     changes = {"view.stars": True, "view.sun_zenith": "120 deg", "view.look_at": "S/40"}
     film = load_film("earth", changes)
     how = Quality(wavelengths=(680.0, 550.0, 440.0), quality="preview")
-    still = film.still(0, 96, 54, how)
+    still = film.frame_spec(0, 96, 54, how)
     assert isinstance(still, PlanetFrameSpec)
     dark = replace(still, stars=False)
     assert still.defined_by != dark.defined_by

@@ -14,7 +14,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from airlight.film.still import PlanetFrameSpec
 from numpy.testing import assert_allclose
 
 from airlight import load_planet, solve
@@ -22,6 +21,7 @@ from airlight.errors import CostError, FileError
 from airlight.exports.exr import read_exr, read_exr_channels, write_exr
 from airlight.exports.render_passes import read_render_passes
 from airlight.film import animate, load_film
+from airlight.film.frame_spec import PlanetFrameSpec
 from airlight.fit.photograph import Shot, read_photograph
 from airlight.kernel import cost, memory
 from airlight.kernel.cost import announce

@@ -20,7 +20,7 @@ from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.probe import numbers_of
 from airlight.viewer.window.panels.row import parameter_row
-from airlight.viewer.window.start import Start, opened, painter_by
+from airlight.viewer.window.start import Start, opened, renderer_by
 from airlight.viewer.window.window import Window
 
 
@@ -217,7 +217,7 @@ def main() -> None:
     session = opened(Start(planet=planet, view={"light.quality": "preview"}))
     canvas = DesktopCanvas((width, height), "airlight test")
     device = open_device()
-    window = Window(session, canvas, device.device, painter_by(by, device))
+    window = Window(session, canvas, device.device, renderer_by(by, device))
     answers = Answers(window, canvas)
 
     def listen() -> None:

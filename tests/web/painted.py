@@ -17,7 +17,7 @@ from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME, LAYERS
 from airlight.kernel.lanes import LANES, load
-from airlight.pixels.pixel import Screen
+from airlight.pixels.pixel import ViewUniforms
 from airlight.viewer.browser.tables_text import as_text, deflated
 from airlight.viewer.browser.web_shaders import CORNERS
 
@@ -32,14 +32,14 @@ def painted(index, fields):
     return load(fields, LANES * (index % 16))
 
 
-def looked_at(px, py, screen, air):
+def looked_at(px, py, view, air):
     """Picture of it by a camera."""
-    slope = math.tan(0.5 * screen.field_of_view)
-    x = (2.0 * px / screen.width - 1.0) * slope
-    y = (1.0 - 2.0 * py / screen.height) * slope * screen.height / screen.width
-    east = screen.forward_x + x * screen.right_x + y * screen.up_x
-    north = screen.forward_y + x * screen.right_y + y * screen.up_y
-    up = screen.forward_z + x * screen.right_z + y * screen.up_z
+    slope = math.tan(0.5 * view.field_of_view)
+    x = (2.0 * px / view.width - 1.0) * slope
+    y = (1.0 - 2.0 * py / view.height) * slope * view.height / view.width
+    east = view.forward_x + x * view.right_x + y * view.up_x
+    north = view.forward_y + x * view.right_y + y * view.up_y
+    up = view.forward_z + x * view.right_z + y * view.up_z
     height = up / math.sqrt(east * east + north * north + up * up)
     column = min(max(int((0.5 + 0.5 * height) * 16.0), 0), 15)
     return load(air, LANES * column)
@@ -49,7 +49,7 @@ def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
     """Shared shader code, and each entry point."""
     tables = [TextureTable(name, name, 1, True) for name in ("fields", "air")]
     fields, air = (one.table for one in tables)
-    names = [name for name in Screen._fields if name in FRAME.layout()["numbers"]]
+    names = [name for name in ViewUniforms._fields if name in FRAME.layout()["numbers"]]
     emitter = Emitter(dialect)
     emitter.add(painted, I32, fields)
     emitter.add(
