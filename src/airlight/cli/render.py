@@ -354,7 +354,7 @@ def _shown(
 
     from airlight.exports.picture import Written, write_picture
     from airlight.exports.png import write_png
-    from airlight.plots.polarised_picture import SHOWN, polarised_picture
+    from airlight.plots.polarised_picture import COLOR_BARS, polarised_picture
     from airlight.solvers.stokes_frame import angle_of_polarisation, degree_of_polarisation
 
     if output.suffix.lower() == ".exr":
@@ -364,7 +364,7 @@ def _shown(
         texts = {**metadata, show: f"of the luminance, unit {unit}"}
         return write_picture(output, frame, texts, layers=layer)
     pixels = polarised_picture(frame, show)
-    write_png(output, pixels, {**frame.metadata, **metadata, "shown": SHOWN[show].label})
+    write_png(output, pixels, {**frame.metadata, **metadata, "shown": COLOR_BARS[show].label})
     return Written(path=output, size=output.stat().st_size, exposure=None)
 
 
