@@ -25,7 +25,7 @@ from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.gpu_renderer import GpuRenderer, view_uniforms
 from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
 from airlight.gpu.picture.uniforms import FRAME
-from airlight.pixels.sky_view import phases_towards
+from airlight.pixels.sky_view_lut import phases_towards
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables
 from airlight.solvers.moments.solution import MomentsSolution

@@ -26,7 +26,7 @@ from airlight.gpu.solver import ray_sums
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
 from airlight.optics.reflection import LAWS, NUMBERS, Reflection
-from airlight.pixels import disc_shading, ground_angles, sky_view, star_disc
+from airlight.pixels import disc_shading, ground_angles, sky_view_lut, star_disc
 from airlight.scene import ground_place
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.cubemap import cube_ray
@@ -313,7 +313,7 @@ STEPS = [
     Case(ray_sums.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(march.line_azimuth, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(ray_optics.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
-    Case(sky_view.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
+    Case(sky_view_lut.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
     Case(ground_angles.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
     Case(
         sky_view.half_sine_between,

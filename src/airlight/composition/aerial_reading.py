@@ -18,7 +18,7 @@ from airlight.kernel.lanes import exponential, load, maximum, splat
 from airlight.kernel.shader_fields import Always, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle
 from airlight.pixels.pixel import between_texels, texel_before
-from airlight.pixels.sky_view import half_sine_between
+from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.pixels.star_disc import covered
 
 

@@ -20,7 +20,7 @@ from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_shares, 
 from airlight.pixels.ground_angles import columns_to_ground
 from airlight.pixels.pixel import classify_ray
 from airlight.pixels.samples import sample_place, samples_per_side
-from airlight.pixels.sky_view import half_sine_between
+from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.pixels.star_disc import camera_direction
 from airlight.solvers.eclipsed.eclipsed_march import (
     TOTAL,

@@ -15,7 +15,7 @@ from airlight.pixels.disc_shading import darkened
 from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
 from airlight.pixels.polarising_filter import filter_shares
-from airlight.pixels.sky_view import half_sine_between, look
+from airlight.pixels.sky_view_lut import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
 from airlight.solvers.moments.march_tables import MIRRORED
 from airlight.solvers.moments.source import transmittance_columns

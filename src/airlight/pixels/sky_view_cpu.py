@@ -15,7 +15,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.borrowing import borrowed
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.pixels.sky_view import Observer, sky_view_texel
+from airlight.pixels.sky_view_lut import Observer, sky_view_texel
 from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.mappings.sky_view import row_from_angle, row_from_impact
-from airlight.pixels.sky_view import Observer
+from airlight.pixels.sky_view_lut import Observer
 from airlight.scene import Camera
 from airlight.scene.projections.projected import projected_rays
 

@@ -15,7 +15,7 @@ from airlight.geometry.bending import bend_angle
 from airlight.kernel import inlined, kernel
 from airlight.mappings.sky_view import angle_above_horizon
 from airlight.pixels.disc_shading import disc_powers, whole_powers
-from airlight.pixels.sky_view import half_sine_between
+from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.tables.column_ratios import columns_to_top
 

@@ -20,8 +20,8 @@ from airlight.pixels.observer_uniforms import observer_uniforms
 from airlight.pixels.occulted_light import disc_factor
 from airlight.pixels.pixel import ViewUniforms
 from airlight.pixels.polarising_filter import CAMERA, NONE
-from airlight.pixels.sky_view import Observer
 from airlight.pixels.sky_view_cpu import SkyViewLayers
+from airlight.pixels.sky_view_lut import Observer
 from airlight.planets.light_source import Occulter
 from airlight.scene import Camera, Scene
 from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin

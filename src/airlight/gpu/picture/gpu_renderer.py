@@ -35,8 +35,8 @@ from airlight.pixels.capacity import check_capacity
 from airlight.pixels.march_points import FEW
 from airlight.pixels.render_tables import WAVELENGTHS, pack_texels, render_tables
 from airlight.pixels.scenes_by_light import SceneForLight, scenes_by_light
-from airlight.pixels.sky_view import Observer
 from airlight.pixels.sky_view_cpu import fill_sky_view
+from airlight.pixels.sky_view_lut import Observer
 from airlight.pixels.sky_view_window import COARSEST, SkyViewWindow
 from airlight.pixels.view_uniforms import (
     checked_samples,

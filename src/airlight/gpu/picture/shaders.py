@@ -28,7 +28,7 @@ from airlight.pixels.ground import GROUND_VALUES
 from airlight.pixels.pixel import ViewUniforms
 from airlight.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.pixels.samples import light_of_centre, sampled_light
-from airlight.pixels.sky_view import Observer, sky_view_texel
+from airlight.pixels.sky_view_lut import Observer, sky_view_texel
 from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
 

@@ -10,7 +10,7 @@ from airlight.color.displayed import Display
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.kernel.shader_fields import image
 from airlight.pixels.pixel import ViewUniforms
-from airlight.pixels.sky_view import Observer
+from airlight.pixels.sky_view_lut import Observer
 from airlight.solvers.moments.march_tables import MarchTables
 
 #: Colour matrix: weights of the wavelengths in each channel.
