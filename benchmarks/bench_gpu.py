@@ -1,6 +1,6 @@
 """Frames of the GPU: drawn for a window, read back as numbers, and what an empty frame costs.
 
-Bar: 20 frames a second at 960 x 540 with the sky-view LUT, on two cores and lavapipe (no GPU at all).
+Bar: 20 frames a second at 960 x 540 with the sky-view LUT, on two cores and lavapipe (software).
 A frame begins with a moved camera and ends when the device has done it; beside the time stands the
 part of it that the device's own clock gives to our passes.
 
@@ -121,8 +121,8 @@ def test_tables(benchmark: Any, device: Device, way: str) -> None:
 def test_drawn_frame(
     benchmark: Any, device: Device, pictures: Any, place: str, table: Any, size: Any, tell: Any
 ) -> None:
-    # the sky-view LUT, the look-ups and the tone map, into a texture as a window has it; the smaller
-    # table is what the window takes on a software device while something moves
+    # sky-view LUT, pixels and tone map, into a texture as in the window; the smaller LUT is that of
+    # software GPUs while the view moves
     view, following = target(device, size).create_view(), scenes(place, size)
     pictures.sky_view_size = table
     spent: list[float] = []

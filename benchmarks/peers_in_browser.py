@@ -6,8 +6,9 @@
 ``PrecomputedTexturesGenerator`` of @takram/three-atmosphere (by npm, the version that
 ``examples/engines/takram`` asks for) computes Bruneton's tables of its own default atmosphere,
 which is our preset ``earth-bruneton``, scalar and unbent; its ``SkyMaterial`` draws skies into
-targets of floats, which are read back. Ours are the page's solver in the same Chromium, and the CPU and the GPU's passes without a browser. Errors are of radiance, against the moments
-solver's ``fine``, over the pixels of six views of the sky in three wavelengths: median, with the
+targets of floats, which are read back. Ours are the page's solver in the same Chromium, and the
+CPU and the GPU's passes without a browser. Errors are of radiance, against the moments solver's
+``fine``, over the pixels of six views of the sky in three wavelengths: median, with the
 quartiles as bars. The page's passes are those of the native device: its errors are read there.
 
 CPU time is that of all processes of the browser. Ours are timed at their second run, shaders

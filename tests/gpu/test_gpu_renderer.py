@@ -1,7 +1,8 @@
 """Pictures of the GPU against those of the CPU's renderer, which has its own line march.
 
-Both march the same solution; the GPU in single precision, panel by panel, and from a sky-view LUT unless it is asked to march every pixel. Pixels on the rim of the star's disc are left out;
-their total is compared with a disc that is sampled many times a pixel.
+Both march the same solution; the GPU in single precision, panel by panel, and from a sky-view LUT
+unless it is asked to march every pixel. Pixels on the rim of the star's disc are left out; their
+total is compared with a disc that is sampled many times a pixel.
 """
 
 from __future__ import annotations

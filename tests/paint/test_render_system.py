@@ -271,7 +271,7 @@ def direction_to(ascension: float, declination: float) -> np.ndarray:
 def test_a_low_light_looked_at_is_in_the_middle_of_the_picture(
     altitude: float, zenith: float
 ) -> None:
-    # a second method: the disc as rendered, bent by the air line by line. 0.05°, two pixels, for its
+    # a second method: the disc as rendered, refracted ray by ray. 0.05°, two pixels, for its
     # flattening and the loss of light towards its lower rim; without refraction it is 0.4° off
     turn = np.radians(zenith)
     lights = (Light(star=SUN, direction=(np.cos(turn), np.sin(turn), 0.0)),)
