@@ -1,4 +1,4 @@
-"""Capacity of the shaders: what a GPU can solve and render."""
+"""Capacity of the shaders: largest numbers of wavelengths and constituents."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from airlight.pixels.render_tables import MAX_CONSTITUENTS, WAVELENGTHS
 
 
 def check_capacity(wavelengths: int, constituents: int = 1, *, field: str = "wavelengths") -> None:
-    """Refuse what exceeds the capacity of the shaders.
+    """Raise if wavelengths or constituents exceed the capacity of the shaders.
 
     Parameters
     ----------
     wavelengths, constituents : int
-        Number of wavelengths, and of constituents including the one that bends light.
+        Number of wavelengths, and of constituents including the refraction column.
     field : str
-        Name of the wavelengths in the error.
+        Name of the wavelengths in the message.
 
     Raises
     ------

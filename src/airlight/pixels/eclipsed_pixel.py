@@ -1,7 +1,7 @@
-"""Pixels of a planet in the shadow of a moon, each by its own march, on the CPU.
+"""Marched pixels of a planet in the shadow of a moon, on the CPU.
 
-A sky-view LUT is symmetric about the star's vertical plane and the light of an eclipse is not;
-neither is it smooth over the table's texels. Ground, water, clouds and lamps are as in ``pixel``.
+Radiance in an eclipse is neither symmetric about the solar vertical nor smooth enough for a
+sky-view LUT. Ground, water, clouds and lamps are as in ``pixel``.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ from airlight.solvers.moments.source import read_phase
 def eclipsed_light(
     x, y, z, turn, observer, view, light, shadow, work, spare, color, found, result
 ):  # fmt: skip
-    """Spectral light of a line of sight, per irradiance of the unshadowed star. [sr⁻¹]
+    """Spectral radiance along a line of sight, per irradiance of the unocculted star. [sr⁻¹]
 
     Parameters
     ----------
     x, y, z : float
-        Its direction in the observer's frame. [1]
+        Direction in the observer's frame. [1]
     turn : array, shape (3, 3)
         Axes of the shadow's frame in the observer's, as rows. [1]
     observer, view, light, work, color :
@@ -113,7 +113,7 @@ def eclipsed_light(
 
 @inlined
 def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
-    """Light of the sky that water at the end of a line mirrors, into ``found``. [sr⁻¹]
+    """Sky radiance mirrored by water at the end of a line of sight, into ``found``. [sr⁻¹]
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
     )
     star = shadow.star
     nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
-    # Spread as the facets are: a peaked phase function is read no closer to the star than that.
+    # Blurred by the slope distribution of the facets.
     spread = 0.25 * mean_square_slope(light.ground.wind)
     half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
     read_phase(
@@ -148,16 +148,16 @@ def _mirrored_sky(p, q, s, u, v, w, leaving, light, shadow, work, spare, found):
 
 @compiled_loop
 def render_eclipsed(px, py, turn, observer, view, light, shadow, work, spare, out):
-    """Render pixels of a planet in the shadow of a moon.
+    """March pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
-        Centres of the pixels, from the picture's left and top edge. [pixel]
+        Pixel centres, from the left and top edge of the frame. [pixel]
     turn, observer, view, light, shadow, work, spare :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
-        Receives the radiance per irradiance of the unshadowed star. [sr⁻¹]
+        Receives the radiance per irradiance of the unocculted star. [sr⁻¹]
     """
     view, light, shadow, work, spare = borrowed((view, light, shadow, work, spare))
     lanes = light.lanes

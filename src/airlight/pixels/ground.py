@@ -1,9 +1,8 @@
-"""Light of the ground in a pixel: what colour and law of reflection make of the light on it.
+"""Radiance of the ground in a pixel, from its map and BRDF.
 
-sky-view LUT and march give the light of a white Lambert ground behind the air. The ground asks
-its law of reflection for two factors, of the star's light and of the sky's, which differ where it
-does not reflect alike into all directions: then the two irradiances share that light between them.
-Water mirrors the sky itself, at the place that table and march give it beside the ground's light.
+The sky-view LUT and the march give the attenuated radiance of a white Lambert ground. It is scaled
+by the reflectance factors for direct and diffuse irradiance, which differ for other BRDFs. Water
+also mirrors the sky, whose radiance is stored separately.
 """
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ GROUND_VALUES: Final = 11
 
 @inlined
 def ground_color(x, y, z, sine, angle, observer, view, light, color):
-    """Colour, water, lamps and clouds of the end of a line of sight, into ``color`` (11,). [1]
+    """Map values at the end of a line of sight, into ``color`` (11,). [1]
 
     Parameters
     ----------
@@ -43,9 +42,9 @@ def ground_color(x, y, z, sine, angle, observer, view, light, color):
     observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     color : array, shape (11,)
-        Receives linear sRGB reflectance and share of water of the map, four values of the overlay,
-        the factor of the detail below the map's resolution, and the cover of the clouds on the line
-        of sight and on the star's light; those of a map that is missing stay. [1]
+        Receives linear sRGB reflectance and water fraction of the map, four values of the overlay,
+        the noise factor, and the cloud cover on the line of sight and on the path to the star;
+        values of absent maps are unchanged. [1]
     """
     cosine = ground_cosine(z, sine, observer, light)
     _across, up = first_meeting(min(observer.r * sine, light.bottom), sine, light.bottom)
@@ -93,7 +92,7 @@ def ground_color(x, y, z, sine, angle, observer, view, light, color):
 
 @inlined
 def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, light, color):
-    """Cover of the clouds on a line of sight and on the star's light at its end. [1]
+    """Cloud cover on a line of sight and on the path from its end to the star. [1]
 
     Refraction between ground and layer is neglected.
 
@@ -131,22 +130,23 @@ def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, light, color
 
 @inlined
 def ground_shares(x, y, z, sine, angle, observer, view, light, work, color):
-    """Ground at the end of a line of sight: its colour, and both factors of its law.
+    """Map values and reflectance factors at the end of a line of sight.
 
     Parameters
     ----------
     x, y, z, sine, angle, observer, view, light, color :
-        Arguments of ``ground_color``; ``color`` is received where there is a map.
+        Arguments of ``ground_color``; ``color`` is filled if there is a map.
     work : MarchWorkspace
-        Workspace, whose ``received`` has the irradiances by star and sky, except for Lambert's law
+        Workspace; ``received`` receives direct and diffuse irradiance, except for a Lambert ground
         without water and clouds.
 
     Returns
     -------
     star_matte, star_gloss, sky_matte, sky_gloss : float
-        Factor of the albedo, and part without it, of the star's and of the sky's light. [1]
+        Diffuse factor, to be multiplied by the albedo, and specular factor, of direct and of
+        diffuse irradiance. [1]
     mirrored : float
-        Factor of the light of the sky that is seen mirrored. [1]
+        Factor of the mirrored sky. [1]
     """
     if view.mapped or view.overlaid or view.detailed:
         ground_color(x, y, z, sine, angle, observer, view, light, color)
@@ -182,7 +182,7 @@ def ground_shares(x, y, z, sine, angle, observer, view, light, work, color):
 
 @inlined
 def lamp_light(color, view, light, columns, at):
-    """Light of lamps on the ground that reaches the observer, per irradiance of the star. [sr⁻¹]
+    """Attenuated radiance of city lights, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ def lamp_light(color, view, light, columns, at):
 
 @inlined
 def reflectance(color, mapped, light, at):
-    """Albedo of the ground: that of a colour of the map, or the solver's. [1]
+    """Spectral albedo of the ground, from the map or the solver. [1]
 
     Parameters
     ----------
@@ -234,7 +234,7 @@ def reflectance(color, mapped, light, at):
 def ground_factor(
     color, view, star_matte, star_gloss, sky_matte, sky_gloss, mirrored, light, work, at
 ):  # fmt: skip
-    """Light of the ground relative to that of a white Lambert ground. [1]
+    """Radiance of the ground over that of a white Lambert ground. [1]
 
     Parameters
     ----------
@@ -243,8 +243,8 @@ def ground_factor(
     view : ViewUniforms
         Camera with its maps.
     star_matte, star_gloss, sky_matte, sky_gloss, mirrored, work :
-        Results of ``ground_shares``, and its workspace, of which ``found`` has the light of the
-        mirrored sky after those of a line of sight.
+        Results and workspace of ``ground_shares``; ``found`` has the mirrored sky radiance at
+        ``MIRRORED``.
     """
     albedo = reflectance(color, view.mapped, light, at)
     if light.ground.law == 0 and not light.ground.wet and not view.clouded:

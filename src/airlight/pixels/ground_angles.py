@@ -1,4 +1,4 @@
-"""Directions at the point where a line of sight meets the ground, and the sky that it mirrors."""
+"""Angles at the ground intersection of a line of sight, and its mirrored ray."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.tables.column_ratios import columns_to_top
 
 @kernel
 def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
-    """Cosine of the star's zenith angle at a point of a line of sight. [1]
+    """Star-zenith cosine at a point of a line of sight. [1]
 
     Parameters
     ----------
@@ -29,10 +29,10 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
 
 @inlined
 def ground_cosine(z, sine, observer, light):
-    """Cosine of the zenith angle, at the ground, of the way back along a line of sight. [1]
+    """Cosine of the reflection angle at the ground, towards the observer. [1]
 
-    The ground's radius less the line's nearest distance from the centre, R - (R + h) sin θ, is
-    R cos²θ/(1 + sin θ) - h sin θ: single precision has the difference to half a metre only.
+    R - (R + h) sin θ is computed as R cos²θ/(1 + sin θ) - h sin θ, as single precision would have
+    the difference to half a metre only.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def columns_to_ground(z, sine, observer, light, columns, beyond):
     columns : array, shape (nc,)
         Receives the columns. [m]
     beyond : array, shape (nc,)
-        Workspace: columns of the line's continuation behind the observer. [m]
+        Workspace: columns of the line extended behind the observer. [m]
     """
     bottom, top = light.bottom, light.top
     slant = ground_cosine(z, sine, observer, light)
@@ -107,13 +107,12 @@ def columns_to_ground(z, sine, observer, light, columns, beyond):
 
 @inlined
 def ground_angles(x, z, sine, angle, observer, light):
-    """Directions at the end of a line of sight on the ground.
+    """Angles at the ground intersection of a line of sight.
 
     Parameters
     ----------
     x, z, sine : float
-        Its components away from the star's side and up, in the observer's frame, and sine of its
-        zenith angle. [1]
+        Components along x and z in the observer's frame, and sine of the zenith angle. [1]
     angle : float
         Angle of refraction. [rad]
     observer, light : Observer, MarchTables
@@ -122,8 +121,8 @@ def ground_angles(x, z, sine, angle, observer, light):
     Returns
     -------
     mu_s, leaving, nu : float
-        Cosines of ``star_factor``: of the star's zenith angle there, of the zenith angle towards
-        the observer, and between the arriving line and the star. [1]
+        Cosines of the star-zenith angle, of the reflection angle, and of the angle between line of
+        sight and star. [1]
     """
     leaving = ground_cosine(z, sine, observer, light)
     across, up = first_meeting(min(observer.r * sine, light.bottom), sine, light.bottom)
@@ -138,7 +137,7 @@ def ground_angles(x, z, sine, angle, observer, light):
 
 @inlined
 def mirrored_line(x, z, sine, angle, observer, light):
-    """Line from the end of a line of sight on water to the sky that is seen mirrored there.
+    """Mirrored ray at the end of a line of sight on water.
 
     Parameters
     ----------
@@ -148,7 +147,7 @@ def mirrored_line(x, z, sine, angle, observer, light):
     Returns
     -------
     mu, mu_s, nu : float
-        Cosines at the ground: of its zenith angle, of the star's, and between both. [1]
+        Cosines at the ground: of its zenith angle, of the star-zenith angle, and between both. [1]
     """
     mu_s, leaving, nu = ground_angles(x, z, sine, angle, observer, light)
     mu = mirrored_cosine(leaving, light.ground.wind)

@@ -1,4 +1,4 @@
-"""Uniforms of an observer and a star, as plain numbers, for hosts in any language."""
+"""Uniforms of observer and star; also emitted as JavaScript."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import math
 def observer_uniforms(
     r: float, bottom: float, sun_x: float, sun_y: float, seen: float, star_radius: float
 ) -> tuple[float, float, float, float, float]:
-    """Uniforms of an observer and a star that follow from their positions.
+    """Uniforms derived from the positions of observer and star.
 
     Parameters
     ----------

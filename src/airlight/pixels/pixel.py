@@ -1,4 +1,4 @@
-"""Light of one pixel, from the sky-view LUT or by its own march, to linear sRGB."""
+"""Spectral radiance of one pixel, from the sky-view LUT or marched."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.solvers.stokes_frame import star_plane
 
 
 class ViewUniforms(NamedTuple):
-    """Camera, ground map and sky-view LUT; names as in ``gpu.picture.uniforms``."""
+    """Camera, ground maps, sky-view LUT and discs: uniforms and textures of a pixel."""
 
     width: float
     height: float
@@ -105,14 +105,14 @@ class ViewUniforms(NamedTuple):
 
 @kernel
 def texel_before(coordinate, first, last):
-    """Texel before a coordinate, and fraction of the distance to the next.
+    """Lower texel and fraction for linear interpolation.
 
     Parameters
     ----------
     coordinate : float
         Coordinate in texels; clamped between the first and the last. [1]
     first, last : int
-        Indices of the existing texels.
+        Index range of the texels.
 
     Examples
     --------
@@ -126,14 +126,14 @@ def texel_before(coordinate, first, last):
 
 @inlined
 def between_texels(table, near, stride, right, down, lanes, at):
-    """Value of a layer of the sky-view LUT between four of its texels.
+    """Bilinear interpolation of a layer of the sky-view LUT.
 
     Parameters
     ----------
     table : array
         Layer of fourth roots.
     near, stride : int
-        Index of the first of the four texels, and number of texels in a row.
+        Index of the first of the four texels, and texels per row.
     right, down : float
         Fractions of the distance to the next texel and to the next row. [1]
     lanes, at : int
@@ -155,7 +155,7 @@ def between_texels(table, near, stride, right, down, lanes, at):
 
 @inlined
 def phase_of(half_sine, constituent, table, light, lanes, at):
-    """Element of one constituent's phase matrix, from the table of all. [sr⁻¹]
+    """Phase matrix element of one constituent. [sr⁻¹]
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ def phase_of(half_sine, constituent, table, light, lanes, at):
 def polarised_between(
     near, stride, right, down, half_sine, turn_cosine, turn_sine, view, light, lanes, at
 ):  # fmt: skip
-    """Q and U of the air from the sky-view LUT, with exact phase matrices of its peaks. [sr⁻¹]
+    """Q and U from the sky-view LUT, with exact phase matrices of separated constituents. [sr⁻¹]
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def polarised_between(
 
 @inlined
 def air_between(near, stride, right, down, half_sine, view, light, lanes, at):
-    """Light of the air from the sky-view LUT, with exact phase functions of its peaks. [sr⁻¹]
+    """Radiance from the sky-view LUT, with exact phase functions of separated ones. [sr⁻¹]
 
     Parameters
     ----------
@@ -219,7 +219,7 @@ def air_between(near, stride, right, down, half_sine, view, light, lanes, at):
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
     view, light : ViewUniforms, MarchTables
-        sky-view LUT, and tables of the solution.
+        Sky-view LUT, and tables of the solution.
     """
     total = between_texels(view.sky_air, near, stride, right, down, lanes, at)
     if light.separated_1 >= 0:
@@ -235,21 +235,21 @@ def air_between(near, stride, right, down, half_sine, view, light, lanes, at):
 
 @inlined
 def classify_ray(x, y, z, observer, light):
-    """Classify a line of sight, and find its row in the sky-view LUT.
+    """Classification of a line of sight, and its row in the sky-view LUT.
 
     Parameters
     ----------
     x, y, z : float
-        Direction in the observer's frame; zero vector for none. [1]
+        Direction in the observer's frame; zero outside the projection. [1]
     observer, light : Observer, MarchTables
         Observer, and tables of the solution.
 
     Returns
     -------
     sine, row : float
-        Sine of its zenith angle; coordinate of its row in its half of the table. [1]
+        Sine of the zenith angle; row coordinate in its half of the LUT. [1]
     through_air, to_ground : bool
-        Whether it passes through air, and whether it ends on the ground.
+        Whether it crosses the atmosphere, and whether it ends on the ground.
     """
     sine = sqrt(x * x + y * y)
     shown = x != 0.0 or y != 0.0 or z != 0.0
@@ -265,7 +265,7 @@ def classify_ray(x, y, z, observer, light):
 
 @inlined
 def sky_view_coordinates(x, y, row, to_ground, window):
-    """Position of a line of sight in the available part of the sky-view LUT.
+    """Texel coordinates of a line of sight in a window of the sky-view LUT.
 
     Parameters
     ----------
@@ -274,12 +274,12 @@ def sky_view_coordinates(x, y, row, to_ground, window):
     row, to_ground : float, bool
         Results of ``classify_ray``.
     window : SkyViewWindow
-        Available part.
+        Window.
 
     Returns
     -------
     near : int
-        Index of the first of the four texels around it.
+        Index of the first of the four texels.
     right, down : float
         Fractions of the distance to the next texel and to the next row. [1]
     """
@@ -298,7 +298,7 @@ def sky_view_coordinates(x, y, row, to_ground, window):
 def sky_lookup(
     x, y, z, sine, row, to_ground, exact, window, observer, view, light, work
 ):  # fmt: skip
-    """Find the air's light along a line of sight, and that of a white ground behind it.
+    """Radiance of the air along a line of sight, and of a white ground behind it.
 
     Parameters
     ----------
@@ -307,9 +307,9 @@ def sky_lookup(
     sine, row, to_ground : float, float, bool
         Results of ``classify_ray``.
     exact, window, observer, view, light, work :
-        Arguments of ``pixel_light``; ``work.found`` receives the air's radiance and, for a line to
-        the ground, that of a white Lambert ground and, at ``MIRRORED``, that of the sky which
-        water there mirrors; with a filter Q and U, as ``march`` has them. [sr⁻¹]
+        Arguments of ``pixel_light``; ``work.found`` receives the radiance of the air, of a white
+        Lambert ground, of the mirrored sky at ``MIRRORED`` and, with a filter, Q and U as from
+        ``march``. [sr⁻¹]
 
     Returns
     -------
@@ -321,7 +321,7 @@ def sky_lookup(
     wet = to_ground and light.ground.wet
     if exact:
         cos_azimuth = x / sine if sine > 0.0 else 1.0
-        # The mirrored sky first, since the other results are kept where the march leaves them.
+        # The mirrored sky first, as the second march leaves its results in place.
         for part in range(2):
             mirrored = part == 0
             if not mirrored or (wet and observer.orders != 1):
@@ -373,20 +373,20 @@ def sky_lookup(
 def pixel_light(
     px, py, x, y, z, exact, reach, window, observer, view, light, work, color, result
 ):  # fmt: skip
-    """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
+    """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
-        Position from the picture's left and top edge. [pixel]
+        Position from the left and top edge of the frame. [pixel]
     x, y, z : float
         Viewing direction there, ``camera_direction``. [1]
     exact : bool
-        Constant: whether the pixel is marched instead of read from the sky-view LUT.
+        Constant: whether the pixel is marched.
     reach : float
-        Angle from the apparent star beyond which nothing of its disc is visible. [rad]
+        Largest angle between the apparent star and a visible point of its disc. [rad]
     window : SkyViewWindow
-        Available part of the sky-view LUT.
+        Window of the sky-view LUT.
     observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work, color : MarchWorkspace, array of shape (11,)

@@ -1,9 +1,8 @@
-"""Polarising filter in front of a camera, and what it lets through of I, Q and U.
+"""Ideal linear polariser in front of a camera: weights of Stokes I, Q and U.
 
-The filter is ideal: it lets half of unpolarised light through, and all of the light that swings
-along its axis. A line of sight meets the axis as a lens of circular symmetry turns it: with the
-line, about the camera's own axis. So a filter and one at right angles to it let all light
-through together, wherever the camera looks.
+It transmits half of unpolarised light. Off the optical axis, its axis is rotated with the line of
+sight in their common plane, as by a rotationally symmetric lens, so that the transmittances of two
+crossed polarisers add up to 1 in every direction.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from typing import Final
 
 from airlight.kernel import inlined
 
-#: Values of ``ViewUniforms.filter``: none, one in front of the camera, and Q or U instead of I.
+#: Values of ``ViewUniforms.filter``: no filter, polariser, and Q or U instead of I.
 NONE: Final = 0
 CAMERA: Final = 1
 ALONG: Final = 2
@@ -22,19 +21,19 @@ ASLANT: Final = 3
 
 @inlined
 def filter_shares(x, y, z, view):
-    """Shares of I, Q and U in the light that is rendered.
+    """Weights of Stokes I, Q and U.
 
     Parameters
     ----------
     x, y, z : float
         Viewing direction, a unit vector in the observer's frame. [1]
     view : ViewUniforms
-        Camera; its filter's axis is a unit vector in the same frame.
+        Camera and axis of its filter in the same frame.
 
     Returns
     -------
     whole, stokes_q, stokes_u : float
-        Of I, Q and U, where U is that of the azimuth of 0 to 180 degrees. [1]
+        Weights of I, Q and U, with U for azimuths from 0 to 180°. [1]
     """
     sine = sqrt(x * x + y * y)
     cos_azimuth, sin_azimuth = 1.0, 0.0

@@ -1,4 +1,4 @@
-"""Pixels on the CPU: from the sky-view LUT, or each by its own march."""
+"""Pixel loops of the CPU, with the sky-view LUT or marched."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.pixels.samples import sampled_light
 
 @inlined
 def _as_color(light, lanes, weights, sums, out):
-    """Convert the light of a pixel to linear sRGB, into ``out``."""
+    """Convert spectral radiance to linear sRGB, into ``out``."""
     red, green, blue = splat(0.0), splat(0.0), splat(0.0)
     for at in range(0, lanes, LANES):
         total = load(light, at)
@@ -32,7 +32,7 @@ def _as_color(light, lanes, weights, sums, out):
 
 @inlined
 def _pixels(exact, px, py, window, observer, view, light, work, weights, reach, out):
-    """Render pixels, see ``render_pixels``; ``exact`` as in ``pixel_light``."""
+    """Common loop of ``render_pixels`` and ``march_pixels``."""
     view, light, work, weights, out = borrowed((view, light, work, weights, out))
     found, total = np.empty(light.lanes, np.float32), np.empty(light.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
@@ -46,14 +46,14 @@ def _pixels(exact, px, py, window, observer, view, light, work, weights, reach, 
 
 @compiled_loop
 def render_pixels(px, py, window, observer, view, light, work, weights, reach, out):
-    """Render pixels from the sky-view LUT.
+    """Render pixels with the sky-view LUT.
 
     Parameters
     ----------
     px, py : array, shape (n,)
-        Centres of the pixels, from the picture's left and top edge. [pixel]
+        Pixel centres, from the left and top edge of the frame. [pixel]
     window : SkyViewWindow
-        Available part of the table.
+        Window of the sky-view LUT.
     observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work : MarchWorkspace
@@ -61,7 +61,7 @@ def render_pixels(px, py, window, observer, view, light, work, weights, reach, o
     weights : array, shape (3·w,)
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
     reach : float
-        Angle from the apparent star beyond which nothing of its disc is visible. [rad]
+        Largest angle between the apparent star and a visible point of its disc. [rad]
     out : array, shape (n, 3)
         Receives linear sRGB.
     """
@@ -70,5 +70,5 @@ def render_pixels(px, py, window, observer, view, light, work, weights, reach, o
 
 @compiled_loop
 def march_pixels(px, py, window, observer, view, light, work, weights, reach, out):
-    """Render pixels, each by its own march; arguments as in ``render_pixels``."""
+    """March pixels; arguments of ``render_pixels``."""
     _pixels(True, px, py, window, observer, view, light, work, weights, reach, out)

@@ -19,7 +19,7 @@ from airlight.scene.projections import PROJECTIONS
 
 #: Samples per side of a pixel that an edge crosses.
 EDGE: Final = 3
-#: Index of the projection whose two sides are neighbours.
+#: Index of the projection that is periodic horizontally.
 _PANORAMA: Final = list(PROJECTIONS).index("equirectangular")
 #: Distance of a pixel's corner from its centre, with a margin for its shape. [pixel]
 _CORNER: Final = 0.75
@@ -47,11 +47,11 @@ def samples_per_side(x, y, z, observer, view):
 
 @inlined
 def sample_place(px, py, sample, side, view):
-    """Place of a sample of a pixel, from the picture's left and top edge. [pixel]
+    """Position of a sample, from the left and top edge of the frame. [pixel]
 
-    The grid is turned by atan(1 / side): no two samples share a row or a column, so a level horizon
-    is smooth in side² steps. It is turned the other way in the picture's other half, which keeps
-    symmetric skies symmetric, and not in a panorama, which has no halves.
+    The grid is rotated by atan(1 / side), so that no two samples share a row or column and a level
+    horizon has side² steps. The rotation is mirrored in the right half of the frame, which keeps
+    symmetric skies symmetric, and absent in panoramas.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def sample_place(px, py, sample, side, view):
 def light_of_centre(
     px, py, exact, reach, window, observer, view, light, work, color, result
 ):  # fmt: skip
-    """Spectral light of a pixel by one sample; arguments of ``sampled_light``."""
+    """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""
     x, y, z = camera_direction(px, py, view)
     pixel_light(px, py, x, y, z, exact, reach, window, observer, view, light, work, color, result)
 
@@ -85,12 +85,12 @@ def light_of_centre(
 def sampled_light(
     px, py, exact, reach, window, observer, view, light, work, color, total, result
 ):  # fmt: skip
-    """Spectral light of a pixel, the mean of its samples, per irradiance of the star. [sr⁻¹]
+    """Spectral radiance of a pixel, averaged over samples, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
-        Centre of the pixel, from the picture's left and top edge. [pixel]
+        Pixel centre, from the left and top edge of the frame. [pixel]
     exact, reach, window, observer, view, light, work, color :
         Arguments of ``pixel_light``.
     total : array, shape (w,)

@@ -1,4 +1,4 @@
-"""Pictures that sum to a scene's: one for each of its lights."""
+"""Decomposition of a scene into single-light scenes, whose radiances add up."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 
 class SceneForLight(NamedTuple):
-    """Picture by one light.
+    """Scene and solution of a single light.
 
     Attributes
     ----------
     scene : Scene
-        Scene with the light at the sun's place.
+        Scene in the frame of the light, as its sun.
     solution : MomentsSolution
-        Solution under this light.
+        Solution with this light.
     air : bool
-        Whether its light on air and ground is rendered; otherwise its disc alone.
+        Whether air and ground are illuminated; otherwise only the disc is rendered.
     light : LightPosition
-        The light in the scene of all.
+        Light in the original scene.
     """
 
     scene: Scene
@@ -37,15 +37,10 @@ class SceneForLight(NamedTuple):
 
 
 def scenes_by_light(scene: Scene, solution: MomentsSolution) -> list[SceneForLight]:
-    """Scene and solution of each light alone.
+    """Single-light scenes of all visible lights.
 
-    Light adds up, so a picture is the sum of those of its lights: each has the light at the sun's
-    place, with its own irradiance, spectrum and disc. No light costs another solve. The lamps of
-    towns shine in the first.
-
-    A moon in front of a star hides its disc and dims its light, see ``occulted_light``.
-
-    Lights beside the first that cannot be seen are left out, see ``light_visibility``.
+    All share one solution, scaled by the irradiance and spectrum of each light. City lights belong
+    to the first. Eclipses follow ``occulted_light``, visibility ``light_visibility``.
 
     Parameters
     ----------
@@ -57,7 +52,7 @@ def scenes_by_light(scene: Scene, solution: MomentsSolution) -> list[SceneForLig
     Returns
     -------
     list of SceneForLight
-        Pictures, in the order of ``scene.lights``.
+        Single-light scenes, in the order of ``scene.lights``.
     """
     sources = solution.lights
     pictures: list[SceneForLight] = []
@@ -80,7 +75,7 @@ def _visibility(
     source: LightSource,
     first: LightSource,
 ) -> float:
-    """Result of ``light_visibility`` for a light beside the first."""
+    """Visibility of a secondary light, see ``light_visibility``."""
     medium = solution.medium
     share = float(np.max(source.irradiance / np.maximum(first.irradiance, 1e-300)))
     return light_visibility(

@@ -1,7 +1,6 @@
-"""Sky-view LUT filled on the CPU: complete, or the part that a picture sees.
+"""Sky-view LUT computed on the CPU, complete or in the window of a camera.
 
-It serves pictures rendered on the CPU, and software GPUs, which run the shader's march about
-fifteen times slower than the compiled one.
+It also serves software GPUs, on which the march is about fifteen times slower.
 """
 
 from __future__ import annotations
@@ -21,24 +20,24 @@ from airlight.solvers.moments.march_tables import MarchTables, new_workspace
 
 Float32Array = NDArray[np.float32]
 
-#: Number of texels that one call of a thread fills.
+#: Texels per task.
 _BLOCK: Final = 256
 
 
 class SkyViewLayers(NamedTuple):
-    """Sky-view LUT, all wavelengths: fourth roots, each shape (texels·w,).
+    """Layers of the sky-view LUT as fourth roots, each shape (texels·w,).
 
-    The sky's rows come first, then the ground's, then those of the sky that water mirrors. Layers
-    of absent peaked constituents have one value.
+    Rows of the sky come first, then of the ground, then of the sky mirrored by water. Unused layers
+    have one value.
 
     Attributes
     ----------
     air, ground : array
-        Radiance of the air, and of a ground of albedo 1 behind it. [sr^-¼]
+        Radiance of the air, and of a white Lambert ground behind it. [sr^-¼]
     first, second : array
-        Single scattering by the peaked constituents, without their phase functions. [1]
+        Single scattering by separated constituents, without phase function. [1]
     stokes_q, stokes_u : array
-        I + Q and I + U of the air, without these; one value if they are not asked. [sr^-¼]
+        I + Q and I + U of the air, without separated constituents. [sr^-¼]
     """
 
     air: Float32Array
@@ -50,7 +49,7 @@ class SkyViewLayers(NamedTuple):
 
     @classmethod
     def none(cls) -> SkyViewLayers:
-        """Empty table."""
+        """Empty layers."""
         empty = np.zeros(1, np.float32)
         return cls(*[empty] * 6)
 
@@ -105,9 +104,9 @@ def fill_sky_view(
     observer : Observer
         Position of observer and star.
     window : SkyViewWindow
-        Part of the table to fill.
+        Window to fill.
     polarised : bool
-        Whether Q and U are asked.
+        Whether Q and U are filled.
     cancel, progress : callable, optional
         See ``airlight.kernel.threads``.
 

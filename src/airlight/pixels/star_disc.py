@@ -1,8 +1,8 @@
-"""Star's own disc in a pixel: its light through the air, for any apparent size.
+"""Antialiased disc of a light in a pixel, for any apparent size.
 
-A moon in front of it hides a disc of several pixels pixel by pixel; a smaller one is dimmed.
-A disc of several pixels has a smooth rim and the shape of ``disc_shading``; a smaller one is a few
-points, each of them distributed over the four pixels around it. Both conserve the light.
+Discs of several pixels have an antialiased rim, the shading of ``disc_shading`` and are occulted
+pixel by pixel. Smaller discs are sets of points splatted bilinearly, and are dimmed by occultation.
+Both conserve irradiance.
 """
 
 from __future__ import annotations
@@ -19,31 +19,30 @@ from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.tables.column_ratios import columns_to_top
 
-#: Radius in pixels below which a disc is rendered as points.
+#: Radius below which a disc is splatted as points. [pixel]
 SMALL = 1.5
-#: Number of rings and spokes of its points.
+#: Rings and spokes of these points.
 RINGS = 3
 SPOKES = 8
-#: Positions: a pixel, its right, lower, left and upper neighbours, and half-way to each.
+#: Stencil: the pixel, its right, lower, left and upper neighbours, and the midpoints.
 _PLACES = 9
 _NUMBERS = 27
-#: Distance in pixels beyond which a neighbour belongs to another part of the picture.
+#: Angular distance beyond which a neighbour is disconnected. [pixel]
 _APART = 3.0
-#: Ratio to a square below which a flat pixel, as at the poles of a panorama, is too close to its
-#: neighbours for points.
+#: Pixel area over a square below which points are not splatted, as at the poles of panoramas.
 _FLAT = 0.3
 
 
 @kernel
 def camera_direction(px, py, view):
-    """Viewing direction of a point of the picture in the observer's frame; zero if it has none.
+    """Viewing direction of an image point in the observer's frame; zero outside the projection.
 
     Parameters
     ----------
     px, py : float
-        Position from the picture's left and top edge. [pixel]
+        Position from the left and top edge of the frame. [pixel]
     view : ViewUniforms
-        ViewUniforms with the camera.
+        Camera.
     """
     right, above, ahead = projected_ray(
         view.projection, px, py, view.width, view.height, view.field_of_view
@@ -56,7 +55,7 @@ def camera_direction(px, py, view):
 
 @inlined
 def leaving_air(x, y, z, observer, light, columns):
-    """Direction of a line of sight after it has left the air.
+    """Refracted direction of a line of sight outside the atmosphere.
 
     Parameters
     ----------
@@ -70,7 +69,7 @@ def leaving_air(x, y, z, observer, light, columns):
     Returns
     -------
     x, y, z : float
-        Direction, lowered by the angle of refraction. [1]
+        Refracted direction. [1]
     free : bool
         Whether the line misses the ground.
     """
@@ -108,7 +107,7 @@ def leaving_air(x, y, z, observer, light, columns):
 
 @kernel
 def shared_out(across, down, radius, right_x, below_x, below_y):
-    """Fraction of a disc that is assigned to a pixel, for points between pixel centres. [1]
+    """Bilinear weight of a small disc in a pixel. [1]
 
     Parameters
     ----------
@@ -138,10 +137,9 @@ def shared_out(across, down, radius, right_x, below_x, below_y):
 
 @kernel
 def covered(apart, radius, pixel):
-    """Fraction of a pixel that lies within a disc, falling from 1 to 0 across its rim. [1]
+    """Antialiased coverage of a pixel by a disc, linear across its rim. [1]
 
-    Integrated over all directions it is the disc's solid angle; that of a disc smaller than a pixel
-    is spread over one.
+    Its integral over the sphere is the solid angle of the disc.
 
     Parameters
     ----------
@@ -159,7 +157,7 @@ def covered(apart, radius, pixel):
 
 @inlined
 def star_disc(px, py, x, y, z, observer, view, light, columns):
-    """Radiance of the light's disc in a pixel before attenuation by the air, per irradiance.
+    """Unattenuated radiance of the disc in a pixel, per irradiance.
 
     Parameters
     ----------
@@ -170,20 +168,19 @@ def star_disc(px, py, x, y, z, observer, view, light, columns):
     observer, view, light : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
-        Receives the columns of the air in front of it. [m]
+        Receives the columns along the line of sight. [m]
 
     Returns
     -------
     tuple of six float
-        Weights of the powers of the cosine of emergence, see ``disc_powers``; 0 where there is
-        nothing of the disc. [sr⁻¹]
+        Weights of the powers of the emergence cosine, see ``disc_powers``; 0 off the disc. [sr⁻¹]
     """
     if x == 0.0 and y == 0.0 and z == 0.0:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
     apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
     pixel = view.pixel_angle
-    # Two pixel diagonals: no point of a disc is assigned to a pixel farther away.
+    # Beyond two pixel diagonals no point is splatted.
     if not free or apart > light.star_radius + 3.0 * pixel:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     part = covered(apart, light.star_radius, pixel) * view.disc
@@ -193,7 +190,7 @@ def star_disc(px, py, x, y, z, observer, view, light, columns):
     if view.occulter_radius > 0.0:
         dx, dy, dz = lx - view.occulter_x, ly - view.occulter_y, lz - view.occulter_z
         beside = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
-        # Where both rims run through a pixel, the moon's hides what the disc's leaves of it.
+        # Pixels with both rims: coverages are subtracted.
         part = max(part - covered(beside, view.occulter_radius, pixel) * view.disc, 0.0)
     along = 0.0
     if view.phased:
@@ -208,7 +205,7 @@ def star_disc(px, py, x, y, z, observer, view, light, columns):
 
 @inlined
 def _point_like(px, py, otherwise, observer, view, light, columns):
-    """Radiance of a small disc in a pixel, per irradiance outside the air. [sr⁻¹]"""
+    """Unattenuated radiance of a small disc in a pixel, per irradiance. [sr⁻¹]"""
     steps = np.empty(_NUMBERS)
     fits = np.empty(_PLACES)
     # The pixel itself last: its columns are kept.

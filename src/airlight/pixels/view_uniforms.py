@@ -1,4 +1,4 @@
-"""Uniforms of the shaders from a scene, a display and the orders of scattering."""
+"""Uniforms of scene, maps, display and orders of scattering, by name."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ Float32Array = NDArray[np.float32]
 
 #: Values of ``orders``, with their uniforms in the shaders.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
-#: Most samples per side of a pixel.
+#: Largest number of samples per side of a pixel.
 MAX_SAMPLES: Final = 16
 
 
 def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of observer, star and camera, for one light: the first of the solution's.
+    """Uniforms of observer, camera and the first light of the solution.
 
     Parameters
     ----------
@@ -112,13 +112,13 @@ def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
 
 
 def _occulter_uniforms(occulter: Occulter | None) -> dict[str, float]:
-    """Uniforms of a moon in front of the light; without one its radius is 0."""
+    """Uniforms of an occulting moon; radius 0 without one."""
     values = (0.0, 0.0, 0.0, 0.0) if occulter is None else occulter[:4]
     return dict(zip(OCCULTER, values, strict=True))
 
 
 def observer_from(uniforms: Mapping[str, float]) -> Observer:
-    """Observer, from the uniforms of a scene and of the orders of scattering.
+    """``Observer`` from the uniforms of a scene and of the orders of scattering.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def cpu_view_uniforms(
     overlay: SurfaceMap | None,
     layers: SkyViewLayers,
 ) -> ViewUniforms:
-    """Camera, ground map and sky-view LUT, as the CPU reads them.
+    """``ViewUniforms`` of the CPU: camera, ground maps and sky-view LUT.
 
     Parameters
     ----------
@@ -147,11 +147,11 @@ def cpu_view_uniforms(
     camera : Camera
         Camera of the scene.
     ground : SurfaceMap
-        Map of the ground; None without a map.
+        Ground map; None without a map.
     overlay : SurfaceMap
-        Lights on it and clouds above it; None without both.
+        City lights and clouds; None without both.
     layers : SkyViewLayers
-        Layers of a window of the table, which has its own sizes.
+        Layers of a window of the sky-view LUT.
     """
     values: dict[str, Any] = {
         name: float(uniforms[name]) for name in ViewUniforms._fields if name in uniforms
@@ -187,7 +187,7 @@ def cpu_view_uniforms(
 
 
 def map_uniforms(ground: SurfaceMap | None) -> dict[str, int]:
-    """Uniforms of a map of the ground.
+    """Uniforms of the size of a ground map.
 
     Parameters
     ----------
@@ -206,7 +206,7 @@ def overlay_size_uniforms(overlay: SurfaceMap | None) -> dict[str, int]:
     Parameters
     ----------
     overlay : SurfaceMap
-        Lights on the ground and clouds above it; None without both.
+        City lights and clouds; None without both.
     """
     if overlay is None:
         return {"overlaid": 0, "over_rows": 1, "over_columns": 1, "over_levels": 1}
@@ -215,7 +215,7 @@ def overlay_size_uniforms(overlay: SurfaceMap | None) -> dict[str, int]:
 
 
 def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of lamps and clouds: colour of the lamps, and place of the layer of clouds.
+    """Uniforms of city lights and of the cloud layer.
 
     Parameters
     ----------
@@ -232,10 +232,10 @@ def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
 
 
 def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of the lamps' colour: light per irradiance of the star and part of the map. [sr⁻¹]
+    """Uniforms of the colour of city lights. [sr⁻¹]
 
-    The picture shows a lamp in its own colour whatever the star's is. A light beside the first has
-    no lamps: the picture is the sum over lights.
+    Radiance per irradiance of the star and map value; the colour is independent of the star's.
+    City lights are part of the first light only.
 
     Parameters
     ----------
@@ -254,7 +254,7 @@ def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
 
 
 def display_uniforms(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
-    """Uniforms of a display of 8 bits: exposure, tone map, encoding, dither.
+    """Uniforms of an 8-bit display: exposure, tone map, encoding, dither.
 
     Parameters
     ----------
@@ -263,7 +263,7 @@ def display_uniforms(exposure: float, tone_map: str, encoding: str | None) -> di
     tone_map : str
         Name from ``TONE_MAPS``.
     encoding : str or None
-        Name from ``ENCODINGS``; None for a target that encodes by itself.
+        Name from ``ENCODINGS``; None for a target with its own encoding.
 
     Raises
     ------
@@ -277,7 +277,7 @@ def display_uniforms(exposure: float, tone_map: str, encoding: str | None) -> di
 
 
 def order_number(orders: str) -> float:
-    """Orders of scattering, as the shaders number them.
+    """Value of ``orders`` in kernels.
 
     Parameters
     ----------
@@ -295,7 +295,7 @@ def order_number(orders: str) -> float:
 
 
 def checked_samples(samples: int) -> int:
-    """Samples per side of a pixel, if they are allowed.
+    """Validated number of samples per side of a pixel.
 
     Parameters
     ----------
