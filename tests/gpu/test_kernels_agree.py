@@ -316,7 +316,7 @@ STEPS = [
     Case(sky_view_lut.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
     Case(ground_angles.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
     Case(
-        sky_view.half_sine_between,
+        sky_view_lut.half_sine_between,
         (SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU, 0.6, 0.8),
         atol=ANGLE,
     ),
