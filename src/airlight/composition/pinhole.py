@@ -36,7 +36,7 @@ class Pinhole:
     Parameters
     ----------
     width, height : int
-        Size of the picture. [pixel]
+        Size of the image. [pixel]
     focal_x, focal_y : float
         Focal lengths. [pixel]
     centre_x, centre_y : float, optional
@@ -145,7 +145,7 @@ class Pinhole:
         Parameters
         ----------
         width, height : int
-            Size of the picture. [pixel]
+            Size of the image. [pixel]
 
         Raises
         ------
@@ -278,7 +278,7 @@ def camera_from_matrices(
         ``worldToCamera``, whose camera looks along +Z with X to the right and Y up, and
         ``worldToNDC``, 0 to 1 across the picture from its left upper corner; both multiply rows.
     width, height : int
-        Size of the picture. [pixel]
+        Size of the image. [pixel]
 
     Raises
     ------

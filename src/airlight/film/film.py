@@ -60,7 +60,7 @@ class Film:
         number : int
             Number of the frame, from 0.
         width, height : int
-            Size of the picture. [pixel]
+            Size of the frame. [pixel]
         how : Quality
             How its light is computed.
 

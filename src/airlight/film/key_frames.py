@@ -35,7 +35,7 @@ class KeyFrames(Record):
     values : list
         Numbers, or texts with a unit, as the file takes them; lists of them for a vector.
     at : tuple of float, optional
-        Moments, as shares of the film, ascending; evenly from 0 to 1 by default. [1]
+        Normalised times, ascending; evenly from 0 to 1 by default. [1]
     law : str
         Name from ``LAWS``.
 

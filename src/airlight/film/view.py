@@ -145,7 +145,7 @@ class PlanetView(Record):
         time : datetime, optional
             Instant that gives the sun.
         width, height : int
-            Size of the picture. [pixel]
+            Size of the frame. [pixel]
 
         Raises
         ------

@@ -82,7 +82,7 @@ def render_system(
     system : System
         Bodies, lights, observer and camera, see ``load_system``.
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     wavelengths : sequence of float, optional
         Wavelengths, at least three; by default sixteen over the visible. [nm]
     quality : str

@@ -43,7 +43,7 @@ class Camera:
         behind), ``octahedral`` (the whole sphere on a square of equal solid angles) or
         ``orthographic`` (parallel lines of sight: the disc of a planet).
     width, height : int
-        Size of the picture: a panorama is twice as wide as high, a cube strip six times, an
+        Size of the frame: a panorama is twice as wide as high, a cube strip six times, an
         octahedral one square. [pixel]
     field_of_view : float, optional
         Angle between the left and the right edge for perspective, default 60; across the circle for
@@ -232,7 +232,7 @@ class Camera:
         -------
         array, shape (rows, columns, 3)
             Unit vectors in the observer's local frame (x to the sun's side, y left of it, z to
-            the zenith); zero where the picture shows nothing: outside a fisheye's circle. [1]
+            the zenith); zero outside the projection: outside a fisheye's circle. [1]
         """
         chosen = np.arange(self.rows, dtype=np.float64)[rows if rows is not None else slice(None)]
         x = np.arange(self.columns, dtype=np.float64) + (self.left + 0.5 + offset[0])

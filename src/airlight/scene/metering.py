@@ -55,7 +55,7 @@ def metering_weight(
     x, y : float
         Centre of the pixel, from the left and the top edge. [pixel]
     width, height : float
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     field_of_view : float
         Field of view, as the projection's ``ray`` takes it. [rad]
     sun_right, sun_up, sun_forward : float
@@ -121,7 +121,7 @@ def metering_weights(
     Returns
     -------
     weights : array, shape (ceil(rows / step), ceil(columns / step))
-        Solid angles, below 0 near the discs of the lights, 0 outside the picture. [sr]
+        Solid angles, below 0 near the discs of the lights, 0 outside the frame. [sr]
     light : array, shape (ceil(rows / step), ceil(columns / step))
         Number of the light near a pixel, of several the first. [1]
 

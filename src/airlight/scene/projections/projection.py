@@ -17,7 +17,7 @@ class Projection:
     ray : kernel
         Scalar function ``ray(x, y, width, height, field_of_view)`` that gives the view vector of a
         point of the picture in the camera's frame (right, up, forward): of unit length, or zero
-        where the picture shows nothing. ``x``, ``y``: distances from the left and the top edge in
+        outside the projection. ``x``, ``y``: distances from the left and the top edge in
         pixels, so that pixel i has its centre at i + 0.5. ``field_of_view``: radians.
     pixel_angle : callable
         Function ``pixel_angle(width, height, field_of_view)`` that gives the angle of one pixel

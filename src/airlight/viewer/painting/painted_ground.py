@@ -30,7 +30,7 @@ def painted_ground(
     Parameters
     ----------
     solution : MomentsSolution
-        Solution shown.
+        Displayed solution.
     sight : Sight
         A line of sight that ends on the ground.
     parts : Parts

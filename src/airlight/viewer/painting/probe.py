@@ -1,6 +1,6 @@
 """Probe of one direction: spectrum, luminance, chromaticity, optical depths, contributions.
 
-Computed on the CPU from the moments of the solution shown, in some milliseconds per direction.
+Computed on the CPU from the moments of the displayed solution, in some milliseconds per direction.
 Each part is integrated separately; none is the difference of others.
 """
 
@@ -132,7 +132,7 @@ def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None
     Raises
     ------
     ParameterError
-        If the position is outside the picture, or the solution is another solver's.
+        If the position is outside the frame, or the solution is another solver's.
     """
     direction = pixel_direction(scene.camera, x, y)
     return None if direction is None else probe(solution, scene, direction)
@@ -155,7 +155,7 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
     Raises
     ------
     ParameterError
-        If the position is outside the picture.
+        If the position is outside the frame.
     """
     for field, value, most in (("x", x, camera.width), ("y", y, camera.height)):
         if not 0.0 <= value <= most:
@@ -172,7 +172,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     Parameters
     ----------
     solution : MomentsSolution
-        Solution shown, without the constituents that are switched off.
+        Displayed solution, without the constituents that are switched off.
     scene : Scene
         Observer and star; its camera only sets the level of detail of the ground map.
     direction : array, shape (3,)

@@ -28,7 +28,7 @@ def probed_clouds(
     Parameters
     ----------
     solution : MomentsSolution
-        Solution shown.
+        Displayed solution.
     scene : Scene
         Observer and camera.
     direction : array, shape (3,)

@@ -14,7 +14,7 @@ from airlight.viewer.background.error_line import one_line
 from airlight.viewer.painting.picture_source import Request
 from airlight.viewer.painting.probe import Probe, probe_pixel
 
-#: Number of wavelengths of the finer spectrum, solved with the settings of the solution shown.
+#: Number of wavelengths of the finer spectrum, solved with the settings of the displayed solution.
 FINER: Final = 16
 
 

@@ -25,7 +25,7 @@ class SessionSide:
 
     @property
     def solve_request(self) -> SolveRequest:
-        """Request to solve; that of the shown side while there is only one."""
+        """Request to solve; that of the current side while there is only one."""
         if self._session.showing == self._side:
             return self._session.solve_request
         return self._session.solve_request_other or self._session.solve_request

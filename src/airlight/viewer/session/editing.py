@@ -62,7 +62,7 @@ class Editing:
 
     @property
     def planet(self) -> PlanetState:
-        """Planet that is shown."""
+        """Current planet."""
         return self._side.planet
 
     @property
@@ -72,7 +72,7 @@ class Editing:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Declared parameters of the planet that is shown, and of the view."""
+        """Declared parameters of the current planet, and of the view."""
         return self._side.parameters
 
     @property
@@ -142,7 +142,7 @@ class Editing:
 
     @property
     def solve_request(self) -> SolveRequest:
-        """Solve request of the side that is shown."""
+        """Solve request of the current side."""
         return self._request(self._side)
 
     @property
@@ -257,7 +257,7 @@ class Editing:
         self._changed(self._side.reset(what))
 
     def open(self, planet: str | Path) -> None:
-        """Replace the planet that is shown, as an undo step.
+        """Replace the current planet, as an undo step.
 
         Parameters
         ----------

@@ -79,7 +79,7 @@ class Session(Editing):
         group : str
             Group of the constituent.
         planet : Planet, optional
-            Planet that is shown, as read, with nothing switched off; by default it is read here,
+            Current planet, as read, with nothing switched off; by default it is read here,
             which takes seconds for particles that are not cached.
 
         Raises
@@ -102,7 +102,7 @@ class Session(Editing):
 
     @property
     def showing(self) -> str:
-        """Side that is shown, ``A`` or ``B``."""
+        """Current side, ``A`` or ``B``."""
         return self._showing
 
     @property
@@ -125,7 +125,7 @@ class Session(Editing):
         return "" if self._other is None else str(self._other.planet.tables.get("name", ""))
 
     def store_b(self) -> None:
-        """Copy the shown side to the other; later edits apply to the shown side only."""
+        """Copy the current side to the other; later edits apply to the current side only."""
         self._other = Side(self._side.planet, self._side.view, self._clock)
 
     def swap(self) -> None:
@@ -174,7 +174,7 @@ class Session(Editing):
             place.write_text(planet_file(state.tables, tuple(comments)), encoding="utf-8")
 
     def to_state(self) -> dict[str, Any]:
-        """State of the shown side as JSON values: the planet's name, and the changes."""
+        """State of the current side as JSON values: the planet's name, and the changes."""
         return saved_state.state_of(self.planet, self._side.view)
 
     def from_state(self, state: Mapping[str, Any]) -> None:
