@@ -92,7 +92,7 @@ class Froxels:
         Parameters
         ----------
         x, y : array, shape (n,)
-            Positions on the screen, from the table's left upper node. [nodes]
+            Screen positions from the upper left node. [nodes]
         distances : array, shape (n,)
             Distances. [m]
 

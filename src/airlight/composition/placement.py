@@ -147,9 +147,9 @@ class Viewpoint:
     Attributes
     ----------
     scene : Scene
-        Scene whose camera covers the picture, with square pixels of width ``1 / focal_x``.
+        Scene with a camera that covers the image, with square pixels of width ``1 / focal_x``.
     left, top, stretch : float
-        Position of the picture in it: column x and row y of the picture lie at ``left + x`` and
+        Position of the image in the frame: column x and row y of the image are at ``left + x`` and
         ``top + stretch·y``. [pixel]
     axes : array, shape (3, 3)
         Right, up and forward of the camera in the observer's local frame, as rows. [1]
@@ -165,7 +165,7 @@ class Viewpoint:
 def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpoint:
     """Pinhole camera of a scene placed on a planet.
 
-    Positions are float64 and relative to the ground below the origin, so that millimetres are kept.
+    Positions are float64, relative to the ground below the origin, which preserves millimetres.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def viewpoint(camera: Pinhole, place: Placement, bottom_radius: float) -> Viewpo
     Returns
     -------
     Viewpoint
-        View, with the sun as it stands at the camera.
+        View, with the direction of the sun at the camera.
 
     Raises
     ------

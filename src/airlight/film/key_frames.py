@@ -42,7 +42,7 @@ class KeyFrames(Record):
     Raises
     ------
     ParameterError
-        With the field, the value and what is allowed.
+        If a value, time or law is invalid.
 
     Examples
     --------

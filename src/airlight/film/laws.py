@@ -33,7 +33,7 @@ def smooth(at: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
     .. math:: \frac{w_1 + w_2}{w_1 / d_{k-1} + w_2 / d_k}, \quad
               w_1 = 2 h_k + h_{k-1}, \quad w_2 = h_k + 2 h_{k-1},
 
-    so that values between two keys stay between theirs.
+    so that the interpolant does not overshoot.
 
     References
     ----------

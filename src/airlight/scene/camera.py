@@ -232,7 +232,7 @@ class Camera:
         -------
         array, shape (rows, columns, 3)
             Unit vectors in the observer's local frame (x to the sun's side, y left of it, z to
-            the zenith); zero outside the projection: outside a fisheye's circle. [1]
+            the zenith); zero outside the projection, as outside a fisheye circle. [1]
         """
         chosen = np.arange(self.rows, dtype=np.float64)[rows if rows is not None else slice(None)]
         x = np.arange(self.columns, dtype=np.float64) + (self.left + 0.5 + offset[0])

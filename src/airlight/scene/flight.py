@@ -134,7 +134,7 @@ def looked(look_zenith: float, heading: float, right: float, down: float) -> tup
     look_zenith, heading : float
         Values before the turn. [deg]
     right, down : float
-        Angles on the picture. [deg]
+        Drag angles to the right and down. [deg]
 
     Examples
     --------

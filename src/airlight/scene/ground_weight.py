@@ -1,23 +1,21 @@
 r"""Weight of each part of the ground in the illumination of the air that an observer sees.
 
-A solver knows one albedo for the whole ground. The light that it adds to the sky of an observer
-comes from below the air on his lines of sight: a volume at y on a line receives the radiance of the
-ground in every direction below its horizon, and sends the part σ of it to the observer. To first
-order in σ, ground that is lit alike everywhere therefore has the weight
+The solver has a single ground albedo. Ground-reflected radiance reaches the sky of an observer by
+scattering at points y of the lines of sight, which receive it from all directions below their
+horizon. To first order in the scattering coefficient σ, uniformly illuminated ground has the weight
 
 .. math:: \mathrm{d}w = \mathrm{d}\Omega_x \; T(x, y)\, σ(y)\, \mathrm{d}s \;
           T(y, g)\, \mathrm{d}\Omega_y,
 
-with :math:`\mathrm{d}\Omega_x` the directions at the observer x that cross the air, alike in all
-of them, and :math:`\mathrm{d}\Omega_y` those at y that end on the ground, at g. By symmetry it
-depends on the distance between g and the point below the observer alone. Each constituent
-scatters as one that does so alike in all directions and has the same mean cosine: σ (1 - g) of its
-scattering, k - gσ of its extinction (similarity, van de Hulst 1980, Multiple Light Scattering,
-section 14.1). From the ground, half of the weight lies within a few scale heights, the rest as far
-as air can be seen above the horizon; from far away it is spread over the disc.
+with :math:`\mathrm{d}\Omega_x` over directions at the observer x that cross the atmosphere, and
+:math:`\mathrm{d}\Omega_y` over directions at y that end on the ground, at g. By symmetry it depends
+only on the distance between g and the nadir of the observer. Phase functions are replaced by
+isotropic ones by similarity, with scattering σ (1 - g) and extinction k - gσ (van de Hulst 1980,
+Multiple Light Scattering, section 14.1). From the ground, half of the weight is within a few scale
+heights, the rest as far as air is visible above the horizon; from far away it covers the disc.
 
-Left out: light that is scattered more than twice after the ground, which comes from farther away;
-the place of the star, so that one solution serves a day; the bending of light.
+Neglected: higher orders of scattering after the ground, which widen the weight; the position of the
+star, so that one solution serves a day; refraction.
 """
 
 from __future__ import annotations

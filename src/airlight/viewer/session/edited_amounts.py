@@ -17,7 +17,7 @@ _MOST_KEPT: Final = 16
 
 
 class _Plain:
-    """Tables with all amounts as in the file, known by their text."""
+    """Unedited tables, cached by their text."""
 
     def __init__(self, tables: Tables) -> None:
         constituents = [

@@ -79,8 +79,8 @@ class Session(Editing):
         group : str
             Group of the constituent.
         planet : Planet, optional
-            Current planet, as read, with nothing switched off; by default it is read here,
-            which takes seconds for particles that are not cached.
+            Current planet without disabled constituents; by default it is read, which takes
+            seconds for particles that are not cached.
 
         Raises
         ------
