@@ -1,6 +1,6 @@
-"""Texels of the solver's passes that pack a light field: at all levels, and as ratios.
+"""Kernels that pack a radiance field: refinement to all radii, and rational interpolation.
 
-See ``rays`` for how a texel is related to its index.
+See ``rays`` for the index.
 """
 
 from __future__ import annotations

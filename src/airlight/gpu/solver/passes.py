@@ -1,8 +1,7 @@
-"""Passes of the solver as data, and their shaders.
+"""Solver passes as data, and their shaders.
 
-A pass fills one or two flat textures with the texels of one function of ``rays``, ``light``,
-``packing`` or ``mixing``. Its inputs are named here; a host, in Python or in a browser, needs the
-list of passes, the shaders and the numbers of ``plan``, and no physics.
+A pass fills one or two flat textures by a kernel of ``rays``, ``light``, ``packing`` or ``mixing``.
+A host in Python or a browser needs only this list, the shaders and the ``plan``.
 """
 
 from __future__ import annotations
@@ -86,7 +85,7 @@ class SolverPass:
 
 _ALONG: Final = ("sizes", "tables", "first_point")
 
-#: Passes that run once for a solve: the parts common to all orders, and the first order.
+#: Passes that run once per solve: ray optics and the first order.
 ONCE: Final = (
     SolverPass("strength", rays.strength, ("strengths",)),
     SolverPass("factor", rays.factor, ("factors",)),
@@ -112,7 +111,7 @@ ONCE: Final = (
         (TextureInput("projections", "numbers"), TextureInput("azimuthals")),
     ),
 )  # fmt: skip
-#: Passes that prepare a light field for the next sweep and for a march.
+#: Passes that pack a radiance field for the next sweep and for a march.
 PACK: Final = (
     SolverPass(
         "highest", packing.highest, ("heights",), ("sizes",), (TextureInput("light", "numbers"),)
@@ -137,7 +136,7 @@ PACK: Final = (
         (TextureInput("fine"), TextureInput("scales")),
     ),
 )  # fmt: skip
-#: Passes of one more order: from the packed light to its iterate.
+#: Passes of a sweep: from the packed field to the next iterate.
 SWEEP: Final = (
     SolverPass(
         "row", light.row, ("rows",), _ALONG,
@@ -170,7 +169,7 @@ SWEEP: Final = (
         (TextureInput("iterate"), TextureInput("light")),
     ),
 )  # fmt: skip
-#: Passes that make the next guess, from the last iterates and the host's weights.
+#: Passes of the Anderson step, with weights from the host.
 MIX: Final = (
     SolverPass("sound", mixing.sound, ("sounds",), ("sizes", "weights", "iterates:numbers")),
     SolverPass(
@@ -182,7 +181,7 @@ PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
 
 
 def _input_table(name: str, one: TextureInput) -> TextureTable:
-    """Table for an argument, from the texture that a pass reads."""
+    """Table of a kernel argument in an input texture."""
     start = SOLVE.uniform("received").text if one.from_sky else ""
     spectral = one.view == "lanes"
     return TextureTable(name, one.texture, 1, spectral, start, by_number=not spectral)
@@ -196,7 +195,7 @@ def _weights_reader(dialect: ShaderDialect, spectral: bool) -> str:
 
 @cache
 def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
-    """Write the shader of a pass: bindings, emitted functions, entry point ``fill``.
+    """Shader of a pass: bindings, emitted functions, entry point ``fill``.
 
     Parameters
     ----------
@@ -262,7 +261,7 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
 
 
 def _entry(dialect: ShaderDialect, filled: str, values: list[str]) -> str:
-    """Entry point that fills those texels of flat textures whose numbers lie in a span."""
+    """Entry point that fills a range of texels of flat textures."""
     x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
     body = [
         dialect.let("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),

@@ -1,4 +1,4 @@
-"""Plan of a solve on the GPU: the data with which a host runs the passes, in any language."""
+"""``SolverPlan``: data with which a host in any language runs the solver passes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Float32Array = NDArray[np.float32]
 
 
 def row_block(sizes: Mapping[str, Any]) -> int:
-    """Number of texels of a point under one sun in the texture ``rows``."""
+    """Texels per point and sun angle in the texture ``rows``."""
     return int(sizes["degree"]) + 2 + POLARISED
 
 
@@ -54,7 +54,7 @@ class RadiusRange:
 
 @dataclass(frozen=True, kw_only=True)
 class SolverPlan:
-    """Data with which a host runs the passes of ``passes``.
+    """Sizes, tables and texture layout of a solve.
 
     Attributes
     ----------
@@ -91,12 +91,12 @@ class SolverPlan:
 
     @property
     def nodes(self) -> int:
-        """Number of nodes: radii times suns."""
+        """Number of nodes: radii times sun angles."""
         return int(self.sizes["radii"] * self.sizes["suns"])
 
     @property
     def textures(self) -> dict[str, int]:
-        """Number of texels of each texture that passes fill."""
+        """Texels of each texture that a pass fills."""
         n = self.sizes
         rays = n["radii"] * n["angles"]
         points = self.spans[-1].first_point + self.spans[-1].points
@@ -128,7 +128,7 @@ class SolverPlan:
         }
 
     def texels(self, one: SolverPass, span: RadiusRange | None = None) -> tuple[int, int, int]:
-        """First and last texel, past the end, of a pass, and the first point of its rays.
+        """Texel range of a pass (end exclusive), and first point of its rays.
 
         Parameters
         ----------
@@ -179,7 +179,7 @@ class SolverPlan:
         return listed
 
     def as_dict(self) -> dict[str, Any]:
-        """Plan for a host in another language, except three arrays; representable in JSON.
+        """Plan as JSON values, without three arrays.
 
         The arrays are the uniform ``solve``, and the ``tables``, which fill the flat textures
         ``scalars`` and ``spectra``, ``r32float`` and ``rgba32float``. Every other texture is a flat

@@ -23,14 +23,14 @@ from airlight.solvers.refracted_geometry import RefractedGeometry
 
 Float32Array = NDArray[np.float32]
 
-#: Largest number of texels in a texture that one span of radii fills: 64 MB.
+#: Largest number of texels of a texture of one radius range: 64 MB.
 _SPAN: Final = 4 << 20
 
 
 def plan_for(
     paths: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
 ) -> SolverPlan:
-    """Make the plan of a medium's solve.
+    """Plan of the solve of a medium.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def plan_for(
     settings : Settings
         Grid sizes.
     extinction_headroom : float
-        Factor of the air for which nodes and rays are laid out, see ``Setup``. [1]
+        Factor on the extinction for which grids are laid out, see ``Setup``. [1]
 
     Raises
     ------
@@ -99,12 +99,12 @@ def plan_for(
 
 
 def _lanes(flat: Float32Array) -> Float32Array:
-    """Split elements of eight lanes to four, shape (n, 4)."""
+    """Elements of eight lanes cut to four, shape (n, 4)."""
     return flat.reshape(-1, LANES)[:, :WAVELENGTHS]
 
 
 def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[RadiusRange, ...]:
-    """Group radii so that the textures of a group are not too large."""
+    """Radius ranges that limit the size of textures."""
     angles = sizes["angles"]
     each = max(sizes["suns"] * row_block(sizes), sizes["directions"])
     most = _SPAN // each - 1

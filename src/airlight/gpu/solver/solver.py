@@ -1,11 +1,9 @@
-"""The moments solver on the GPU: successive orders as fragment passes.
+"""Moments solver on the GPU: successive orders of scattering as fragment passes.
 
-The passes (``passes``) compute what the CPU's sweeps compute, by the same functions; the host runs
-them, reads the mean radiance at the nodes after each order (about 20 kB), and combines the last
-few iterates, and stops, by the rules of the CPU (``stopping``). Synthetic acceleration, with which
-the CPU solves thick air, is omitted: in clear and in dusty air each order changes the light by much
-less than the previous one, and five to fifteen sweeps suffice. Air that needs more orders is left
-to the CPU.
+The passes (``passes``) are emitted from the kernels of the CPU's sweep. After each sweep the host
+reads the mean radiances (about 20 kB), computes the Anderson weights and tests convergence as on
+the CPU (``stopping``). Without synthetic acceleration, clear and dusty air converges in five to
+fifteen sweeps; optically thick air is left to the CPU.
 """
 
 from __future__ import annotations
@@ -36,14 +34,14 @@ from airlight.solvers.refracted_geometry import RefractedGeometry
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Vertical depth, each scattering weighted by 1 - g, beyond which orders alone do not end. [1]
+#: Largest vertical transport optical depth, (1 - g) times scattering. [1]
 THICKEST: Final = 2.5
 #: Packed field of each solution, on the GPU that solved it.
 _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDictionary()
 
 
 class ThickAir(AirlightError):
-    """Air so thick that only the CPU solves it: light is scattered up and down in it many times."""
+    """Air too optically thick for plain successive orders, which only the CPU solves."""
 
     def __str__(self) -> str:
         return "the air is too thick for the GPU's orders of scattering; the CPU solves it"
@@ -73,14 +71,14 @@ def solve_on(
     Returns
     -------
     MomentsSolution
-        Solution equal to that of the CPU's solver within 0.5 %.
+        Solution, equal to that of the CPU within 0.5 %.
 
     Raises
     ------
     ParameterError
         If the wavelengths or constituents exceed the capacity of the shaders.
     ThickAir
-        If light is scattered in the air for many orders, so that only the CPU solves it.
+        If the air is too optically thick.
     ConvergenceError
         If the tolerance is not reached within the orders that ``Stopping`` allows.
     Cancelled

@@ -1,7 +1,6 @@
-"""Inputs of the solver's passes from the host: sizes and tables.
+"""Host inputs of the solver passes: sizes in the uniform ``solve``, tables in two textures.
 
-Numbers are in the uniform ``solve``, tables of numbers in the flat texture ``scalars``, those of
-four wavelengths in ``spectra``.
+The flat texture ``scalars`` holds scalar tables, ``spectra`` those of four wavelengths.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from airlight.optics.reflection import Reflection
 
 
 class GridSizes(NamedTuple):
-    """Lengths of the axes, and other numbers of the passes.
+    """Axis lengths and other scalars of the passes.
 
     Attributes
     ----------
@@ -106,5 +105,5 @@ class Tables(NamedTuple):
     ground: Reflection
 
 
-#: Numbers and tables of the solver's passes.
+#: Scalars and tables of the solver passes.
 SOLVE: Final = UniformStruct("solve", (GridSizes, Tables))
