@@ -66,7 +66,7 @@ def test_a_stale_picture_stops_after_its_first_coarse_step(solved: Solved) -> No
 def test_a_still_picture_follows_a_live_one_on_the_same_device(
     device: Device, solved: Solved
 ) -> None:
-    # live pictures of a software device read a coarser table, which a still picture must not
+    # live pictures of a software GPU read a coarser table, which a still picture must not
     solution = solved(load_planet(PLANET), NM, "preview")
     renderer, fresh = Renderer(device), Renderer(device)
     list(renderer.live(solution, SCENE, stale=never))

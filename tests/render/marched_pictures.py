@@ -17,7 +17,7 @@ from airlight.solvers.moments.solution import MomentsSolution
 def marched(
     solution: MomentsSolution, scene: Scene, device: Device, **options: Any
 ) -> NDArray[np.float32]:
-    """Picture of ``render(..., exact=True)``; like a software device without samples of edges."""
+    """Picture of ``render(..., exact=True)``; like a software GPU without samples of edges."""
     camera = scene.camera
     total = np.zeros((camera.height, camera.width, 3), np.float32)
     for seen, lit, _, _ in scenes_by_light(scene, solution):

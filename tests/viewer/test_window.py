@@ -202,7 +202,7 @@ def test_frames_keep_coming_while_a_software_device_compiles(
         lacking(reason)
     with opened_window(tmp_path, MESA_SHADER_CACHE_DIR=str(tmp_path / "shaders")) as driven:
         if not driven.ask("software"):
-            pytest.skip("a graphics card compiles beside the frames that it draws")
+            pytest.skip("a GPU compiles beside the frames that it draws")
         assert driven.ask("compiling")
         longest, limit = 0.0, time.monotonic() + 240.0
         while driven.ask("compiling"):
@@ -413,7 +413,7 @@ def test_frames_keep_coming_while_the_planet_is_solved(
     assert window.ask("busy")
     gap, slowness = window.ask("longest_gap", 2.0), window.ask("slowness")
     # 0.3 s, the limit of perception, on a free CPU; here it is shared by the solver, the
-    # software device and other processes
+    # software GPU and other processes
     tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
     assert gap < 0.3 * min(slowness, 5.0)
     assert window.ask("settled", 60.0)

@@ -3,7 +3,7 @@
 Light that fades by exponentials passes through the last numbers of single precision, from 1e-38 to
 1e-45, which have fewer digits the smaller they are. Processors of the x86 family, those of Intel
 above all, take some hundred cycles for an operation on one of them, unless told to count it as
-zero, as graphics cards do. No light that anybody sees is as small. The mode belongs to a thread;
+zero, as GPUs do. No light that anybody sees is as small. The mode belongs to a thread;
 the caller's is given back, since other libraries may rely on it.
 """
 

@@ -1,7 +1,7 @@
 """Viewer in a notebook: JupyterLab, marimo and other hosts of anywidget.
 
 The browser renders by the page's JavaScript, or Python does where the browser has no
-graphics card; the planet is solved in Python.
+GPU; the planet is solved in Python.
 Requires the extra ``airlight[notebook]``.
 """
 
@@ -54,7 +54,7 @@ class Viewer(anywidget.AnyWidget):
         Height of the widget. [pixel]
     device : str
         What renders: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s CPU, or
-        ``auto``: a graphics card of the browser, else the kernel.
+        ``auto``: a GPU of the browser, else the kernel.
     solving : callable, optional
         Factory of the solving thread, with the arguments of ``SolverThread``.
 

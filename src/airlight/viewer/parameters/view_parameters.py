@@ -199,7 +199,7 @@ VIEW_VALUES: Final = (
             "Of the solution that follows the preview.", default="default", part="planet",
             synonyms=("accuracy", "speed", "fast", "fine", "resolution")),
     _choice("light.wavelengths", "wavelengths", "light", WAVELENGTHS,
-            "How many are solved: more give truer colours; a graphics card takes up to four.",
+            "How many are solved: more give truer colours; a GPU takes up to four.",
             default="four", part="planet",
             synonyms=("colour", "color", "spectrum", "spectral", "accuracy")),
 )  # fmt: skip

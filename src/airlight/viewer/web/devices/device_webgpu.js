@@ -10,7 +10,7 @@ const ROW_ALIGNMENT = 256;
 const SOFTWARE = /swiftshader|llvmpipe|lavapipe|software|basic render/i;
 
 export class WebGpuDevice {
-  /** Whether there is an adapter that draws in software. */
+  /** Whether there is an adapter that renders in software. */
   static async isSoftware() {
     const adapter = await navigator.gpu?.requestAdapter();
     if (!adapter) return false;

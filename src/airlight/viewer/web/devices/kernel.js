@@ -1,4 +1,4 @@
-/** Pictures that a notebook's kernel renders, for browsers without a graphics card. */
+/** Pictures that a notebook's kernel renders, for browsers without a GPU. */
 
 /** Paths of the values that a picture depends on, besides the planet. */
 const VIEW = /^(view|display|light)\./;
