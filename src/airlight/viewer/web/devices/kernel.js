@@ -1,9 +1,9 @@
-/** Pictures that a notebook's kernel renders, for browsers without a GPU. */
+/** Rendering in the notebook's kernel, for browsers without a GPU. */
 
-/** Paths of the values that a picture depends on, besides the planet. */
+/** Paths of the view values on which a frame depends. */
 const VIEW = /^(view|display|light)\./;
 
-/** Device in the sense of device.js, whose canvas takes finished pictures. */
+/** Device in the sense of device.js, whose canvas takes images. */
 export class KernelDevice {
   static async open(canvas) {
     return new KernelDevice(canvas);
@@ -48,7 +48,7 @@ export class KernelPicture {
 
   async take() {}
 
-  /** Ask for a picture and show it; resolves to false: no finer one follows. */
+  /** Request and display a frame; resolves to false, as no finer frame follows. */
   async display(values, width, height) {
     const view = Object.fromEntries(Object.entries(values).filter(([path]) => VIEW.test(path)));
     const number = ++this.number;

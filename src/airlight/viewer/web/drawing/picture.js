@@ -1,13 +1,13 @@
 /**
- * Renderer of a planet: its tables on the device, and the passes over them.
+ * Renderer of a planet: uploads the tables of a solution and runs the rendering passes.
  *
- * A description from viewer/browser/package.py has data that are the same for every planet — `plan`
- * and `shaders` (see program.js), `sky` (shapes of the sky-view LUT), `layers` (its textures),
- * `metering` (longer side of the picture from which the exposure is measured), `projections` with
- * their fields of view, `display` (uniforms of a display of 8 bits), `primaries` by name, `orders`,
- * and `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
- * (`{format, data}` by name, or a `texture` whose ownership is transferred), `ground` (see
- * ground.js), `radius`, `thickness`, `star` and `paths` (see view_uniforms.js).
+ * A description from viewer/browser/package.py has planet-independent data — `plan`
+ * and `shaders` (see program.js), `sky` (sizes of the sky-view LUT), `layers` (its textures),
+ * `metering` (longer side of the metered frame), `projections` with their fields of view, `display`
+ * (uniforms of an 8-bit display), `primaries`, `orders`, and `view_uniforms` (uniforms that are view
+ * values) — and data of a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture`
+ * whose ownership is transferred), `ground` (see ground.js), `radius`, `thickness`, `star` and
+ * `paths` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
 import { groundTexels } from "./ground.js";
@@ -26,10 +26,10 @@ import {
 } from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
-/** Time limits of a sky-view LUT while the view moves, and while it rests. [ms] */
+/** Time limits of the sky-view LUT during and after motion. [ms] */
 const SMOOTH = 60;
 const PATIENT = 2500;
-/** Time per texel of the sky-view LUT on a CPU, assumed until it is measured. [ms] */
+/** Initial estimate of the time per texel of the sky-view LUT. [ms] */
 const SLOW = 0.05;
 
 export class Picture {
@@ -84,14 +84,14 @@ export class Picture {
     this.solutions += 1;
   }
 
-  /** Upload the darkening of the second light's disc, unless it is there already. */
+  /** Upload the limb darkening of the second light, if it has changed. */
   takeLaw(law) {
     const key = law.join();
     if (key !== this.laws) this.program.setTable("disc_2", DISC_FORMAT, law);
     this.laws = key;
   }
 
-  /** Upload a map of the ground or its overlay, unless it is there already. */
+  /** Upload the ground map or overlay, if it has changed. */
   async takeMap(texture, map, [present, prefix]) {
     const image = map && map.image + (map.water ?? "");
     if (this.maps[texture] === image) return;
@@ -116,9 +116,9 @@ export class Picture {
    * @param {number} width Width of the canvas. [pixel]
    * @param {number} height Height of the canvas. [pixel]
    * @param {string} effort `moving`: at once; `resting`: within a time limit; `best`: unlimited.
-   * @param {boolean} held Whether the automatic exposure stays as it is.
-   * @returns {Promise<boolean>} Whether a finer picture is possible while the view rests, or one
-   *     whose exposure is nearer to the measured one.
+   * @param {boolean} held Whether the automatic exposure is locked.
+   * @returns {Promise<boolean>} Whether a finer frame is possible at rest, or the exposure still
+   *     adapts.
    */
   async display(values, width, height, effort, held = false) {
     const { program, fixed } = this;
@@ -158,7 +158,7 @@ export class Picture {
     });
   }
 
-  /** Render the picture in linear light, unless only its display has changed. */
+  /** Render linear radiance, unless only the display has changed. */
   renderLight(lights, width, height) {
     const numbers = lights.map((light) => this.uniformsOf(light, width, height));
     const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
@@ -169,7 +169,7 @@ export class Picture {
     this.rendered = rendered;
   }
 
-  /** Uniforms of a picture by one light. */
+  /** Uniforms of a frame of one light. */
   uniformsOf({ camera, numbers }, width, height) {
     return {
       ...numbers,
@@ -178,7 +178,7 @@ export class Picture {
     };
   }
 
-  /** Render the sum of the lights' pictures into a target, or into an area of it. */
+  /** Render the sum over lights into a target or an area of it. */
   sum(name, numbers, width, height, area = null) {
     const { program } = this;
     program.resize(name, width, height);
@@ -196,7 +196,7 @@ export class Picture {
     program.runIn(`${name}_sum`, area);
   }
 
-  /** Render the light that glare spreads, unless it is up to date: see color/glare.py. */
+  /** Render the glare pyramid, unless it is up to date: see color/glare.py. */
   renderGlare({ projection, fieldOfView }, width, height, amount) {
     const { program } = this;
     const connected = CONNECTED.includes(projection);
@@ -221,7 +221,7 @@ export class Picture {
     this.spread = this.rendered;
   }
 
-  /** Render the sky-view LUTs of the lights, unless they are up to date. */
+  /** Fill the sky-view LUTs of the lights, unless they are up to date. */
   async fillSkyView(lights, effort) {
     const { program, fixed, planet } = this;
     const peaks = planet.uniforms.separated_1 >= 0;
@@ -260,7 +260,7 @@ export class Picture {
     }
   }
 
-  /** Largest sky-view LUT that an effort allows; the very first one is the smallest. */
+  /** Largest sky-view LUT within the time limit; the smallest for the first frame. */
   shapeFor(effort) {
     if (effort === "best") return "full";
     if (this.shape === null) return "quick";
@@ -283,18 +283,18 @@ export class Picture {
     return numbers;
   }
 
-  /** Everything on which the sky-view LUT of a light depends. */
+  /** Key of the sky-view LUT of a light. */
   skyViewKey({ numbers, camera }) {
     return JSON.stringify([this.solutions, numbers, Boolean(camera.filter)]);
   }
 
   /**
-   * Description of a pixel's light.
+   * Luminance, chromaticity and polarisation of a pixel, as text.
    *
    * @param {Object<string, number | string | boolean>} values Values of all parameters, by path.
-   * @param {[number, number]} size Size of the picture as displayed. [pixel]
+   * @param {[number, number]} size Size of the displayed picture. [pixel]
    * @param {[number, number]} place Position of the pixel, from the left and the top. [pixel]
-   * @returns {Promise<string>} Text; empty if the picture does not show this view yet.
+   * @returns {Promise<string>} Text; empty if the view is not rendered yet.
    */
   async probe(values, size, place) {
     const { program, fixed } = this;
@@ -327,7 +327,7 @@ export class Picture {
 /**
  * Text of luminance, chromaticity and polarisation.
  *
- * @param {Float32Array[]} found Linear sRGB of I, and of Q and U where they are known. [W m⁻² sr⁻¹]
+ * @param {Float32Array[]} found Linear sRGB of I and, if available, of Q and U. [W m⁻² sr⁻¹]
  */
 function described([rgb, ...polarised], { xyz, efficacy }) {
   const part = (light, i) => xyz.reduce((sum, row, c) => sum + row[i] * light[c], 0);

@@ -1,5 +1,5 @@
 /**
- * Passes, as declared by the Python host, on a device.
+ * Passes of a plan from Python, run on a device.
  *
  * A plan has `layout`, which maps each field of the uniform struct to its offset and length in
  * floats, `size`, the length of the struct, and `passes`; each pass has `name`, `shader`, `entry`,
@@ -80,21 +80,21 @@ export class Program {
     this.device.release(before);
   }
 
-  /** Upload the table that passes read by this name. */
+  /** Upload a table by its name in the passes. */
   setTable(name, format, numbers) {
     const before = this.textures.get(name);
     this.textures.set(name, this.device.flatTexture(format, numbers));
     if (before) this.device.release(before);
   }
 
-  /** Set the table of this name to a texture already on the device, taking ownership. */
+  /** Use an existing texture as a table, taking ownership. */
   takeTexture(name, texture) {
     const before = this.textures.get(name);
     this.textures.set(name, texture);
     if (before && before !== texture) this.device.release(before);
   }
 
-  /** Run passes by their names, in this order. */
+  /** Run passes by name, in order. */
   run(...names) {
     for (const name of names) this.runIn(name, null);
   }
@@ -113,7 +113,7 @@ export class Program {
     );
   }
 
-  /** Promise of the values of a target, or of an area of it. */
+  /** Promise of the values of a target or of an area. */
   read(name, area) {
     return this.device.read(this.textures.get(name), area);
   }

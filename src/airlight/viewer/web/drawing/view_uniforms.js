@@ -74,7 +74,7 @@ export function cameraUniforms(camera, width, height, projections) {
   return numbers;
 }
 
-/** Uniforms of the detail of the ground below the camera. */
+/** Uniforms of the ground noise below the camera. */
 export function detailUniforms({ radius, paths, ground }, camera) {
   const bottom = paths ? paths.bottom : radius;
   const cell = finest_cell(bottom, ground?.rows ?? NOMINAL_ROWS);
@@ -87,7 +87,7 @@ export function detailUniforms({ radius, paths, ground }, camera) {
   return numbers;
 }
 
-/** Optical radius of an observer: its radius in the frame in which rays are straight. [m] */
+/** Optical radius n·r of an observer. [m] */
 function opticalRadius({ radius, thickness, paths }, altitude) {
   if (altitude > thickness) return radius + altitude;
   const { excess } = paths;

@@ -30,7 +30,7 @@ export class State {
     this.listeners = new Set();
   }
 
-  /** Call `listener(changed)` with the changed paths after each change; returns an unsubscriber. */
+  /** Call `listener(changed)` with the changed paths after each change; returns the unsubscriber. */
   subscribe(listener) {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -54,9 +54,9 @@ export class State {
   }
 
   /**
-   * Whether the automatic exposure stays as it is: locked, or while the planet is dragged.
+   * Whether the automatic exposure is locked, by the user or during a drag of the planet.
    *
-   * An edit that darkens the air looks darker until it is let go.
+   * Darker air then looks darker until the drag ends.
    */
   get holdsExposure() {
     return this.dragsPlanet || Boolean(this.values["display.locked"]);
