@@ -199,8 +199,8 @@ def test_commands_begin_with_the_observer_of_a_scene(tmp_path: Path) -> None:
         assert texts[f"airlight.{name}"] == default.metadata()[name]
     sky = ["sky", NAME, "-o", str(tmp_path / "s.exr"), "--for", "blender", "--size", "16", *quick]
     assert main(sky) == 0
-    told = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
-    assert told["observer"]["altitude_m"] == default.altitude
+    reported = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
+    assert reported["observer"]["altitude_m"] == default.altitude
 
 
 @pytest.mark.slow

@@ -118,11 +118,13 @@ def test_progress_only_grows_and_ends_at_the_total(
     lit: Lit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys.modules["airlight.render.render"], "_BLOCK_PIXELS", 16)
-    told: list[tuple[int, int, str]] = []
-    render(lit(), Scene(camera=Camera(width=8, height=9)), progress=lambda *now: told.append(now))
+    reported: list[tuple[int, int, str]] = []
+    render(
+        lit(), Scene(camera=Camera(width=8, height=9)), progress=lambda *now: reported.append(now)
+    )
     done = [now[0] for now in told]
     assert done == sorted(set(done))
-    assert told[-1][:2] == (5, 5)  # nine rows, two a block
+    assert reported[-1][:2] == (5, 5)  # nine rows, two a block
     assert {now[1:] for now in told} == {(5, "rendering")}
 
 

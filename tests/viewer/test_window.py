@@ -676,7 +676,7 @@ def test_a_filter_is_clicked_and_turned_and_the_probe_tells_the_light(window: Dr
         window.ask("draws", 2)
         return "polarised" in window.ask("probe_rows")
 
-    window.until(told, of="probe")
+    window.until(reported, of="probe")
     degree, angle = window.ask("probe_rows")["polarised"].removesuffix("°").split(" % at ")
     assert 0.0 <= float(degree) <= 100.0
     assert -90.0 <= float(angle) <= 90.0

@@ -223,7 +223,7 @@ def test_the_exposure_holds_while_the_planet_is_dragged_or_locked(page: Any) -> 
           const values = { ...state.values, [air.path]: 100, "display.locked": false };
           state.declare(parameters, values);
           const seen = [];
-          let told = 0;
+          let reported = 0;
           state.subscribe(() => (told += 1));
           state.set({ "view.altitude": 120 }, "view.altitude"); seen.push(state.holdsExposure);
           state.rest();

@@ -111,8 +111,8 @@ def aerial(
 
 
 def _errors(made: AerialPerspective) -> str:
-    told = made.errors
-    pairs = (("air", told.air_95, told.air_largest), ("sky", told.sky_95, told.sky_largest))
+    errors = made.errors
+    pairs = (("air", errors.air_95, errors.air_largest), ("sky", errors.sky_95, errors.sky_largest))
     return ", ".join(
         f"{name}: 95 % within {100.0 * usual:.2f} %, all within {100.0 * most:.1f} %"
         for name, usual, most in pairs

@@ -58,18 +58,20 @@ def end_when_interrupted() -> None:
     if sys.platform == "win32":
         return
     sys.unraisablehook = _unraisable
-    heard, told = os.pipe()
-    os.set_blocking(told, False)
+    read_end, write_end = os.pipe()
+    os.set_blocking(write_end, False)
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _interrupted)
     signal.signal(signal.SIGTERM, _terminated)
-    signal.set_wakeup_fd(told, warn_on_full_buffer=False)
-    threading.Thread(target=_watch, args=(heard,), name="airlight-interrupt", daemon=True).start()
+    signal.set_wakeup_fd(write_end, warn_on_full_buffer=False)
+    threading.Thread(
+        target=_watch, args=(read_end,), name="airlight-interrupt", daemon=True
+    ).start()
 
 
-def _watch(heard: int) -> None:
+def _watch(read_end: int) -> None:
     while True:
-        number = os.read(heard, 1)
+        number = os.read(read_end, 1)
         if number and number[0] in (signal.SIGINT, signal.SIGTERM):
             threading.Event().wait(PATIENCE)
             leave(128 + number[0])

@@ -323,5 +323,5 @@ def rendered_frame(
         If the source of this machine is another.
     """
     check_code(code, *_SOURCES)
-    told = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
-    return with_checksum(finished(spec.render(), finish, exposure, eye, told))
+    metadata = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
+    return with_checksum(finished(spec.render(), finish, exposure, eye, metadata))

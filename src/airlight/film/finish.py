@@ -53,7 +53,7 @@ def finished(
     metadata : mapping
         Facts for the header. How long a solution took is left out: equal frames are equal files.
     """
-    told = {name: text for name, text in frame.metadata.items() if name != "solver"}
+    inherited = {name: text for name, text in frame.metadata.items() if name != "solver"}
     plain = Frame(
         rgb=frame.rgb, **frame.lens, scene=frame.scene,
         star_radius=frame.star_radius,
@@ -61,7 +61,7 @@ def finished(
     with tempfile.TemporaryDirectory(prefix="airlight-") as folder:
         path = Path(folder) / f"frame{finish.suffix}"
         write_picture(
-            path, plain, {**told, **metadata}, exposure=exposure, tone_map=finish.tone_map,
+            path, plain, {**inherited, **metadata}, exposure=exposure, tone_map=finish.tone_map,
             encoding=finish.encoding, primaries=finish.primaries, eye=eye, bits=finish.bits,
             glare=finish.glare,
         )  # fmt: skip

@@ -32,7 +32,7 @@ from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.sight import Sight
 from airlight.solvers.stokes_frame import to_meridian
 from airlight.tables.columns import columns
-from airlight.viewer.painting.painted_ground import painted_ground
+from airlight.viewer.painting.ground_radiance import ground_radiance
 from airlight.viewer.painting.probed_clouds import probed_clouds
 
 FloatArray = NDArray[np.float64]
@@ -282,7 +282,7 @@ def _spectra(
     more = (MORE, parts.scattered_more[0] * sun)
     if not sight.to_ground[0]:
         return [*once, more]
-    star, sky = painted_ground(solution, sight, parts, color, clouds)
+    star, sky = ground_radiance(solution, sight, parts, color, clouds)
     return [*once, more, (GROUND_STAR, star * sun), (GROUND_SKY, sky * sun)]
 
 

@@ -18,7 +18,7 @@ from airlight.solvers.sight import Sight, enter_shell
 FloatArray = NDArray[np.float64]
 
 
-def painted_ground(
+def ground_radiance(
     solution: MomentsSolution,
     sight: Sight,
     parts: Parts,
