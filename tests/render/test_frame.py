@@ -122,10 +122,10 @@ def test_progress_only_grows_and_ends_at_the_total(
     render(
         lit(), Scene(camera=Camera(width=8, height=9)), progress=lambda *now: reported.append(now)
     )
-    done = [now[0] for now in told]
+    done = [now[0] for now in reported]
     assert done == sorted(set(done))
     assert reported[-1][:2] == (5, 5)  # nine rows, two a block
-    assert {now[1:] for now in told} == {(5, "rendering")}
+    assert {now[1:] for now in reported} == {(5, "rendering")}
 
 
 def test_a_wide_strip_needs_little_more_than_its_pixels(lit: Lit) -> None:

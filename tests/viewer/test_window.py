@@ -671,7 +671,7 @@ def test_a_filter_is_clicked_and_turned_and_the_probe_tells_the_light(window: Dr
     left, top, width, height = window.ask("picture_place")
     at = int(left + 0.5 * width), int(top + 0.3 * height)
 
-    def told() -> bool:
+    def reported() -> bool:
         window.mouse("mousemove", *at, "sleep", 0.1, *PRESS)
         window.ask("draws", 2)
         return "polarised" in window.ask("probe_rows")

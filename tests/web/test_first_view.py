@@ -80,7 +80,7 @@ def test_shaders_are_counted_as_they_are_compiled(modules: Callable[..., Any]) -
           const program = new Program(device, { passes, size: 1 }, { one: { glsl: {} } });
           const reported = [];
           await program.build((done, total) => reported.push([done, total]));
-          return told;
+          return reported;
         }"""
     )
     assert reported == [[1, 2], [2, 2]]
