@@ -63,13 +63,13 @@ class DisplayPasses:
         return self._picture.create_view()
 
     def display(
-        self, numbers: Mapping[str, float], pixel_angle: float, view: Any, target_format: str
+        self, uniforms: Mapping[str, float], pixel_angle: float, view: Any, target_format: str
     ) -> None:
         """Display the cached radiance.
 
         Parameters
         ----------
-        numbers : mapping
+        uniforms : mapping
             Uniforms of the display, by name; ``glare`` among them.
         pixel_angle : float
             Pixel angle for glare; 0 disables it. [rad]
@@ -79,7 +79,7 @@ class DisplayPasses:
             Format of the target.
         """
         shorter = float(min(self._size))
-        count = glare_levels(pixel_angle, shorter) if numbers.get("glare", 0.0) > 0.0 else 0
+        count = glare_levels(pixel_angle, shorter) if uniforms.get("glare", 0.0) > 0.0 else 0
         shares = [glare_share(level, pixel_angle, shorter) for level in range(1, count + 1)]
         encoder = self.device.device.create_command_encoder()
         wanted = self.rendered, pixel_angle
@@ -88,9 +88,9 @@ class DisplayPasses:
             self._spread = wanted
         fixed: Fixed = ()
         if self.device.software:  # evaluates every tone map for each pixel otherwise
-            fixed = tuple(one for one in FRAME.fixed(numbers) if one[0] in Display._fields)
+            fixed = tuple(one for one in FRAME.fixed(uniforms) if one[0] in Display._fields)
         one = self._pass(display_shader(fixed), target_format)
-        self._write(0, {**numbers, "glare_total": float(sum(shares))})
+        self._write(0, {**uniforms, "glare_total": float(sum(shares))})
         coarser = self._spreads[0] if self._spreads else self._picture
         one.run(encoder, self._bound(one, 0, picture=self._picture, coarser=coarser), [view])
         self.device.device.queue.submit([encoder.finish()])
@@ -135,9 +135,9 @@ class DisplayPasses:
             self._uniforms[level] = self.device.device.create_buffer(size=size, usage=use)
         return self._uniforms[level]
 
-    def _write(self, level: int, numbers: Mapping[str, float]) -> None:
+    def _write(self, level: int, uniforms: Mapping[str, float]) -> None:
         gpu = self.device.device
-        gpu.queue.write_buffer(self._buffer(level), 0, FRAME.packed(numbers, {}))
+        gpu.queue.write_buffer(self._buffer(level), 0, FRAME.packed(uniforms, {}))
 
     def _bound(self, one: FragmentPass, number: int, **textures: Any) -> list[Any]:
         """Cached bind groups of a pass for a level."""

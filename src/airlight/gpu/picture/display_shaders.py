@@ -67,13 +67,13 @@ def _level_shader(
     name: str,
     function: Callable[..., Any],
     tables: tuple[str, ...],
-    numbers: tuple[str, ...],
+    uniforms: tuple[str, ...],
     dialect: ShaderDialect,
 ) -> Shader:
     """Shader with one entry point: a kernel of tables, row, column and uniforms."""
     emitter = Emitter(dialect)
     lens = FRAME.struct_value(Lens)
-    text = _called(emitter, function, lens, tables, numbers)
+    text = _called(emitter, function, lens, tables, uniforms)
     return assembled(name, {name: dialect.fragment(name, 1, [], [text])}, emitter)
 
 
@@ -82,12 +82,12 @@ def _called(
     function: Callable[..., Any],
     lens: StructValue,
     tables: tuple[str, ...],
-    numbers: tuple[str, ...],
+    uniforms: tuple[str, ...],
 ) -> str:
     """Call of a kernel of tables, row, column and uniforms."""
     dialect = emitter.dialect
     given: list[Value] = [lens.fields[one] for one in tables]
-    values = [FRAME.uniform(one) for one in numbers]
+    values = [FRAME.uniform(one) for one in uniforms]
     made = emitter.add(function, *given, I32, I32, *values)
     places = [dialect.convert(f"at.{axis}", I32) for axis in "yx"]
     texts = [dialect.uniform(one.text, one.scalar) for one in values]

@@ -48,17 +48,17 @@ class FramePasses:
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         return self._device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
 
-    def packed(self, numbers: Mapping[str, float]) -> NDArray[np.float32]:
+    def packed(self, uniforms: Mapping[str, float]) -> NDArray[np.float32]:
         """Contents of the uniform buffer."""
         # Relative to the ground radius in single precision, which is accurate to half a metre.
-        r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
-        return FRAME.packed({**numbers, "r": r}, dict(self._places))
+        r = float(np.float32(uniforms["bottom"])) + (uniforms["r"] - uniforms["bottom"])
+        return FRAME.packed({**uniforms, "r": r}, dict(self._places))
 
     def run(
         self,
         shader: Shader,
         entry: str,
-        numbers: Mapping[str, float],
+        uniforms: Mapping[str, float],
         views: Sequence[Any],
         formats: tuple[str, ...],
         area: tuple[int, int, int, int] | None = None,
@@ -73,7 +73,7 @@ class FramePasses:
             Shader of the pass.
         entry : str
             Its entry point.
-        numbers : mapping
+        uniforms : mapping
             Uniforms by name.
         views : sequence of wgpu.GPUTextureView
             Views of the targets, of the ``formats``.
@@ -88,7 +88,7 @@ class FramePasses:
         """
         device = self._device.device
         one = self._pass(shader, entry, formats)
-        device.queue.write_buffer(self._uniforms, 0, self.packed(numbers))
+        device.queue.write_buffer(self._uniforms, 0, self.packed(uniforms))
         encoder = device.create_command_encoder()
         one.run(encoder, self._bound(one, light), list(views), area, keep)
         device.queue.submit([encoder.finish()])

@@ -301,11 +301,11 @@ class GpuRenderer:
         limit = self.device.device.limits["max-texture-dimension-2d"]
         if width > limit:
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
-        numbers = self._numbers(light, (camera.width, camera.height), exact, orders, disc)
-        numbers["first_column"] = camera.left
-        if checked_samples(samples) > 1 and not numbers["edges"]:
+        uniforms = self._uniforms(light, (camera.width, camera.height), exact, orders, disc)
+        uniforms["first_column"] = camera.left
+        if checked_samples(samples) > 1 and not uniforms["edges"]:
             raise ParameterError("samples", samples, "1 for an exact picture of a software GPU")
-        numbers["samples"] = samples
+        uniforms["samples"] = samples
         rows = self._rows_at_once(samples * samples * width, height, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
@@ -313,13 +313,13 @@ class GpuRenderer:
         )
         view = target.create_view()
         rgb = zeros((height, width, 3), np.float32)
-        self._fill_sky_view(number, light, numbers, exact)
+        self._fill_sky_view(number, light, uniforms, exact)
         try:
             for first in range(0, height, rows):
                 if cancel is not None and cancel():
                     raise Cancelled
                 count = min(rows, height - first)
-                strip = {**numbers, "first_row": camera.top + first}
+                strip = {**uniforms, "first_row": camera.top + first}
                 self._passes.run(
                     picture_shader(exact), _ENTRY, strip, [view], (LINEAR,),
                     (0, 0, width, count), light=number,
@@ -393,17 +393,17 @@ class GpuRenderer:
         """
         width, height = size or (scene.camera.width, scene.camera.height)
         lights = scenes_by_light(scene, self._require_solution())
-        numbers = [self._numbers(one, (width, height), exact, orders, disc) for one in lights]
+        by_light = [self._uniforms(one, (width, height), exact, orders, disc) for one in lights]
         parts = [
             partial(self._render_light, *one, exact)
-            for one in zip(range(len(lights)), lights, numbers, strict=True)
+            for one in zip(range(len(lights)), lights, by_light, strict=True)
         ]
         if exposure is None:
             self._sum.render(parts, view, (width, height), target_format)
             return
         display = self._display
         picture = display.picture(width, height)
-        rendered = exact, tuple(self._passes.packed(one).tobytes() for one in numbers)
+        rendered = exact, tuple(self._passes.packed(one).tobytes() for one in by_light)
         if display.rendered != rendered:
             display.rendered = None
             self._sum.render(parts, picture, (width, height), LINEAR)
@@ -418,124 +418,124 @@ class GpuRenderer:
         self,
         number: int,
         light: SceneForLight,
-        numbers: dict[str, float],
+        uniforms: dict[str, float],
         exact: bool,
         view: Any,
         target_format: str,
     ) -> None:
         """Render linear radiance of one light into a texture."""
-        width, height = int(numbers["width"]), int(numbers["height"])
-        self._fill_sky_view(number, light, numbers, exact)
+        width, height = int(uniforms["width"]), int(uniforms["height"])
+        self._fill_sky_view(number, light, uniforms, exact)
         if self.device.software and not exact:
             # A software GPU evaluates both sides of every branch: each band has a shader with only
             # the branches that it needs.
-            for band in self._bands(light, numbers):
+            for band in self._bands(light, uniforms):
                 seen = {
-                    **numbers,
-                    "mapped": numbers["mapped"] * band.ground,
-                    "wet": numbers["wet"] * band.ground,
-                    "draws_disc": numbers["draws_disc"] * band.star,
-                    "edges": numbers["edges"] * band.edge,
+                    **uniforms,
+                    "mapped": uniforms["mapped"] * band.ground,
+                    "wet": uniforms["wet"] * band.ground,
+                    "draws_disc": uniforms["draws_disc"] * band.star,
+                    "edges": uniforms["edges"] * band.edge,
                 }
                 self._passes.run(
-                    picture_shader(exact, FRAME.fixed(seen)), _ENTRY, numbers, [view],
+                    picture_shader(exact, FRAME.fixed(seen)), _ENTRY, uniforms, [view],
                     (target_format,), (0, band.first, width, band.rows), band.first > 0, number,
                 )  # fmt: skip
             return
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
             self._passes.run(
-                picture_shader(exact), _ENTRY, numbers, [view], (target_format,),
+                picture_shader(exact), _ENTRY, uniforms, [view], (target_format,),
                 (0, first, width, min(rows, height - first)), first > 0, number,
             )  # fmt: skip
 
-    def _numbers(
+    def _uniforms(
         self, light: SceneForLight, size: tuple[int, int], exact: bool, orders: str, disc: bool
     ) -> dict[str, float]:
         """Uniforms of a frame of one light, without those of the display."""
         solution = light.solution
         assert self._textures is not None
-        numbers = view_uniforms(light.scene, solution) | self._textures.numbers
+        uniforms = view_uniforms(light.scene, solution) | self._textures.uniforms
         if solution is not self._solution:
-            numbers |= lamp_uniforms(solution) | {"star_radius": solution.light.star_radius}
-        peaks = 0.0 if exact else float(numbers["separated_1"] >= 0)
-        numbers |= {
+            uniforms |= lamp_uniforms(solution) | {"star_radius": solution.light.star_radius}
+        peaks = 0.0 if exact else float(uniforms["separated_1"] >= 0)
+        uniforms |= {
             "width": size[0],
             "height": size[1],
             "orders": order_number(orders),
-            "draws_disc": float(disc and orders == "all" and numbers["disc"] > 0.0),
+            "draws_disc": float(disc and orders == "all" and uniforms["disc"] > 0.0),
             "sky_columns": self._sky_view_size[0],
             "sky_rows": self._sky_view_size[1],
             "separated_phases": peaks,
             "draws_air": float(light.air),
         }
         if exact and self.device.software:  # limited to 65 535 loop iterations per pixel
-            numbers["edges"] = 0.0
+            uniforms["edges"] = 0.0
         if exact:
-            numbers |= {"separated_1": -1.0, "separated_2": -1.0}
+            uniforms |= {"separated_1": -1.0, "separated_2": -1.0}
         weights = np.zeros((WAVELENGTHS, 3))
         weights[: solution.wavelengths.size] = solution.lights[0].colors(self._given)
         for channel, column in zip(("red", "green", "blue"), weights.T, strict=True):
-            numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
-        return numbers
+            uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
+        return uniforms
 
     def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
         """Rows per submission."""
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
-    def _bands(self, light: SceneForLight, numbers: Mapping[str, float]) -> list[Band]:
+    def _bands(self, light: SceneForLight, uniforms: Mapping[str, float]) -> list[Band]:
         """Bands of rows, by what may be visible in them."""
         scene, solution = light.scene, light.solution
-        width, height = int(numbers["width"]), int(numbers["height"])
+        width, height = int(uniforms["width"]), int(uniforms["height"])
         if (width, height) != (scene.camera.width, scene.camera.height):
             return [Band(0, height, True, True, True)]
-        star = (numbers["seen_x"], 0.0, numbers["seen_z"])
-        reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
-        return bands(scene, numbers["horizon_mu"], star, reach + solution.paths.largest_bend)
+        star = (uniforms["seen_x"], 0.0, uniforms["seen_z"])
+        reach = 2.0 * solution.lights[0].angular_radius + 3.0 * uniforms["pixel_angle"]
+        return bands(scene, uniforms["horizon_mu"], star, reach + solution.paths.largest_bend)
 
     def _fill_sky_view(
-        self, number: int, light: SceneForLight, numbers: Mapping[str, float], exact: bool
+        self, number: int, light: SceneForLight, uniforms: Mapping[str, float], exact: bool
     ) -> None:
         """Fill the sky-view LUT of a light if it is out of date."""
         sky = self._sky(number, light.solution)
-        polarised = numbers["filter"] > 0
+        polarised = uniforms["filter"] > 0
         seen = (
-            observer_from(numbers),
-            numbers["separated_phases"],
-            numbers["star_radius"],
+            observer_from(uniforms),
+            uniforms["separated_phases"],
+            uniforms["star_radius"],
             polarised,
         )
         if exact or not light.air or seen == sky.seen:
             return
         if self._sky_view_on_cpu:
-            self._upload_sky_view(sky, numbers)
+            self._upload_sky_view(sky, uniforms)
             sky.seen = seen
             return
         passes = [(sky_air_shader(), LAYERS[:2])]
-        if numbers["separated_phases"]:
+        if uniforms["separated_phases"]:
             passes.append((sky_peaks_shader(), LAYERS[2:4]))
         if polarised:
             passes.append((sky_polarised_shader(), LAYERS[4:]))
         for shader, layers in passes:
             targets = [sky.layers[name] for name in layers]
             self._passes.run(
-                shader, next(iter(shader.entries)), numbers, targets, (LINEAR, LINEAR),
+                shader, next(iter(shader.entries)), uniforms, targets, (LINEAR, LINEAR),
                 light=number,
             )  # fmt: skip
         sky.seen = seen
 
-    def _upload_sky_view(self, sky: _SkyView, numbers: Mapping[str, float]) -> None:
+    def _upload_sky_view(self, sky: _SkyView, uniforms: Mapping[str, float]) -> None:
         """Fill the sky-view LUT on the CPU and upload it."""
         assert self._tables is not None
         tables = self._tables._replace(
-            rules=quadratures(FEW.points), panels=FEW.panels, star_radius=numbers["star_radius"]
+            rules=quadratures(FEW.points), panels=FEW.panels, star_radius=uniforms["star_radius"]
         )
         layers = fill_sky_view(
-            tables, observer_from(numbers), SkyViewWindow.whole(*self._sky_view_size),
-            polarised=numbers["filter"] > 0,
+            tables, observer_from(uniforms), SkyViewWindow.whole(*self._sky_view_size),
+            polarised=uniforms["filter"] > 0,
         )  # fmt: skip
-        unread = () if numbers["separated_phases"] else LAYERS[2:4]
+        unread = () if uniforms["separated_phases"] else LAYERS[2:4]
         for name, layer in zip(LAYERS, layers, strict=True):
             if layer.size > 1 and name not in unread:
                 update_flat(self.device, sky.layers[name], 0, pack_texels(layer, WAVELENGTHS))

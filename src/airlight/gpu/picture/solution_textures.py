@@ -32,7 +32,7 @@ class SolutionTables:
 
     Attributes
     ----------
-    numbers : dict
+    uniforms : dict
         Values of uniforms.
     textures : dict
         Contents of the textures ``scalars``, ``spectra`` and ``fields``, shape (n, 1) or (n, 4).
@@ -40,7 +40,7 @@ class SolutionTables:
         Start and axes of each table.
     """
 
-    numbers: dict[str, float]
+    uniforms: dict[str, float]
     textures: dict[str, NDArray[np.float32]]
     places: dict[str, Place]
 
@@ -72,8 +72,8 @@ class SolutionTables:
                 for name, table in layout.items()
             }
         )
-        numbers = {name: float(values[name]) for name in values if name in FRAME.numbers}
-        return cls(numbers, textures, places)
+        uniforms = {name: float(values[name]) for name in values if name in FRAME.numbers}
+        return cls(uniforms, textures, places)
 
 
 @dataclass(frozen=True)
@@ -82,13 +82,13 @@ class SolutionTextures:
 
     Attributes
     ----------
-    numbers, places : dict
+    uniforms, places : dict
         Values as in ``SolutionTables``, and those of the maps.
     textures : dict
         Textures by their names in the shaders.
     """
 
-    numbers: dict[str, float]
+    uniforms: dict[str, float]
     places: dict[str, Place]
     textures: dict[str, Any]
 
@@ -145,9 +145,9 @@ class SolutionTextures:
             release(texels)
         textures["overlay of"] = over
         sizes = map_uniforms(found) | overlay_size_uniforms(overlay)
-        numbers = made.numbers | {key: float(n) for key, n in sizes.items()}
-        numbers |= overlay_uniforms(solution)
-        return cls(numbers, made.places, textures)
+        uniforms = made.uniforms | {key: float(n) for key, n in sizes.items()}
+        uniforms |= overlay_uniforms(solution)
+        return cls(uniforms, made.places, textures)
 
 
 def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:

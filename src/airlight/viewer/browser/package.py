@@ -218,7 +218,7 @@ def solution_package(
     """
     made = SolutionTables.of(solution)
     medium = solution.medium
-    uniforms: dict[str, Any] = dict(made.numbers)
+    uniforms: dict[str, Any] = dict(made.uniforms)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
     uniforms |= overlay_uniforms(solution)
