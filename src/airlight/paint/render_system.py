@@ -123,7 +123,7 @@ def render_system(
 
 
 @dataclass(frozen=True, eq=False)
-class _Air:
+class _AtmosphereLayer:
     """Rendered atmosphere and ground of a planet, and its solution."""
 
     body: Body
@@ -178,7 +178,7 @@ class _SystemRenderer:
         self._seen: dict[str, LightSource] = {}
         self.colors = self.lights.source(self.lights.stars[0], self.eye).colors()
         bodies = sorted(system.bodies, key=self._power)
-        self.items: list[_Air | Body] = [
+        self.items: list[_AtmosphereLayer | Body] = [
             self._air(body, solutions[body.name], progress, cancel)
             if body.name in solutions else body
             for body in bodies
@@ -216,7 +216,7 @@ class _SystemRenderer:
     def _air(
         self, body: Body, solution: MomentsSolution, progress: Progress | None,
         cancel: Cancel | None,
-    ) -> _Air:  # fmt: skip
+    ) -> _AtmosphereLayer:  # fmt: skip
         latitude, longitude, altitude = self._place(body)
         up = (self.eye - body.centre) / np.linalg.norm(self.eye - body.centre)
         layer = np.zeros((self.camera.rows, self.camera.columns, 3), np.float32)
@@ -234,7 +234,7 @@ class _SystemRenderer:
                 cancel=cancel,
             )  # fmt: skip
             layer += self._rendered_by(renderer, progress, cancel)
-        return _Air(body, solution, altitude, level_axes(up), layer)
+        return _AtmosphereLayer(body, solution, altitude, level_axes(up), layer)
 
     def _scene(
         self, body: Body, light: Light, up: FloatArray, local: FloatArray, latitude: float,
@@ -325,7 +325,7 @@ class _SystemRenderer:
         shape = centre.shape[:2]
         inside, edge = self._regions(centre.reshape(-1, 3))
         layers = [
-            item.layer[first:last].reshape(-1, 3) if isinstance(item, _Air) else None
+            item.layer[first:last].reshape(-1, 3) if isinstance(item, _AtmosphereLayer) else None
             for item in self.items
         ]
         out = np.zeros((shape[0] * shape[1], 3))
@@ -353,12 +353,16 @@ class _SystemRenderer:
         inside, edge = np.zeros(len(rays), bool), np.zeros(len(rays), bool)
         margin = 2.0 * self.camera.pixel_angle
         bend = max(
-            (item.solution.paths.largest_bend for item in self.items if isinstance(item, _Air)),
+            (
+                item.solution.paths.largest_bend
+                for item in self.items
+                if isinstance(item, _AtmosphereLayer)
+            ),
             default=0.0,
         )
         shown = np.any(rays != 0.0, axis=-1)
         for k, item in enumerate(self.items):
-            body = item.body if isinstance(item, _Air) else item
+            body = item.body if isinstance(item, _AtmosphereLayer) else item
             apart = body.centre - self.eye
             distance = float(np.linalg.norm(apart))
             for radius in {self.system.radius(body), self.system.outer_radius(body)}:
@@ -386,7 +390,7 @@ class _SystemRenderer:
         shown = np.any(rays != 0.0, axis=-1)
         through[~shown] = 0.0
         for item, layer in zip(self.items, layers, strict=True):
-            if isinstance(item, _Air):
+            if isinstance(item, _AtmosphereLayer):
                 assert layer is not None
                 out += layer * ((through @ self.colors) / white)
                 dimmed, local = through_air(item.solution, item.altitude, rays @ item.axes.T)
@@ -424,7 +428,10 @@ class _SystemRenderer:
         """
         rays = true
         for item in self.items:
-            if isinstance(item, _Air) and item.altitude < item.solution.medium.thickness:
+            if (
+                isinstance(item, _AtmosphereLayer)
+                and item.altitude < item.solution.medium.thickness
+            ):
                 rays = item.raised(true)
         for _ in range(_BENDS):
             through, behind = self._behind(rays)
@@ -437,7 +444,7 @@ class _SystemRenderer:
         """Transmittance of rays past all bodies, and their refracted directions."""
         through = np.ones((len(rays), self.wavelengths.size))
         for item in self.items:
-            if isinstance(item, _Air):
+            if isinstance(item, _AtmosphereLayer):
                 dimmed, local = through_air(item.solution, item.altitude, rays @ item.axes.T)
                 through *= dimmed
                 rays = local @ item.axes

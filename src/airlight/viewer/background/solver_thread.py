@@ -35,8 +35,8 @@ _ESTIMATE_AFTER: Final = 0.1
 _REPORT_EVERY: Final = 0.1
 
 
-class Observable(Protocol):
-    """Observable source of solve requests: a session or one of its sides."""
+class ObservableSession(Protocol):
+    """ObservableSession source of solve requests: a session or one of its sides."""
 
     @property
     def solve_request(self) -> SolveRequest:
@@ -137,7 +137,7 @@ class SolverThread:
 
     def __init__(
         self,
-        session: Observable,
+        session: ObservableSession,
         *,
         solver: PlanetSolver | None = None,
         wavelengths: Callable[[Planet, str], FloatArray] = picture_wavelengths,
