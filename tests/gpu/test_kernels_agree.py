@@ -21,7 +21,7 @@ from airlight.color.floating import physical_light
 from airlight.color.gamut import in_gamut
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import bending, path, shell, sun_disc
-from airlight.gpu.emit.shader_types import Constant, StructValue, Table
+from airlight.gpu.emit.shader_types import Constant, ShaderTable, StructValue
 from airlight.gpu.solver import ray_sums
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
@@ -473,7 +473,7 @@ def test_the_map_of_the_ground_is_read_as_on_the_cpu(on_gpu: Callable[..., Any])
     longitude = uniform(-math.pi, math.pi, 33)
     level = uniform(-1.0, 3.0, 34)
     seen = on_gpu(
-        read_map, latitude, longitude, level, Table("texels", spectral=True),
+        read_map, latitude, longitude, level, ShaderTable("texels", spectral=True),
         spectra={"texels": texels / 255.0},
     )  # fmt: skip
     wanted = np.empty((COUNT, _CHANNELS))

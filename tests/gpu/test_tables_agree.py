@@ -19,7 +19,7 @@ from numpy.testing import assert_allclose
 
 from airlight.geometry import bending, path
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import Table
+from airlight.gpu.emit.shader_types import ShaderTable
 from airlight.gpu.picture.display_shaders import all_shaders
 from airlight.gpu.solver import passes as solver_passes
 from airlight.gpu.solver import ray_sums
@@ -387,8 +387,8 @@ def test_a_formula_with_tables_on_the_gpu_is_the_cpu_s(
     on_gpu: Callable[..., Any], case: Case
 ) -> None:
     # A second compiler for the same source.
-    values = [Table(name, table.ndim) for name, table in case.tables.items()]
-    values += [Table(name, 1, True) for name in case.spectra]
+    values = [ShaderTable(name, table.ndim) for name, table in case.tables.items()]
+    values += [ShaderTable(name, 1, True) for name in case.spectra]
     seen = on_gpu(
         case.function, *case.inputs, *values, tables=dict(case.tables), spectra=dict(case.spectra)
     )

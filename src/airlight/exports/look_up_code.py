@@ -19,7 +19,16 @@ from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.hlsl import HLSL
-from airlight.gpu.emit.shader_types import BOOL, F32, I32, VEC4, Constant, StructValue, Table, Value
+from airlight.gpu.emit.shader_types import (
+    BOOL,
+    F32,
+    I32,
+    VEC4,
+    Constant,
+    ShaderTable,
+    StructValue,
+    Value,
+)
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.layout import Positions
@@ -87,13 +96,13 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
     emitter = Emitter(dialect)
     shape = _shape(baked)
     bundle = StructValue({name: Constant(value) for name, value in shape._asdict().items()})
-    phases = Table(PHASES, spectral=True)
+    phases = ShaderTable(PHASES, spectral=True)
     sight: tuple[Value, ...] = (F32, F32, F32, F32, BOOL)
     given = ", ".join((*_SIGHT, "to_ground"))
     emitter.add(ends_on_ground, F32, F32, bundle, name="ends_on_ground")
     parts: list[str] = []
     for row, name in enumerate(_of_light(baked)):
-        table = Table(texture_name(name), spectral=True)
+        table = ShaderTable(texture_name(name), spectral=True)
         scale = Constant(baked.tables[name].scale)
         if baked.light.packing == "combined":
             found = emitter.add(scattering_at, table, *sight, bundle, name="stored_light")
@@ -108,7 +117,7 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
         ("transmittance", transmittance_at),
         ("irradiance", irradiance_at),
     ):
-        table = Table(name, spectral=True)
+        table = ShaderTable(name, spectral=True)
         wanted = {"transmittance": "transmittance_to_top", "irradiance": "sky_irradiance"}[name]
         emitter.add(
             function, table, F32, F32, Constant(baked.tables[name].scale), bundle, name=wanted
@@ -220,7 +229,7 @@ def _readers(baked: Baked, shape: TextureShape, dialect: ShaderDialect) -> list[
 
 
 def _combined(
-    baked: Baked, emitter: Emitter, phases: Table, bundle: StructValue, stored: str
+    baked: Baked, emitter: Emitter, phases: ShaderTable, bundle: StructValue, stored: str
 ) -> list[str]:
     """Lines of ``air_radiance`` for particles in alpha, whose colours are restored."""
     dialect = emitter.dialect

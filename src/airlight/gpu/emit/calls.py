@@ -22,9 +22,9 @@ from airlight.gpu.emit.shader_types import (
     Constant,
     LocalArray,
     Scalar,
+    ShaderTable,
     StructValue,
-    Table,
-    Uniform,
+    UniformValue,
     Value,
     joined,
     run_time,
@@ -54,7 +54,7 @@ class Calls(Scope, ABC):
 
     def number(self, node: ast.AST, found: Value | None) -> Scalar:
         """Scalar type of an expression; an error if it has none."""
-        if found is not None and not isinstance(found, (Table, StructValue)):
+        if found is not None and not isinstance(found, (ShaderTable, StructValue)):
             kind = run_time(found)
             if isinstance(kind, Scalar):
                 return kind
@@ -163,7 +163,7 @@ class Calls(Scope, ABC):
         if name in ("load", "store"):
             owner = self.bound(node.args[0])
             index = self.as_scalar(node.args[1], I32)
-            if isinstance(owner, Table) and owner.spectral and name == "load":
+            if isinstance(owner, ShaderTable) and owner.spectral and name == "load":
                 return self.dialect.element(owner.name, index), VEC4
             if isinstance(owner, LocalArray) and owner.element == VEC4:
                 place = f"{self.array_text(node.args[0])}[{index}]"
@@ -175,7 +175,7 @@ class Calls(Scope, ABC):
     def channel(self, node: ast.Call) -> tuple[str, Value]:
         """Emit a channel of a texel; sRGB is decoded here, as GPUs' own decoding differs."""
         texels, channel = self.bound(node.args[0]), self.fold(node.args[2])
-        if isinstance(texels, Table) and texels.spectral and isinstance(channel, int):
+        if isinstance(texels, ShaderTable) and texels.spectral and isinstance(channel, int):
             read = self.dialect.element(texels.name, self.as_scalar(node.args[1], I32))
             value = f"{read}.{'xyzw'[channel]}"
             if channel == CHANNELS - 1:
@@ -190,7 +190,9 @@ class Calls(Scope, ABC):
         for one in node.args:
             if isinstance(one, ast.Tuple):
                 members = [self.bound(item) for item in one.elts]
-                if not all(isinstance(item, (Table, Uniform, Constant)) for item in members):
+                if not all(
+                    isinstance(item, (ShaderTable, UniformValue, Constant)) for item in members
+                ):
                     raise self.refuse(one, "a tuple argument may hold only tables and uniforms")
                 values.append(StructValue({str(i): item for i, item in enumerate(members)}))
                 texts.append("")
@@ -206,7 +208,7 @@ class Calls(Scope, ABC):
                 raise self.refuse(one, "is nothing")
             if isinstance(found, LocalArray):
                 text = self.array_argument(one)
-            if isinstance(found, Table):
+            if isinstance(found, ShaderTable):
                 text = found.name
             values.append(found)
             texts.append(text)

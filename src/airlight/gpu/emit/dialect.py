@@ -17,14 +17,14 @@ from airlight.gpu.emit.shader_types import (
     Constant,
     LocalArray,
     Scalar,
+    ShaderTable,
     StructValue,
-    Table,
     TupleType,
     Value,
 )
 
 #: A name and its type.
-Named = tuple[str, Scalar | LocalArray | TupleType | Table]
+Named = tuple[str, Scalar | LocalArray | TupleType | ShaderTable]
 
 
 class Dialect(ABC):
@@ -55,7 +55,7 @@ class Dialect(ABC):
     largest: ClassVar[float] = 3.4e38
 
     @abstractmethod
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         """Name of a type."""
 
     @abstractmethod
@@ -120,7 +120,7 @@ class Dialect(ABC):
         """Whether a value is a run-time argument."""
         if isinstance(value, LocalArray):
             return not value.variable
-        return not isinstance(value, (Constant, Table, StructValue))
+        return not isinstance(value, (Constant, ShaderTable, StructValue))
 
     def element(self, table: str, index: str) -> str:
         """Element of a table."""

@@ -22,7 +22,14 @@ from typing import Any, Final
 from airlight.gpu.emit import single_precision
 from airlight.gpu.emit.dialect import Dialect, ShaderDialect
 from airlight.gpu.emit.scope import SubsetError
-from airlight.gpu.emit.shader_types import LocalArray, Scalar, Table, TupleType, Uniform, Value
+from airlight.gpu.emit.shader_types import (
+    LocalArray,
+    Scalar,
+    ShaderTable,
+    TupleType,
+    UniformValue,
+    Value,
+)
 from airlight.gpu.emit.statements import Emitted, FunctionBody
 from airlight.gpu.emit.wgsl import WGSL
 
@@ -167,6 +174,6 @@ def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
 
 def _lower_argument(value: Value, parameter: str, dialect: Dialect) -> Value:
     """Argument as a parameter of the callee; uniforms become scalars."""
-    if isinstance(value, Table) and dialect.at_run_time(value):
+    if isinstance(value, ShaderTable) and dialect.at_run_time(value):
         return replace(value, name=parameter)
-    return value.scalar if isinstance(value, Uniform) else value
+    return value.scalar if isinstance(value, UniformValue) else value

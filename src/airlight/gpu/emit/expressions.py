@@ -15,10 +15,10 @@ from airlight.gpu.emit.shader_types import (
     Constant,
     LocalArray,
     Scalar,
+    ShaderTable,
     StructValue,
-    Table,
     TupleType,
-    Uniform,
+    UniformValue,
     Value,
     joined,
 )
@@ -68,12 +68,12 @@ class Expressions(Calls):
         """Emit a variable, parameter or struct field."""
         if isinstance(node, ast.Attribute) and node.attr == "size":
             owner = self.bound(node.value)
-            if isinstance(owner, Table) and owner.rank == 1:
+            if isinstance(owner, ShaderTable) and owner.rank == 1:
                 return self.dialect.length(owner.name, "0"), I32
         found = self.bound(node)
-        if isinstance(found, Uniform):
+        if isinstance(found, UniformValue):
             return self.dialect.uniform(found.text, found.scalar), found.scalar
-        if isinstance(found, (Table, StructValue)):
+        if isinstance(found, (ShaderTable, StructValue)):
             return "", found
         if isinstance(found, LocalArray):
             return self.array_name(node)[0], found
@@ -150,12 +150,12 @@ class Expressions(Calls):
         if isinstance(node.value, ast.Attribute) and node.value.attr == "shape":
             owner = self.bound(node.value.value)
             axis = self.fold(node.slice)
-            if isinstance(owner, Table) and isinstance(axis, int) and axis < owner.rank:
+            if isinstance(owner, ShaderTable) and isinstance(axis, int) and axis < owner.rank:
                 return self.dialect.length(owner.name, str(axis)), I32
             if isinstance(owner, LocalArray) and axis == 0:
                 return str(owner.size), Constant(owner.size)
         owner = self.bound(node.value)
-        if isinstance(owner, Table):
+        if isinstance(owner, ShaderTable):
             if owner.image:
                 places = self.indices(node, owner)
                 return self.dialect.texel(owner.name, *places), owner.element
@@ -164,14 +164,14 @@ class Expressions(Calls):
             return self.dialect.element(owner.name, self.flat_index(node, owner)), F32
         return self.place(node)
 
-    def indices(self, node: ast.Subscript, table: Table) -> list[str]:
+    def indices(self, node: ast.Subscript, table: ShaderTable) -> list[str]:
         """Index expressions of a table element."""
         indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         if len(indices) != table.rank:
             raise self.refuse(node, f"needs {table.rank} indices")
         return [self.as_scalar(one, I32) for one in indices]
 
-    def flat_index(self, node: ast.Subscript, table: Table) -> str:
+    def flat_index(self, node: ast.Subscript, table: ShaderTable) -> str:
         """Flat index of a table element in its texture."""
         flat, *others = self.indices(node, table)
         for axis, one in enumerate(others, start=1):

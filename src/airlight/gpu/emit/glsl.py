@@ -17,7 +17,7 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
     TupleType,
 )
 from airlight.gpu.emit.single_precision import MATHEMATICS
@@ -61,7 +61,7 @@ void main() {
 }
 """
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)}[{kind.size}]"
         return PLAIN_NAMES[kind] if isinstance(kind, Scalar) else kind.name

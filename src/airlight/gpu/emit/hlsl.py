@@ -18,7 +18,7 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
     TupleType,
 )
 from airlight.gpu.emit.single_precision import MATHEMATICS
@@ -67,7 +67,7 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
 }
 """
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)}[{kind.size}]"
         return _NAMES[kind] if isinstance(kind, Scalar) else kind.name

@@ -20,8 +20,8 @@ from airlight.gpu.emit.shader_types import (
     Constant,
     LocalArray,
     Scalar,
+    ShaderTable,
     StructValue,
-    Table,
     TupleType,
     Value,
 )
@@ -50,7 +50,7 @@ class JavaScript(Dialect):
     unrolls = False
     largest = math.inf
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         return kind.name
 
     def declared(self, name: str, kind: Scalar | LocalArray) -> str:

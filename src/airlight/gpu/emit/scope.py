@@ -24,10 +24,10 @@ from airlight.gpu.emit.shader_types import (
     Constant,
     LocalArray,
     Scalar,
+    ShaderTable,
     StructValue,
-    Table,
     TupleType,
-    Uniform,
+    UniformValue,
     Value,
     joined,
     run_time,
@@ -128,7 +128,7 @@ class Scope:
     def declare(self, node: ast.AST, name: str, found: Value) -> None:
         """Set the type of a variable, promoted if it already has one."""
         before = self.names.get(name)
-        if isinstance(before, Uniform):
+        if isinstance(before, UniformValue):
             before = before.scalar
         if isinstance(before, Constant):
             before = run_time(before)
@@ -162,7 +162,7 @@ class Scope:
 
     def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
         """Expression with an implicit conversion to another type."""
-        if found is None or isinstance(found, (Table, StructValue, LocalArray, TupleType)):
+        if found is None or isinstance(found, (ShaderTable, StructValue, LocalArray, TupleType)):
             raise SubsetError(f"{self.function.__qualname__}: {text} is not a number")
         kind = run_time(found)
         if kind == wanted:

@@ -42,7 +42,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class Uniform:
+class UniformValue:
     """Field of the uniform struct, stored as float.
 
     Attributes
@@ -58,7 +58,7 @@ class Uniform:
 
 
 @dataclass(frozen=True)
-class Table:
+class ShaderTable:
     """Read-only array in a texture.
 
     ``read_NAME(index)`` returns an element, ``size_NAME_AXIS()`` an axis length.
@@ -138,7 +138,7 @@ class TupleType:
         return "Tuple_" + "_".join(item.name for item in self.items)
 
 
-Value = Scalar | Constant | Uniform | Table | LocalArray | StructValue | TupleType
+Value = Scalar | Constant | UniformValue | ShaderTable | LocalArray | StructValue | TupleType
 
 
 def run_time(value: Value) -> Scalar | LocalArray | TupleType:
@@ -154,7 +154,7 @@ def run_time(value: Value) -> Scalar | LocalArray | TupleType:
     TypeError
         If it is a table or a struct value.
     """
-    if isinstance(value, Uniform):
+    if isinstance(value, UniformValue):
         return value.scalar
     if isinstance(value, Constant):
         if isinstance(value.value, bool):

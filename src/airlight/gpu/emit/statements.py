@@ -20,10 +20,10 @@ from airlight.gpu.emit.shader_types import (
     Constant,
     LocalArray,
     Scalar,
+    ShaderTable,
     StructValue,
-    Table,
     TupleType,
-    Uniform,
+    UniformValue,
     Value,
     joined,
     run_time,
@@ -84,7 +84,7 @@ class Emitted:
                     if isinstance(kind, LocalArray) and array in self.arrays:
                         several += [(array, kind)] if dialect.at_run_time(kind) else []
             elif dialect.at_run_time(value):
-                several.append((name, value if isinstance(value, Table) else run_time(value)))
+                several.append((name, value if isinstance(value, ShaderTable) else run_time(value)))
             handed.append(several)
         return handed
 
@@ -208,7 +208,7 @@ class FunctionBody:
     def condition(self, test: ast.expr) -> str:
         """Condition of ``if`` and ``while``."""
         text, value = self.expressions.write(test)
-        if value is None or not isinstance(value, (Scalar, Uniform, Constant)):
+        if value is None or not isinstance(value, (Scalar, UniformValue, Constant)):
             raise self.refuse(test, "is not a condition")
         return text if run_time(value) == BOOL else f"{text} != 0"
 
@@ -349,7 +349,7 @@ class FunctionBody:
         """Bind a name to an expression, at run time or at emission."""
         if found is None:
             raise self.refuse(target, "nothing to assign")
-        if isinstance(found, (Table, StructValue)):
+        if isinstance(found, (ShaderTable, StructValue)):
             self.expressions.declare(target, target.id, found)
             return
         kind = run_time(found)
@@ -377,7 +377,7 @@ class FunctionBody:
             written = [self.expressions.write(one) for one in value.elts]
             fixed: list[tuple[str, Value | None]] = []
             for text, found in written:
-                if found is None or isinstance(found, (Table, StructValue, LocalArray)):
+                if found is None or isinstance(found, (ShaderTable, StructValue, LocalArray)):
                     fixed.append((text, found))
                     continue
                 self.temporaries += 1
@@ -395,7 +395,7 @@ class FunctionBody:
                 raise self.refuse(target, f"{len(found.fields)} fields")
             for one, member in zip(target.elts, found.fields.values(), strict=True):
                 written_member = ""
-                if isinstance(member, Uniform):
+                if isinstance(member, UniformValue):
                     written_member = self.dialect.uniform(member.text, member.scalar)
                 if isinstance(member, Constant):
                     written_member = self.expressions.literal(one, member.value)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.shader_types import F32, FLAT_SHIFT, I32, PACKED_SHIFT, VEC4, Table
+from airlight.gpu.emit.shader_types import F32, FLAT_SHIFT, I32, PACKED_SHIFT, VEC4, ShaderTable
 
 
 @dataclass(frozen=True)
@@ -52,9 +52,9 @@ class TextureTable:
     image: bool = False
 
     @property
-    def table(self) -> Table:
+    def table(self) -> ShaderTable:
         """Table for the emitter."""
-        return Table(self.name, self.rank, self.spectral, self.image)
+        return ShaderTable(self.name, self.rank, self.spectral, self.image)
 
     def reader(self, dialect: ShaderDialect, texture: str) -> str:
         """Source of the read and size functions.

@@ -23,7 +23,7 @@ from airlight.gpu.emit.shader_types import (
     Constant,
     Scalar,
     StructValue,
-    Uniform,
+    UniformValue,
     Value,
 )
 from airlight.gpu.emit.texture_table import TextureTable
@@ -108,7 +108,7 @@ class UniformStruct:
 
     # --- in the shader ------------------------------------------------------------------------
 
-    def uniform(self, name: str) -> Uniform:
+    def uniform(self, name: str) -> UniformValue:
         """Scalar of the struct, for the emitter.
 
         Parameters
@@ -117,7 +117,7 @@ class UniformStruct:
             Name from ``numbers``.
         """
         vector, component = self._places[name]
-        return Uniform(f"{self.name}.{vector}.{component}", self.numbers[name])
+        return UniformValue(f"{self.name}.{vector}.{component}", self.numbers[name])
 
     def struct_value(self, kind: Any, fixed: Fixed = ()) -> StructValue:
         """NamedTuple for the emitter, with tables, uniforms and constants as fields.

@@ -10,7 +10,7 @@ from airlight.gpu.emit.dialect import Named, ShaderDialect
 from airlight.gpu.emit.shader_types import (
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
     TupleType,
 )
 from airlight.gpu.emit.single_precision import MATHEMATICS
@@ -50,7 +50,7 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
 }
 """
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         return (
             f"array<{kind.element.name}, {kind.size}>"
             if isinstance(kind, LocalArray)

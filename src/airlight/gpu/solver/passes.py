@@ -17,8 +17,8 @@ from airlight.gpu.emit.shader_types import (
     FLAT_WIDTH,
     I32,
     VEC4,
+    ShaderTable,
     StructValue,
-    Table,
     TupleType,
     Value,
 )
@@ -220,7 +220,7 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
             handed.append(dialect.uniform("span.texels.z", I32))
         elif kind == "weights":
             spectral = name == "next_guess"
-            arguments.append(Table("weights", 1, spectral))
+            arguments.append(ShaderTable("weights", 1, spectral))
             readers.append(_weights_reader(dialect, spectral))
         else:
             as_read: View = "lanes" if view == "lanes" else "numbers"

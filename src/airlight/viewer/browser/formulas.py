@@ -14,7 +14,7 @@ from airlight.ephemeris import moon_formula, sun_formula
 from airlight.geometry.bending import apparent_sun_cosine
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, ShaderTable, Value
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.moon_phase import moon_share
 from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
@@ -51,9 +51,9 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     filter_axis: (),
     ground_axes: (),
     observer_uniforms: (),
-    apparent_sun_cosine: (F32, F32, F32, F32, Table("lift", 3)),
+    apparent_sun_cosine: (F32, F32, F32, F32, ShaderTable("lift", 3)),
     luminance_of: (),
-    exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
+    exposure_with_stars: (*(ShaderTable(one) for one in _STARS), I32, F32, F32),
     eased: (),
     left_out: (),
     metering_weight: (I32, *(F32 for _ in range(9))),
@@ -87,16 +87,22 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     is_near: (),
     floor_below: (),
     acceleration_weight: (),
-    node_value: (F32, F32, F32, Table("first_nodes"), Table("row")),
-    lateral_diffusion_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
+    node_value: (F32, F32, F32, ShaderTable("first_nodes"), ShaderTable("row")),
+    lateral_diffusion_equations: (
+        ShaderTable("sun_cosines"),
+        F32,
+        F32,
+        LocalArray(1),
+        LocalArray(1),
+    ),
     factorise: (LocalArray(1, VEC4), I32),
     substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
     delta_m_scaling: (
-        Table("scattering", 2),
-        Table("absorption", 2),
-        Table("phases", 3),
-        Table("polarised_elements", 3),
-        Table("columns"),
+        ShaderTable("scattering", 2),
+        ShaderTable("absorption", 2),
+        ShaderTable("phases", 3),
+        ShaderTable("polarised_elements", 3),
+        ShaderTable("columns"),
         I32,
         LocalArray(1),
         LocalArray(1),

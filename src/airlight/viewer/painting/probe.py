@@ -45,7 +45,7 @@ STAR: Final = "the star itself"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Part:
+class Contribution:
     """Contribution to the radiance in one direction.
 
     Attributes
@@ -94,7 +94,7 @@ class Probe:
         Straight distance to the ground; infinite if the line of sight misses it. [m]
     latitude, longitude : float or None
         Coordinates of the ground that is seen; None without ground. [deg]
-    parts : tuple of Part
+    parts : tuple of Contribution
         Parts that sum to ``radiance``.
     """
 
@@ -112,7 +112,7 @@ class Probe:
     distance: float
     latitude: float | None
     longitude: float | None
-    parts: tuple[Part, ...]
+    parts: tuple[Contribution, ...]
 
 
 def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None:
@@ -248,7 +248,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         latitude=seen[1],
         longitude=seen[2],
         parts=tuple(
-            Part(
+            Contribution(
                 name=name,
                 radiance=tuple(values.tolist()),
                 luminance=LUMINOUS_EFFICACY * float(bright),

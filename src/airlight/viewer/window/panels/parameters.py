@@ -33,7 +33,7 @@ class ParameterRows:
         right, bottom. [logical pixel]
     texts : dict
         Labels and values of the rows drawn last, by path, with the widths that they have and that
-        they need; see ``Answer``.
+        they need; see ``RowInput``.
     """
 
     def __init__(self, *, marks: bool = True) -> None:
