@@ -1,7 +1,7 @@
 """Aerial perspective tables of path radiance, transmittance and sky around one observer.
 
-Froxels of all directions instead of a camera's: the camera may turn, and move sideways as far as
-the air is the same, without new tables. The sky behind has tables of its own.
+Unlike froxels, they cover all directions: the camera may turn, and translate while the atmosphere
+is nearly the same, without new tables. The sky behind has separate tables.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Look-up of aerial perspective tables by direction and distance.
 
-Tables are indexed by direction as the sky-view LUT is, with azimuths denser towards the star,
-and, of the air, by distance. Between directions they are linear, along the distance cubic in its
-logarithm. The formulas run on the CPU and are emitted to shaders.
+Directions are mapped as in the sky-view LUT, with azimuths denser towards the star. Interpolation
+is linear in direction and cubic in the logarithm of distance. The kernels run on the CPU and are
+emitted to shaders.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """``compose``: path radiance, transmittance and sky for another renderer's image, in bands of rows.
 
-Implements the composition of a picture with its depth: the light that reaches the camera is the
-surface's times the transmittance of the air before it, and the light of that stretch of air, which
-is marched, never the difference of two look-ups.
+The radiance at the camera is that of the surface times the transmittance, plus the path radiance.
+Both are marched along the segment, never the difference of two look-ups.
 """
 
 from __future__ import annotations
@@ -111,10 +110,10 @@ def compose(
     Parameters
     ----------
     rgb : array, shape (h, w, 3)
-        Picture without air, linear sRGB; premultiplied where there is an alpha.
+        Image without atmosphere, linear sRGB; premultiplied by ``alpha``.
     depth : array, shape (h, w) or (h, w, 3)
-        Depth of the surfaces, see ``depth_kind``. No surface: 0 or less, not a number, 1e9 and
-        more; a position of exactly 0, 0, 0. [scene units]
+        Depth of the surfaces, see ``depth_kind``. No surface: 0 or less, NaN, 1e9 or more, or the
+        position 0, 0, 0. [scene units]
     camera : Pinhole
         Camera.
     solution : MomentsSolution, Planet, str or Path
@@ -123,40 +122,39 @@ def compose(
     place : Placement
         Place of the scene's origin on the planet, and direction of the sun.
     alpha : array, shape (h, w), optional
-        Part of each pixel that surfaces cover: behind the rest is the sky. By default 1 where there
-        is depth. A pixel partly covered whose depth missed the surface takes that of the nearest.
+        Coverage by surfaces, with sky behind; by default 1 where there is depth. Partly covered
+        pixels without depth take that of the nearest surface.
     albedo, normals : array, shape (h, w, 3), optional
-        Lambert albedo of the surfaces in linear sRGB, premultiplied [1], and their normals in the
-        scene's coordinates. Given both, surfaces are lit by the planet's star, sky and ground, and
-        ``rgb`` is not used.
+        Lambert albedo in linear sRGB, premultiplied [1], and normals in scene coordinates. With
+        both, surfaces are relit by star, sky and ground, and ``rgb`` is ignored.
     shadow : array, shape (h, w), optional
-        Part of the star that is visible from each of these surfaces; 1 everywhere by default. [1]
+        Visible fraction of the star for relighting; 1 by default. [1]
     depth_kind : str
-        ``planar`` along the camera's axis, ``distance`` along the pixel's line, ``position`` in the
-        scene, ``inverse`` for 1 over planar; ``auto`` is ``position`` for three channels, else
+        ``planar`` along the optical axis, ``distance`` along the ray, ``position`` in the scene,
+        ``inverse`` for 1 over planar; ``auto`` is ``position`` for three channels, otherwise
         ``planar``.
     white : float, optional
-        Value of ``rgb`` of a white Lambert surface that faces the star without air, in each
-        channel: the picture is balanced to the star. None: ``rgb`` is radiance in linear sRGB, as
-        ``render`` gives it. [W m⁻² sr⁻¹]
+        Value of ``rgb`` of a white Lambert surface facing the star without atmosphere, in each
+        channel: the image is white-balanced to the star. None: ``rgb`` is radiance in linear sRGB,
+        as from ``render``. [W m⁻² sr⁻¹]
     exact : bool
-        Whether the air is marched for each pixel, instead of read from froxels where these err by
-        less than 0.2 %.
+        Whether every pixel is marched; otherwise froxels are used where their error is below
+        0.2 %.
     disc : bool
-        Whether the star's own disc is rendered in the sky.
+        Whether the star's disc is rendered in the sky.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     Composed
-        Picture on the scale of ``rgb``.
+        Composite on the scale of ``rgb``.
 
     Raises
     ------
     ParameterError
-        If arrays, camera and depth do not fit each other, a value is out of range, or the camera is
-        below the ground.
+        If arrays and camera have different sizes, a value is out of range, or the camera is below
+        the ground.
     Cancelled
         If ``cancel`` requested it.
     """

@@ -1,10 +1,9 @@
 """Froxels: path radiance and transmittance on a grid of screen cells and distances.
 
-A node of the table holds, per wavelength, the air's radiance and optical depth over the distance:
-both are smooth, from nothing to saturated air. Between nodes they are linear across the screen and
-cubic in the logarithm of the distance. One pixel of each cell is marched, which measures the error
-there; cells above the bar, and pixels whose nodes lie at the ground or at the top of the air, are
-marched pixel by pixel.
+Nodes hold, per wavelength, path radiance and optical depth over distance, which are smooth in thin
+and saturated air. Interpolation is linear across the screen and cubic in the logarithm of distance.
+One pixel of each cell is marched to measure the error; cells above the tolerance, and pixels with
+nodes at the ground or the top of the atmosphere, are marched completely.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ class Froxels:
     values : array, shape (rows, columns, distances, 2·nl), float32
         Radiance over distance [sr⁻¹ m⁻¹] and optical depth over distance [m⁻¹].
     usable : array of bool, shape (rows, columns, distances)
-        Whether a node's stretch ends in the air.
+        Whether the segment of a node ends inside the atmosphere.
     """
 
     nearest: float

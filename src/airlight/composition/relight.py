@@ -1,9 +1,8 @@
 """Relighting of surfaces by direct sunlight and by spherical harmonics of sky and ground.
 
-The star is seen from each point through the air above it. The light from all sides is that of the
-planet without the scene, at the point's altitude and under its sun: its radiance in directions all
-over the sphere becomes harmonics, of which a surface of any slope receives a sum. Both follow
-the surface's normal; what the scene itself shades is the caller's.
+Sunlight is attenuated from space to each point. Radiance of sky and ground, without the scene, is
+projected on spherical harmonics at the point's altitude and star-zenith angle, and convolved with
+the clamped cosine of the normal. Shadowing by the scene itself is left to the caller.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
 """Spectral upsampling of surface colours, and their attenuation.
 
-A surface's colour is three numbers, the air's transmittance a spectrum. So a colour is taken for
-that of the smoothest reflectance that has it under the star (``color.upsampling``), and what comes
-through is its spectrum times the transmittance, in colour again: a matrix of 3 x 3 per pixel, the
-identity without air. White under the star is exact.
+A colour is upsampled to the smoothest reflectance spectrum with that colour under the star
+(``color.upsampling``), multiplied by the spectral transmittance and converted back: a 3 x 3 matrix
+per pixel, the identity without atmosphere. White under the star is exact.
 """
 
 from __future__ import annotations

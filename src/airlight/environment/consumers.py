@@ -1,9 +1,8 @@
-"""Programs that read environment maps: where each looks for the east, the north and the zenith.
+"""Programs that read environment maps, with their axis conventions.
 
-The sky is one map in the frame x east, y north, z up (ENU). A program has axes of its own, on which
-that frame is laid, and a formula by which it looks a direction up in the picture. For latitude and
-longitude all of these formulas show the sky as seen from inside; they differ in the bearing in the
-middle of the picture alone.
+Maps are defined in ENU: x east, y north, z up. A program has its own axes and its own mapping from
+directions to image coordinates. All latitude-longitude mappings show the sky from inside and differ
+only in the bearing of the image centre.
 """
 
 from __future__ import annotations

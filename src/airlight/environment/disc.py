@@ -1,9 +1,8 @@
 """Disc of a light, rendered at high resolution, for a separate light or for texels of a map.
 
-A map's texel is often larger than the sun. The disc is therefore rendered through the air by the
-renderer, in a small picture of its own with many pixels across it, whose every pixel is put into
-the texel in which it lies: what a texel covers of the disc counts by its area, and the irradiance
-is that of the small picture however few texels there are.
+As map texels are often larger than the sun, the disc is rendered in a separate small frame with
+many pixels across it, which are then accumulated in the texels of the map. This conserves the
+irradiance at any map resolution.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
 """Gamut mapping to non-negative linear sRGB, for renderers that require it.
 
-A spectral colour may lie outside the triangle of sRGB: the disc of a setting sun has negative blue.
-In linear light the nearest colour of the same luminance on the way to grey has the lowest channel
-at 0. Luminance, and so every sum of luminances, stays; the display's gamut (``color.gamut``) keeps
-the lightness of a perceptual space instead, which light has no use for.
+Spectral colours can be outside the sRGB gamut: the disc of a setting sun has negative blue. Colours
+are desaturated towards grey in linear light until the lowest channel is 0, which preserves
+luminance and its sums. The display's gamut mapping (``color.gamut``) is perceptual instead.
 """
 
 from __future__ import annotations

@@ -32,8 +32,8 @@ def check_map(camera: Camera) -> None:
 def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     """Solid angles of the texels of a panorama, an octahedral map or a fisheye.
 
-    Exact for the first two; of a fisheye by the radius of each texel's centre, which errs by less
-    than the square of a texel's angle, and 0 outside its circle.
+    Exact for the first two; for a fisheye by the midpoint rule, with an error below the square of
+    the texel angle, and 0 outside the image circle.
 
     Parameters
     ----------
@@ -132,20 +132,19 @@ def texels_of(camera: Camera, directions: FloatArray) -> tuple[NDArray[np.intp],
 def reaching_poles(rgb: NDArray[np.float32]) -> NDArray[np.float32]:
     """Resampled rows of a panorama whose first and last rows are exactly the poles.
 
-    Such a program looks a zenith angle up at (height - 1)/180° of it, not at height/180° less
-    half a row: by a half row too near to the pole, at the poles. Rows are interpolated linearly,
-    which keeps the light of each to second order in its height, and leaves those beside the
-    horizon as they are to 0.5/height of a row.
+    For programs that map the zenith angle θ to row θ (height - 1)/180° instead of θ height/180° -
+    ½, which is half a row off at the poles. Linear interpolation conserves the radiance to second
+    order in the row height and shifts rows near the horizon by less than 0.5/height.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Radiance at the middles of the rows; ``height`` is 2 or more.
+        Radiance at the row centres; ``height`` is 2 or more.
 
     Returns
     -------
     array, shape (height, width, 3)
-        Radiance at zenith angles even from 0 to 180°.
+        Radiance at equidistant zenith angles from 0 to 180°.
 
     Examples
     --------

@@ -4,7 +4,7 @@ The observer's local frame has z to the zenith, x along the horizontal towards t
 y to the left of x. Azimuth is counted from x, **clockwise seen from above, like a compass**: an
 observer who faces azimuth 0 has azimuth +90° on the right.
 
-The formulas are plain numbers, in the subset of Python that becomes JavaScript too.
+The scalar formulas are in the Python subset that is also emitted as JavaScript.
 """
 
 from __future__ import annotations

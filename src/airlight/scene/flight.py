@@ -1,8 +1,8 @@
 """Flight over a planet: movement of observer, camera and sun by keys, mouse and wheel.
 
-Level movement follows a great circle at one altitude; the camera keeps its angle to the zenith and
-its angle to the course, the sun its direction in space. Every speed is proportional to the distance
-to the ground. All values are plain numbers, in the subset of Python that becomes JavaScript too.
+Horizontal motion follows a great circle at constant altitude; the camera keeps its zenith angle and
+its angle to the course, the sun its direction in space. Speeds are proportional to the distance to
+the ground. The formulas are in the Python subset that is also emitted as JavaScript.
 """
 
 from __future__ import annotations
@@ -118,7 +118,7 @@ def turned(
     Returns
     -------
     latitude, longitude, heading, sun_zenith, sun_azimuth : float
-        Values at the end; the camera keeps its angle to the course. [deg]
+        Final values; the camera keeps its angle to the course. [deg]
     """
     new_latitude, new_longitude, new_course = travelled(latitude, longitude, course, angle)
     zenith, azimuth = carried_star(sun_zenith, sun_azimuth, course, angle, new_course)

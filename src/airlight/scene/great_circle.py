@@ -1,7 +1,6 @@
 """Great circles: positions and directions after a movement over a sphere.
 
-All values are plain numbers, in the subset of Python that becomes JavaScript too: the page flies by
-these formulas.
+The formulas are in the Python subset that is also emitted as JavaScript, for flight on the page.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Procedural noise on the ground below the resolution of its map; it is not data.
 
-A sum of smooth noise of eight sizes, each a quarter of the one before, from a quarter of a texel of
-the map down to a hand's breadth. It varies the ground's reflectance by about a tenth around that of
-the map, and not its mean. Sizes below two pixels of the picture are left out, fading in between two
-and four. Coordinates count from the point below the observer, so that single precision suffices.
+Eight octaves of value noise, each a quarter of the previous scale, from a quarter of a map texel to
+about 10 cm. They vary the reflectance by about 10 % without changing its mean. Scales below two
+pixels are omitted, with a fade between two and four. Coordinates are relative to the point below
+the observer, for single precision.
 """
 
 from __future__ import annotations
@@ -154,9 +154,9 @@ def ground_detail(dx, dy, dz, footprint, cell, whole_x, whole_y, whole_z, part_x
     Parameters
     ----------
     dx, dy, dz : float
-        Place on the ground from the point below the observer, in the planet's frame. [m]
+        Ground position relative to the point below the observer, in the planet's frame. [m]
     footprint : float
-        Longer axis of the picture's pixel on the ground. [m]
+        Longer axis of the pixel footprint. [m]
     cell : float
         Size of the finest cells. [m]
     whole_x, whole_y, whole_z, part_x, part_y, part_z : float

@@ -1,7 +1,7 @@
 """Ground overlay: city lights, and clouds above the map.
 
-The overlay is a map of its own, whose colours are the radiance of lamps relative to that of the
-brightest towns, and whose fourth channel is the cover of clouds.
+The overlay is a separate map with the radiance of city lights relative to the brightest cities in
+its colours, and cloud cover in its fourth channel.
 """
 
 from __future__ import annotations

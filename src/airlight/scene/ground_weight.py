@@ -190,8 +190,8 @@ def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, Float
     Returns
     -------
     angle, share : array, shape (n, _DOWN)
-        Angle between the point and its ground, seen from the centre [rad], and solid angle, over
-        2π, times transmittance [1].
+        Central angle between point and ground [rad], and solid angle over 2π times transmittance
+        [1].
     """
     bottom, rule = medium.bottom_radius, gauss_legendre(_DOWN)
     r = radius[:, None]

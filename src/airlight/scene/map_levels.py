@@ -1,7 +1,7 @@
 """Mip levels of an equirectangular map, each half as large, with equal-area averaging.
 
-Where a number is odd the half is rounded up, and a new texel is the mean of one old one with parts
-of its neighbours, so that every level covers the whole sphere and has its mean.
+Odd sizes are rounded up, with fractional texel weights, so that every level covers the sphere and
+has the same mean.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
 """Preloading of wgpu's types into cffi's cache of parsed type names.
 
-wgpu allocates each structure by the text of its type, ``"WGPUExtent3D *"``, which cffi parses by a
-parser of C in Python, after the names of all of the library's types: 26 ms for each of some fifty
-texts, two thirds of the time until a window's first frame. The arguments of one function have all
-of these types, and take as long as two.
+wgpu allocates structures by type name, such as ``"WGPUExtent3D *"``, which cffi parses with a C
+parser in Python: 26 ms for each of about fifty names, two thirds of the time until a window's first
+frame. One declaration with all types as arguments takes as long as two names.
 """
 
 from __future__ import annotations

@@ -87,9 +87,9 @@ class PassTimes:
             encoder.resolve_query_set(self._set, 0, 2 * len(self._names), self._buffer, 0)
 
     def read(self) -> dict[str, float]:
-        """Seconds by name since the last reading; passes with the same name are added. [s]
+        """Durations by name since the last reading, summed over equal names. [s]
 
-        Waits until the device has finished the submission, and resets the timers.
+        Blocks until the submission is complete, and resets the queries.
         """
         names, self._names = self._names, []
         if not names:

@@ -1,12 +1,11 @@
-"""Emitter from restricted Python to other languages, of the functions that Numba compiles.
+"""Emitter of Numba kernels to shading languages and JavaScript.
 
-A function is emitted for the types that it is called with, as a compiler would do: tables,
-constants and NamedTuples are bound when the shader is written and do not exist at run time. The
-subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c else y``, ``if``,
-``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels, tables
-(``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``) and the
-lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything else is refused with
-file and line.
+A kernel is specialised for its argument types; tables, constants and NamedTuples are bound at
+emission. The Python subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c
+else y``, ``if``, ``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels,
+tables (``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``) and
+the lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything else raises an
+error with file and line.
 """
 
 from __future__ import annotations

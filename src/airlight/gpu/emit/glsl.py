@@ -1,9 +1,8 @@
 """GLSL ES 3.00, the language of WebGL2.
 
-It has no pointers: an array that a function fills would be copied in and out, element by element,
-at every call, and compilers are slow on that (Mesa took 264 s for the sky-view LUT). Hence
-arrays are declared in the module, and each function names those that it is called with. No function
-calls itself, and each array is written before it is read, so that nothing else changes.
+GLSL passes arrays by value, which compilers handle slowly (Mesa took 264 s for the sky-view LUT).
+Arrays are therefore global variables, and functions are specialised for them. This is equivalent,
+as no function is recursive and every array is written before it is read.
 """
 
 from __future__ import annotations

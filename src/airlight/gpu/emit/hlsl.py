@@ -1,7 +1,7 @@
 """HLSL of shader model 5 and later, the language of Direct3D, Unreal and Unity.
 
-Functions and textures that a host's shader includes; entry points are the host's. Arrays are
-declared in the module, as in GLSL.
+Functions and textures for inclusion in a host shader, without entry points. Arrays are global
+variables, as in GLSL.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _RESERVED: Final = """
 
 
 class Hlsl(ShaderDialect):
-    """HLSL: a struct is made by a function of its own, as the language has no constructors."""
+    """HLSL: structs are built by functions, as the language has no constructors."""
 
     name = "HLSL"
     reserved = frozenset(re.findall(r"\w+", _RESERVED))

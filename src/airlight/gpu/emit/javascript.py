@@ -1,8 +1,7 @@
-"""JavaScript, in double precision, for the calculations of a page on the CPU.
+"""JavaScript in double precision, for CPU computations of a page.
 
-A tuple is an array, a table an object with flat ``values`` and a ``shape``, and an array is passed
-by reference. Lanes are one wavelength: an array of lanes is one of numbers, and a host calls the
-function for each wavelength. Each function is exported.
+Tuples are arrays, tables are objects with flat ``values`` and a ``shape``. A lane is one
+wavelength; the host calls functions for each wavelength. All functions are exported.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Statements of one function of restricted Python as text: body, head, variables.
+"""Emission of statements and functions of restricted Python.
 
-Every variable is declared at the top of the function, with the widest type of all its assignments;
-hence a body is written until its types no longer change.
+Variables are declared at the top with the promoted type of all their assignments; the body is
+emitted repeatedly until the types are stable.
 """
 
 from __future__ import annotations

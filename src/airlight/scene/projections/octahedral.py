@@ -1,10 +1,9 @@
 r"""Equal-area octahedral map of the sphere on a square.
 
-Each quarter of the upper hemisphere is a triangle beside the middle of the square, and the quarter
-below it the triangle between that and the corner. In the unit triangle with
-:math:`r = a + b \le 1`, a ring of radius r has the length's share of area 2r dr; with
-:math:`z = 1 - r^2` a ring on the sphere has 2π times dz, or 4π r dr: the same share of all. Along a
-ring the azimuth is proportional to b, which keeps areas too.
+Each quarter of the upper hemisphere is a triangle at the centre of the square, and the quarter
+below it the triangle between that and the corner. In the unit triangle with :math:`r = a + b \le
+1`, a ring has the fraction 2r dr of the area; with :math:`z = 1 - r^2` a ring of the hemisphere has
+2π dz, or 4π r dr, the same fraction. Azimuth is linear in b along a ring.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """Viewer in a notebook: JupyterLab, marimo and other hosts of anywidget.
 
-The browser renders by the page's JavaScript, or Python does where the browser has no
-GPU; the planet is solved in Python.
+The browser renders with the page's JavaScript, or Python if the browser has no GPU; Python solves.
 Requires the extra ``airlight[notebook]``.
 """
 

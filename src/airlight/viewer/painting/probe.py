@@ -1,7 +1,7 @@
 """Probe of one direction: spectrum, luminance, chromaticity, optical depths, contributions.
 
 Computed on the CPU from the moments of the displayed solution, in some milliseconds per direction.
-Each part is integrated separately; none is the difference of others.
+Each contribution is integrated separately, not by difference.
 """
 
 from __future__ import annotations

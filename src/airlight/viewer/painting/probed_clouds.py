@@ -23,7 +23,7 @@ def probed_clouds(
     distance: float,
     position: LightPosition,
 ) -> tuple[float, float] | None:
-    """Cover of the clouds on a line of sight that ends on the ground, as ``pixels.ground`` has it.
+    """Cloud cover on a line of sight to the ground, as in ``pixels.ground``.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def probed_clouds(
     Returns
     -------
     seen, shaded : float
-        Cover on the line of sight, and on the light. None without clouds. [1]
+        Cover on the line of sight, and on the path to the light. None without clouds. [1]
     """
     medium, bottom = solution.medium, solution.medium.bottom_radius
     if medium.ground_clouds is None or not np.isfinite(distance):

@@ -1,8 +1,8 @@
 """Amounts of a planet's constituents, brightness of its ground, turbidity of its air.
 
-One declaration for window, notebook and page, the first controls of each. An amount is a factor of
-the planet's file, ``constituents[…].amount`` or ``ground.brightness``, shown as what people call
-it: haze by its optical depth, ozone in Dobson units, the ground by its albedo.
+Shared by window, notebook and page. An amount is a factor in the planet file,
+``constituents[…].amount`` or ``ground.brightness``, displayed in the usual measure: haze by optical
+depth, ozone in Dobson units, the ground by albedo.
 """
 
 from __future__ import annotations

@@ -191,7 +191,7 @@ class Editing:
         ------
         ParameterError
             If there is no such parameter or the value is out of range; nothing is changed then.
-            Inconsistent values are reported by ``solving``.
+            Inconsistent values are reported by ``SolverThread``.
         """
         parameter = self.parameter(path)
         new = parameter.checked(value)

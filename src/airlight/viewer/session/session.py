@@ -1,7 +1,7 @@
 """Session: editing, undo, comparison and saving of a planet, a view and a display.
 
-A session belongs to its host's thread and never blocks: an edited planet is read and solved by
-``solving``, on another thread.
+A session belongs to its host's thread and never blocks; ``SolverThread`` reads and solves edited
+planets.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Main window: picture and parameters of a planet, in a loop that never blocks.
 
-Slow work runs on other threads: ``solving`` solves, a renderer renders, ``Saving`` writes; each
-wakes the window when it has a result. A frame draws the results that are available.
+Slow work runs on other threads: ``SolverThread``, ``PictureThread``, ``Probing`` and ``Saving``;
+each wakes the window when it has a result. A frame draws the available results.
 """
 
 from __future__ import annotations
