@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-#: Where the discs of sun and moon are: in the map, nowhere, or lights of their own.
+#: Treatment of the discs of sun and moon: in the map, omitted, or as separate lights.
 SUNS: Final = ("include", "exclude", "light")
 
 
@@ -43,9 +43,9 @@ class EnvironmentMap:
     Attributes
     ----------
     consumer : Consumer
-        Program that it is for.
+        Target program.
     frame : Frame
-        Linear sRGB radiance, not negative, and what its metadata say. [W m⁻² sr⁻¹]
+        Linear sRGB radiance, not negative, with metadata. [W m⁻² sr⁻¹]
     scene : Scene
         Observer, lights, and the camera that renders the map.
     sun : str
@@ -53,11 +53,11 @@ class EnvironmentMap:
     ground : str
         Name from ``GROUNDS``.
     discs : tuple of Disc
-        Discs of the lights that are seen, in the map or not.
+        Discs of the visible lights, whether rendered into the map or not.
     gamut : GamutChange
-        Difference that the mapping into the gamut of sRGB made to the map.
+        Change of the map by gamut mapping to sRGB.
     placed : bool
-        Whether latitude and longitude of the scene are a place that somebody named.
+        Whether latitude and longitude of the scene were given by the user.
     planet : str
         Name of the planet.
     """
@@ -102,7 +102,7 @@ def map_camera(consumer: Consumer, width: int, height: int, sun_azimuth: float) 
     Parameters
     ----------
     consumer : Consumer
-        Program.
+        Target program.
     width, height : int
         Size of the map. [pixel]
     sun_azimuth : float
