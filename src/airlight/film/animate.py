@@ -26,12 +26,12 @@ from airlight.scene.metering import METERED
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
 
-#: Exposure of a film: a smooth curve, that of the first frame for all, or a number. [EV]
+#: Exposure of a film: smoothed metering, metering of the first frame for all frames, or a value.
+#: [EV]
 FilmExposure = float | Literal["auto", "locked"]
-#: Frames that are prepared before another one has to be read: of a film whose planet changes, each
-#: has its own.
+#: Maximum number of cached frame specifications; if the planet changes, each holds its own planet.
 _KEPT: Final = 512
-#: Frames by which the number of a film's solutions is estimated.
+#: Number of frames from which the number of a film's solutions is estimated.
 _SAMPLED: Final = 32
 #: Modules whose source is part of a frame's fingerprint.
 _SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("frame_spec.py", "finish.py"))
@@ -82,9 +82,9 @@ def animate(
 ) -> Animated:
     """Render the missing, damaged and changed frames of a film.
 
-    Each frame's file names in its header the fingerprint of all that defines it, and its checksum,
-    with which all its bytes are compared. A frame is written whole; a run that was interrupted, or
-    killed, loses only the frames that were being rendered.
+    The header of each frame's file holds a fingerprint of all inputs and a checksum of the file.
+    Files are written atomically: a run that is interrupted or killed loses only the frames in
+    progress.
 
     Parameters
     ----------
@@ -95,20 +95,20 @@ def animate(
     width, height : int
         Size of the frames. [pixel]
     how : Quality, optional
-        How their light is computed.
+        Accuracy of the solution and the rendering.
     finish : Finish, optional
         Format and display.
     exposure : float, "auto" or "locked"
-        ``auto`` meters three frames a second and follows them smoothly; ``locked`` is the first
-        frame's, of all. [EV]
+        ``auto`` meters three frames per second and smooths the result; ``locked`` applies the
+        metering of the first frame to all frames. [EV]
     movie : str or Path, optional
         Path of an MP4.
     name : str, optional
-        Name in those of the frames; the film's by default.
+        Prefix of the frames' file names; the film's name by default.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``.
     on_message : callable, optional
-        Receives lines about the course.
+        Receives progress messages.
     progress : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -119,12 +119,12 @@ def animate(
     Raises
     ------
     ParameterError
-        If a key of the film is wrong, or an option.
+        If a key of the film or an option is invalid.
     FileError
-        If the folder or the MP4 cannot be written to, the disk becomes full, another film is being
-        written to the folder, or it holds a file of a frame's name that is not a frame.
+        If the folder or the MP4 cannot be written, the disk is full, another film is being written
+        to the folder, or a file with the name of a frame is not a frame.
     WorkerError
-        If workers or their scheduler are lost.
+        If the connection to workers or their scheduler is lost.
     """
     how, finish = how or Quality(), finish or Finish()
     job = _Job(film, width, height, how, finish, exposure, progress)

@@ -32,15 +32,15 @@ class Film:
     Parameters
     ----------
     name : str
-        Name of the film, in the names of its frames.
+        Name of the film, the prefix of its frames' file names.
     plan : FilmPlan
         Frames, clock and key frames.
     tables : mapping
         Nested tables of the planet file, or of the scene file.
     file : str
-        Name of that file, in errors.
+        Name of that file, for error messages.
     folder : Path, optional
-        Folder of the files that it names.
+        Folder that relative paths in it refer to.
     view : mapping, optional
         Table of a ``PlanetView``, for a film of one planet; None for a scene.
     """

@@ -83,9 +83,9 @@ def occulted_light(
     source : LightSource
         Source of the light.
     light : LightPosition
-        The light.
+        Position of the light.
     lights : sequence of LightPosition
-        Lights of the scene; of several moons the nearest to the light occults.
+        Lights of the scene; only the moon nearest to the light occults it.
     """
     if isinstance(light, MoonLight):
         return source

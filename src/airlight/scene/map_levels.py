@@ -97,9 +97,9 @@ def area_weights(size: int, parts: int) -> tuple[NDArray[np.int64], NDArray[np.f
     Returns
     -------
     first : array, shape (parts,)
-        Index of the first texel in each part.
+        Index of the first texel that overlaps each part.
     weights : array, shape (parts, k)
-        Share of it and of the following ones in the part's mean. [1]
+        Weights of this and the following texels in the mean over the part. [1]
 
     Examples
     --------

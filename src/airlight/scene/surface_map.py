@@ -72,8 +72,7 @@ class SurfaceMap:
         Parameters
         ----------
         level : int
-            Level whose texels are added up: a coarser one is quicker, and differs by the rounding
-            of its texels.
+            Level that is averaged; coarser levels are faster, but their texels are rounded.
         """
         full = self.levels[level]
         edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, full.shape[0] + 1))
