@@ -61,9 +61,9 @@ class AerialErrors:
     Attributes
     ----------
     air_median, air_95, air_largest : float
-        Of a grey surface's light and the air's before it. [1]
+        Errors of the radiance of a grey surface with aerial perspective. [1]
     sky_median, sky_95, sky_largest : float
-        Of the sky and the ground, without the star's disc. [1]
+        Errors of the radiance of sky and ground, without the star's disc. [1]
     """
 
     air_median: float
@@ -79,8 +79,8 @@ class AerialPerspective:
     """Path radiance and transmittance to any point around an observer, and the sky behind.
 
     Directions are unit vectors in the observer's frame: x level towards the star, z up. Radiance
-    is in units of a white Lambert surface that faces the star without air, in each channel of
-    linear sRGB.
+    is relative to that of a white Lambert surface outside the atmosphere that faces the star, in
+    each channel of linear sRGB.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ class AerialPerspective:
     scene : Scene
         Observer and star.
     scale : array, shape (3,)
-        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+        Radiance of the unit of each channel. [W m⁻² sr⁻¹]
     errors : AerialErrors
         Errors, measured when the tables were filled.
     """
@@ -119,22 +119,22 @@ class AerialPerspective:
         solution : MomentsSolution
             Solution of the planet at three or more wavelengths.
         scene : Scene
-            Observer inside the air, and one light; its camera is not used.
+            Observer inside the atmosphere, and one light; the camera is ignored.
         nearest, farthest : float
-            Distances between which the air is tabled. Before nearer points it is proportional to
-            the distance; before farther ones it is that before the farthest. [m]
+            Range of tabulated distances: path radiance is proportional to distance below it, and
+            constant above it. [m]
         size : (int, int, int)
-            Azimuths, rows of each half, and steps of distance to a factor of ten.
+            Number of azimuths, of rows per hemisphere, and of distances per decade.
         sky_size : (int, int)
-            Azimuths, and rows of each half, of the tables.
+            Number of azimuths and of rows per hemisphere of the sky tables.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
         Raises
         ------
         ParameterError
-            If the observer is outside the air, there is more than one light, or a value is out of
-            its range.
+            If the observer is outside the atmosphere, there is more than one light, or a value is
+            out of range.
         Cancelled
             If ``cancel`` requested it.
         """
@@ -291,15 +291,15 @@ def check_request(
     Parameters
     ----------
     thickness : float
-        Thickness of the air. [m]
+        Thickness of the atmosphere. [m]
     scene, nearest, farthest, size, sky_size :
         Arguments of ``AerialPerspective.fill``.
 
     Raises
     ------
     ParameterError
-        If the observer is outside the air, there is more than one light, the camera has a
-        polarising filter, or a value is out of its range.
+        If the observer is outside the atmosphere, there is more than one light, the camera has a
+        polarising filter, or a value is out of range.
     """
     if scene.altitude >= thickness:
         allowed = f"below the top of the air, {thickness:g} m"
@@ -323,10 +323,10 @@ def _stored(values: FloatArray | Float32Array) -> Float32Array:
 
 
 def _errors(tables: AerialTables, march: _March) -> AerialErrors:
-    """Errors at random distances, even in the logarithm, and random directions.
+    """Errors at random directions, and random distances, uniform in the logarithm.
 
-    A third of these are even over the sphere, a third within 10° of the star, a third within 3° of
-    the horizon.
+    A third of the directions is uniform over the sphere, a third within 10° of the star, a third
+    within 3° of the horizon.
     """
     rng = np.random.default_rng(SEED)
     unit = rng.normal(size=(ERROR_POINTS, 3))

@@ -1,4 +1,4 @@
-"""Disc of a light, rendered at high resolution, for a separate light or for texels of a map.
+"""Disc of a light, rendered at high resolution, as a separate light or as part of a map.
 
 As map texels are often larger than the sun, the disc is rendered in a separate small frame with
 many pixels across it, which are then accumulated in the texels of the map. This conserves the
@@ -49,18 +49,18 @@ class Disc:
     Attributes
     ----------
     name : str
-        Name of the light's source.
+        Name of the light source.
     directions : array, shape (n, 3)
-        Directions of the pixels of its small picture in ENU: x east, y north, z up. [1]
+        Directions of the pixels of the disc's frame in ENU: x east, y north, z up. [1]
     light : array, shape (n, 3)
-        Irradiance by each of them on a plane that faces it: linear sRGB, not negative. [W m⁻²]
+        Normal irradiance of each pixel: linear sRGB, not negative. [W m⁻²]
     angular_diameter : float
-        Angular diameter outside the air. [deg]
+        Angular diameter without refraction. [deg]
     darkening : array, shape (3, 6)
-        Coefficients of the radiance over its mean by powers of the cosine of emergence, of red,
-        green and blue light at the ground. [1]
+        Limb darkening at the ground of red, green and blue: coefficients of powers of the cosine of
+        emergence, of the radiance relative to its mean. [1]
     moved : array, shape (3,)
-        Change of the irradiance by the mapping into the gamut. [W m⁻²]
+        Change of the irradiance by gamut mapping. [W m⁻²]
     """
 
     name: str
@@ -92,12 +92,12 @@ class Disc:
         return float(np.abs(self.moved).max() / grey_of(self.irradiance))
 
     def put_into(self, rgb: NDArray[np.float32], camera: Camera, to_local: FloatArray) -> None:
-        """Add its radiance to a map.
+        """Add the radiance of the disc to a map.
 
         Parameters
         ----------
         rgb : array, shape (height, width, 3)
-            Linear sRGB radiance, which receives it. [W m⁻² sr⁻¹]
+            Linear sRGB radiance, modified in place. [W m⁻² sr⁻¹]
         camera : Camera
             Camera of the map.
         to_local : array, shape (3, 3)

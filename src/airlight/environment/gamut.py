@@ -26,7 +26,7 @@ class GamutChange:
     Attributes
     ----------
     share : float
-        Share of the texels that had a negative channel. [1]
+        Fraction of the texels that had a negative channel. [1]
     largest : float
         Largest change of a channel over the luminance of its texel. [1]
     """
@@ -53,7 +53,7 @@ def without_negatives(
     Returns
     -------
     (array, GamutChange)
-        Colours of the same luminance without negative channels; black where that is not positive.
+        Colours of the same luminance without negative channels; black if it is not positive.
 
     Examples
     --------
@@ -82,7 +82,7 @@ def bring_into_gamut(rgb: NDArray[np.float32]) -> GamutChange:
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Linear sRGB, which is changed.
+        Linear sRGB, modified in place.
     """
     share, largest = 0.0, 0.0
     step = max(1, _BLOCK // max(rgb.shape[1], 1))

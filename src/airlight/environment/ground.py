@@ -37,8 +37,8 @@ def grey_ground(planet: Planet) -> Planet:
     Returns
     -------
     Planet
-        Planet without map, lamps and clouds; its albedo is the mean over the star's light, weighted
-        by the luminous efficiency.
+        Planet without map, lamps and clouds; its albedo is the mean over the star's spectrum,
+        weighted by luminous efficiency.
 
     Examples
     --------
@@ -66,7 +66,7 @@ def blacken_ground(rgb: NDArray[np.float32], solution: MomentsSolution, scene: S
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Map, which is changed.
+        Map, modified in place.
     solution : MomentsSolution
         Solution of the planet.
     scene : Scene

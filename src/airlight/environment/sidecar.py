@@ -34,7 +34,7 @@ def described(made: EnvironmentMap, name: str, scale: float) -> dict[str, Any]:
     name : str
         Name of its file.
     scale : float
-        Factor of the file's numbers over radiances. [1]
+        Ratio of the file's numbers to radiances. [1]
 
     Returns
     -------

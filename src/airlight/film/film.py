@@ -62,12 +62,12 @@ class Film:
         width, height : int
             Size of the frame. [pixel]
         how : Quality
-            How its light is computed.
+            Accuracy of the solution and the rendering.
 
         Raises
         ------
         ParameterError
-            If a key's path leads nowhere, or its value is out of range there.
+            If the path of a key does not exist, or a value is out of range.
         """
         changes = self.plan.changes(number)
         if self.view is not None:
@@ -140,7 +140,7 @@ class Film:
         else:
             start, end = (_instant(text, name) for text, name in
                           ((plan.start, "start"), (plan.end, "end")))  # fmt: skip
-        return start + plan.share(number) * (end - start)
+        return start + plan.normalised_time(number) * (end - start)
 
     @cached_property
     def _span(self) -> tuple[datetime, datetime]:
@@ -172,7 +172,7 @@ def _instant(text: str, name: str) -> datetime:
 
 
 def _of_a_key(error: ParameterError) -> ParameterError:
-    """Error with the field named by its key in the film file."""
+    """Name the field of an error by its key in the film file."""
     if error.field != FIELD:
         return error
     return ParameterError("film.keys", error.value, error.allowed, error.file)

@@ -43,15 +43,15 @@ def finished(
     Parameters
     ----------
     frame : Frame
-        Light of the frame.
+        Frame.
     finish : Finish
         Format and display.
     exposure : float
         Exposure of a PNG. [EV]
     eye : bool
-        Whether faint light is seen as by an eye in the dark.
+        Whether mesopic vision of the dark-adapted eye is simulated.
     metadata : mapping
-        Facts for the header. How long a solution took is left out: equal frames are equal files.
+        Metadata for the header, without computation times, so that equal frames are equal files.
     """
     inherited = {name: text for name, text in frame.metadata.items() if name != "solver"}
     plain = Frame(

@@ -37,9 +37,9 @@ class Present:
     Attributes
     ----------
     fingerprints : dict of int to str
-        Fingerprints of the frames that are whole, by number.
+        Fingerprints of the intact frames, by number.
     damaged : frozenset of int
-        Numbers of the frames that are not as they were written.
+        Numbers of the frames with a wrong checksum.
     """
 
     fingerprints: dict[int, str]
@@ -47,12 +47,12 @@ class Present:
 
 
 class FramesFolder:
-    """Folder with the frames ``NAME_00001.png``, ``NAME_00002.png`` …, as fulldome players want.
+    """Folder with the frames ``NAME_00001.png``, ``NAME_00002.png`` …, as for fulldome players.
 
     Parameters
     ----------
     folder : Path
-        Folder; it is made if the folder above it is there.
+        Folder; created if its parent exists.
     name : str
         Name of the film.
     suffix : str
@@ -126,7 +126,7 @@ class FramesFolder:
         Raises
         ------
         FileError
-            If the folder cannot be made or written to, or another film is at work in it.
+            If the folder cannot be created or written, or is locked by another run.
         """
         try:
             self.folder.mkdir(exist_ok=True)

@@ -30,10 +30,10 @@ class KeyFrames(Record):
     Parameters
     ----------
     path : str
-        Path of the number: of a scene file ``observer.altitude``, of a view ``view.sun_zenith``, of
-        a planet file ``haze.particles.optical_depth``.
+        Path of the parameter: ``observer.altitude`` in a scene file, ``view.sun_zenith`` in a view,
+        ``haze.particles.optical_depth`` in a planet file.
     values : list
-        Numbers, or texts with a unit, as the file takes them; lists of them for a vector.
+        Numbers, or texts with a unit, as in the file; lists of them for a vector.
     at : tuple of float, optional
         Normalised times, ascending; evenly from 0 to 1 by default. [1]
     law : str
@@ -87,17 +87,17 @@ class KeyFrames(Record):
         if self.law in LOGARITHMIC and not (numbers > 0.0).all():
             raise ParameterError("values", self.values, f"numbers above 0 by the law {self.law}")
 
-    def value(self, share: float) -> Any:
+    def value(self, time: float) -> Any:
         """Value at a time as in a file: number, text with unit, or list.
 
         Parameters
         ----------
-        share : float
-            Moment, 0 at the first frame and 1 at the last. [1]
+        time : float
+            Normalised time, 0 at the first frame and 1 at the last. [1]
         """
         numbers, unit = self._numbers()
         at = np.linspace(0.0, 1.0, len(numbers)) if self.at is None else np.array(self.at)
-        row = LAWS[self.law](at, numbers, np.array([share]))[0]
+        row = LAWS[self.law](at, numbers, np.array([time]))[0]
         # Fifteen digits: what a law leaves in the last bit is no part of the value.
         texts = [float(f"{number:.15g}") for number in row]
         items = [f"{number!r} {unit}" if unit else number for number in texts]

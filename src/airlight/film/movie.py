@@ -33,16 +33,16 @@ def check_movie(path: Path, field: str) -> None:
     Parameters
     ----------
     path : Path
-        Path of the future MP4.
+        Path of the MP4.
     field : str
-        Name in errors.
+        Name of the option, for error messages.
 
     Raises
     ------
     ParameterError
         If imageio-ffmpeg is not installed.
     FileError
-        If nothing can be written there.
+        If the path is not writable.
     """
     check_target(path)
     if util.find_spec("imageio_ffmpeg") is None:
@@ -58,10 +58,10 @@ def write_movie(
     Parameters
     ----------
     path : Path
-        Path of the file, which appears whole or not at all.
+        Path of the file, which is written atomically.
     frames : sequence of Path
-        PNG frames of one size, of eight bits, sRGB, in order. An odd last row or column is left
-        out, which the format does not have.
+        PNG frames of equal size, 8 bits, sRGB, in order. An odd last row or column is cropped, as
+        4:2:0 requires even sizes.
     rate : float
         Frames per second. [1/s]
     progress : callable, optional
@@ -70,7 +70,7 @@ def write_movie(
     Raises
     ------
     FileError
-        If a frame cannot be read, or ffmpeg fails, as where the disk becomes full.
+        If a frame cannot be read, or ffmpeg fails, for instance because the disk is full.
     """
     import imageio_ffmpeg
 

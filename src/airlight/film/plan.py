@@ -26,15 +26,15 @@ class FilmPlan(Record):
     Parameters
     ----------
     frames : float
-        Number of frames, whole. [1]
+        Number of frames, an integer. [1]
     rate : float
-        Frames per second when it is shown. [1/s]
+        Frames per second of playback. [1/s]
     start, end : str, optional
         Instants of the first and the last frame; the clock runs evenly between them.
     zone : str, optional
         Zone of instants without one.
     keys : tuple of KeyFrames
-        Numbers that change.
+        Animated parameters.
     """
 
     frames: Annotated[
@@ -92,10 +92,10 @@ class FilmPlan(Record):
         """Number of frames."""
         return int(self.frames)
 
-    def share(self, number: int) -> float:
+    def normalised_time(self, number: int) -> float:
         """Normalised time of a frame, from 0 to 1. [1]"""
         return number / max(self.count - 1, 1)
 
     def changes(self, number: int) -> dict[str, Any]:
         """Values of all animated parameters at a frame, by path."""
-        return {key.path: key.value(self.share(number)) for key in self.keys}
+        return {key.path: key.value(self.normalised_time(number)) for key in self.keys}

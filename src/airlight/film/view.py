@@ -32,11 +32,11 @@ class PlanetView(Record):
     altitude : float
         Altitude of the observer. [m]
     sun_zenith, sun_azimuth : float, optional
-        Zenith angle and compass bearing of the sun, where no clock gives them. [deg]
+        Zenith angle and compass bearing of the sun, for films without a clock. [deg]
     look_at : str, optional
         Target as for ``airlight.scene.look_at``; ``horizon`` by default.
     look_zenith, look_azimuth : float, optional
-        Instead: zenith angle, and azimuth from the sun's side. [deg]
+        Alternative to ``look_at``: zenith angle, and azimuth from the sun's side. [deg]
     roll : float
         Clockwise rotation of the camera. [deg]
     polariser : float, optional
@@ -143,15 +143,15 @@ class PlanetView(Record):
         planet : Planet
             Planet.
         time : datetime, optional
-            Instant that gives the sun.
+            Instant that determines the position of the sun.
         width, height : int
             Size of the frame. [pixel]
 
         Raises
         ------
         ParameterError
-            If angles of the sun are given beside a time, the target is unknown, or stars cannot be
-            shown.
+            If angles of the sun are given together with a time, the target is unknown, or stars
+            cannot be rendered.
         """
         parallel, extent = PROJECTIONS[self.projection].parallel, self.extent
         if parallel and extent is None:
