@@ -26,7 +26,7 @@ class Preparing:
     Attributes
     ----------
     ahead : CompiledAhead
-        The other process.
+        Process that compiles the renderer.
     """
 
     def __init__(self, wake: Callable[[], None]) -> None:

@@ -36,7 +36,7 @@ _REPORT_EVERY: Final = 0.1
 
 
 class ObservableSession(Protocol):
-    """ObservableSession source of solve requests: a session or one of its sides."""
+    """Observable source of solve requests: a session or one of its sides."""
 
     @property
     def solve_request(self) -> SolveRequest:

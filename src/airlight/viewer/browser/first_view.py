@@ -32,7 +32,7 @@ def first_view(
     Parameters
     ----------
     solution : MomentsSolution
-        Solution that the page carries.
+        Solution embedded in the page.
     values : mapping
         View values by path.
     progress, cancel : callable, optional
@@ -42,7 +42,7 @@ def first_view(
     -------
     dict
         ``address``: WebP as a ``data:`` URI; ``fit``: how it fills the window, in CSS: ``cover`` in
-        perspective, ``contain`` where the projection has a shape of its own.
+        perspective, ``contain`` for projections with a fixed aspect ratio.
     """
     scene = scene_of(values, SIDE, SIDE)
     frame = render(

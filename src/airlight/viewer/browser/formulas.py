@@ -130,7 +130,7 @@ def emitted_formulas() -> Emitter:
 
 @cache
 def formulas_text() -> str:
-    """Text of ``generated/formulas.js``: formulas, and facts of projections."""
+    """Text of ``generated/formulas.js``: formulas, and properties of projections."""
     angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     connected = [name for name, form in PROJECTIONS.items() if form.connected]

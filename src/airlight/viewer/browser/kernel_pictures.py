@@ -29,7 +29,7 @@ class Order(NamedTuple):
     Attributes
     ----------
     number : int
-        Number of the request, which the answer repeats.
+        Number of the request, repeated in the answer.
     solution : MomentsSolution
     view : mapping
         View values by path.
@@ -62,7 +62,7 @@ class KernelPictures:
         self.preparing: Preparing | None = None
 
     def prepare(self, wake: Callable[[], None]) -> None:
-        """Compile in another process what renders, which leaves this one free to answer.
+        """Compile the renderer in another process, so that this one remains responsive.
 
         Parameters
         ----------

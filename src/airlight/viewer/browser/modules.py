@@ -40,7 +40,7 @@ def _keys_module() -> str:
 
 
 def _sizes_module() -> str:
-    """Text of the module with the sizes of textures on which shaders and page must agree."""
+    """Text of the module with texture sizes shared by shaders and page."""
     channels = {form: count for count, form in FORMATS.items()} | {PACKED_FORMAT: 4}
     return (
         f"export const ROW = {FLAT_WIDTH};\nexport const PACKED_ROW = {PACKED_WIDTH};\n"

@@ -32,7 +32,7 @@ except ImportError as error:
 
 
 def _first_session(planet: str | Path) -> Session:
-    """Session on a planet in its first view, with nothing to undo."""
+    """Session on a planet in its initial view, with an empty history."""
     session = Session(planet)
     session.move(first_view(session))
     session.forget_steps()
@@ -52,15 +52,15 @@ class Viewer(anywidget.AnyWidget):
     height : int
         Height of the widget. [pixel]
     device : str
-        What renders: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s CPU, or
-        ``auto``: a GPU of the browser, else the kernel.
+        Renderer: ``webgpu`` or ``webgl2`` of the browser, the CPU of the ``kernel``, or ``auto``:
+        a GPU of the browser, else the kernel.
     solving : callable, optional
-        Factory of the solving thread, with the arguments of ``SolverThread``.
+        Factory of the solver thread, with the arguments of ``SolverThread``.
 
     Attributes
     ----------
     session : Session
-        Session that is shown; its changes are followed.
+        Displayed session; the viewer observes its changes.
     values : dict
         Values of all parameters by path, synchronised both ways. [parameter.unit]
     status, message : str
@@ -153,7 +153,7 @@ class Viewer(anywidget.AnyWidget):
         return done
 
     def close(self) -> None:
-        """End the solving thread and close the widget; later calls do nothing to the thread."""
+        """End the solver thread and close the widget; further calls do not affect the thread."""
         ending, self._ending = self._ending, ()
         for end in ending:
             end()
@@ -188,7 +188,7 @@ class Viewer(anywidget.AnyWidget):
             self._telling = False
 
     def _wake(self) -> None:
-        """Pass a new solution from the solving thread to the notebook's event loop."""
+        """Pass a new solution from the solver thread to the notebook's event loop."""
         if self._loop is None or self._loop.is_closed():
             self._follow_solution()
         else:
@@ -234,10 +234,10 @@ class Viewer(anywidget.AnyWidget):
     # --- from the browser ---------------------------------------------------------------------
 
     def _take_messages(self, change: Mapping[str, Any]) -> None:
-        """Act on the browser's messages that have not been heard, in order.
+        """Handle the browser's new messages, in order.
 
-        A host may merge updates, or repeat them: each view therefore sends all its messages until
-        it knows them heard, numbered.
+        As hosts may merge or repeat updates, each view numbers its messages and sends them until
+        they are acknowledged.
         """
         heard = dict(self.heard)
         faults = []

@@ -32,11 +32,11 @@ def ground_radiance(
     solution : MomentsSolution
         Displayed solution.
     sight : Sight
-        A line of sight that ends on the ground.
+        Line of sight that ends on the ground.
     parts : Parts
-        Its light over ground of the solver's albedo.
+        Contributions along it for ground of the solver's albedo.
     color : array, shape (4,), or None
-        Linear sRGB reflectance and share of water there, without a map None. [1]
+        Linear sRGB reflectance and water fraction of the ground; None without a map. [1]
     clouds : (float, float) or None
         Result of ``probed_clouds``. [1]
 

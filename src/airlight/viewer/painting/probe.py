@@ -1,7 +1,7 @@
 """Probe of one direction: spectrum, luminance, chromaticity, optical depths, contributions.
 
 Computed on the CPU from the moments of the displayed solution, in some milliseconds per direction.
-Each contribution is integrated separately, not by difference.
+Each contribution is integrated separately, not computed by difference.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ class Probe:
     distance : float
         Straight distance to the ground; infinite if the line of sight misses it. [m]
     latitude, longitude : float or None
-        Coordinates of the ground that is seen; None without ground. [deg]
+        Coordinates of the visible ground; None without ground. [deg]
     parts : tuple of Contribution
         Parts that sum to ``radiance``.
     """
@@ -132,7 +132,7 @@ def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None
     Raises
     ------
     ParameterError
-        If the position is outside the frame, or the solution is another solver's.
+        If the position is outside the frame, or the solution is not by moments.
     """
     direction = pixel_direction(scene.camera, x, y)
     return None if direction is None else probe(solution, scene, direction)
@@ -185,12 +185,12 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     Raises
     ------
     ParameterError
-        If the solution is another solver's.
+        If the solution is not by moments.
 
     Notes
     -----
-    With refraction, the point on the ground is that of a straight line of sight; its error is up
-    to the angle of refraction, half a degree on Earth.
+    The point on the ground neglects refraction; its error is up to the angle of refraction, half a
+    degree on Earth.
     """
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "one of the moments solver")

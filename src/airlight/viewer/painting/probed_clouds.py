@@ -34,7 +34,7 @@ def probed_clouds(
     direction : array, shape (3,)
         Direction in the observer's frame. [1]
     distance : float
-        Distance to the ground; infinite without. [m]
+        Distance to the ground; infinite if there is none. [m]
     position : LightPosition
         Position of the light.
 

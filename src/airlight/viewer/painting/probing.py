@@ -31,7 +31,7 @@ class ProbeResult:
     quality : str
         Description of the wavelengths of ``spectrum``.
     place : (float, float)
-        Position on the picture, as fractions of its width and height. [1]
+        Position in the picture, as fractions of its width and height. [1]
     """
 
     probe: Probe

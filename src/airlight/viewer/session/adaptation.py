@@ -53,9 +53,9 @@ class Adaptation:
         Parameters
         ----------
         measured : float
-            Automatic exposure of the light that it shows. [EV]
+            Metered exposure of that frame. [EV]
         held : bool
-            Whether the exposure stays as it is, locked or while the air is edited.
+            Whether the exposure is unchanged: locked, or during edits of the atmosphere.
         """
         with self._lock:
             now = self._clock()

@@ -122,7 +122,7 @@ class Editing:
     def holds_exposure(self) -> bool:
         """Whether the automatic exposure is locked, by the user or during a drag of the planet.
 
-        Darker air then looks darker until the drag ends.
+        A darker atmosphere then also looks darker until the drag ends.
         """
         dragged = self._side.dragged
         edits = bool(dragged) and dragged not in VIEW_VALUE

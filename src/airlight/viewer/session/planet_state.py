@@ -50,7 +50,7 @@ class PlanetState:
         Raises
         ------
         FileError, ParameterError
-            If there is none, or it has an undeclared key.
+            If the planet does not exist, or has an undeclared key.
         """
         text, file, folder = planet_text(name_or_path)
         tables = nested_tables(text, file)

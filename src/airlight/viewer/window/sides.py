@@ -99,13 +99,13 @@ class Sides:
         )
 
     def picture(self, side: str = "") -> Picture | None:
-        """Picture shown of a side, by default of the edited one."""
+        """Displayed picture of a side, by default of the edited side."""
         return self._pictures.get(side or self._session.showing)
 
     def outdated(self, side: str = "") -> str:
-        """What a side whose picture is old is doing; empty if its picture is as requested.
+        """Current task of a side with an outdated picture; empty if the picture is up to date.
 
-        While pictures keep coming, as in flight, the last one counts as new.
+        During continuous updates, as in flight, the last picture counts as up to date.
         """
         side = side or self._session.showing
         shown, solved = self._pictures.get(side), self.solved(side)
@@ -121,7 +121,7 @@ class Sides:
         return f"{side}: rendering …"
 
     def solved(self, side: str = "") -> SolverResult | None:
-        """Newest solution of a side, by default of the edited one."""
+        """Newest solution of a side, by default of the edited side."""
         solving = self._solvings.get(side or self._session.showing)
         return None if solving is None else solving.latest
 

@@ -183,7 +183,7 @@ def opened(start: Start) -> Session:
 
 
 def _is_plain(session: Session) -> bool:
-    """Whether the planet has no edits: its solution is kept for the next start."""
+    """Whether the planet has no edits, so that its solution is cached for the next start."""
     return not session.planet.changes and not session.planet.off
 
 

@@ -53,7 +53,7 @@ class Window:
     Parameters
     ----------
     session : Session
-        Session that is shown and edited.
+        Displayed and edited session.
     canvas : Canvas
         Canvas on the desktop or offscreen.
     device : wgpu.GPUDevice
@@ -150,7 +150,7 @@ class Window:
         return status.text if self._preparing is None else self._preparing.text(status)
 
     def shown(self, side: str = "") -> Picture | None:
-        """Picture of a side in the last frame, by default of the edited one."""
+        """Picture of a side in the last frame, by default of the edited side."""
         return self._sides.picture(side)
 
     # --- frames -------------------------------------------------------------------------------

@@ -27,7 +27,7 @@ class RowInput(NamedTuple):
     place : (float, float, float, float)
         Rectangle of the control: left, top, right, bottom. [logical pixel]
     texts : tuple of (str, float, float)
-        Label and value as shown, with the width that each has, and that it needs. [logical pixel]
+        Label and value as shown, with the available and the required width. [logical pixel]
     """
 
     value: Value | None

@@ -1,4 +1,4 @@
-"""Status line: what is shown, its quality and timing, and errors."""
+"""Status line: view, quality, timing, and errors."""
 
 from __future__ import annotations
 
