@@ -1,7 +1,7 @@
 """One frame from a solution that is there already, by size and by projection.
 
-Target: 1280 x 720 of Earth from 400 km, 16 wavelengths, default quality, within 0.4 s on two quiet
-cores, the table of the sky included; marched exactly within 3 s.
+Bar: 1280 x 720 of Earth from 400 km, 16 wavelengths, default quality, within 0.4 s on two quiet
+cores, the sky-view LUT included; marched exactly within 3 s.
 
 Run with ``pytest benchmarks/bench_frame.py``; ``AIRLIGHT_THREADS=1`` gives the work of one core.
 """

@@ -1,6 +1,6 @@
 """Frames of the GPU: drawn for a window, read back as numbers, and what an empty frame costs.
 
-Target: 20 frames a second at 960 x 540 with the sky table, on two cores and lavapipe (no GPU at all).
+Bar: 20 frames a second at 960 x 540 with the sky-view LUT, on two cores and lavapipe (software).
 A frame begins with a moved camera and ends when the device has done it; beside the time stands the
 part of it that the device's own clock gives to our passes.
 
@@ -24,7 +24,7 @@ from airlight.gpu.device.device import Device, NoDevice, open_device
 from airlight.gpu.device.flat import flat_texture, read_texture, update_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.device.pass_times import PassTimes
-from airlight.gpu.picture.pictures import QUICK_SKY_SHAPE, SKY_SHAPE, Pictures
+from airlight.gpu.picture.gpu_renderer import QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE, GpuRenderer
 
 SIZES = [(960, 540), (1920, 1080)]
 FORMAT = "rgba8unorm"
@@ -47,8 +47,8 @@ def device() -> Device:
 @pytest.fixture(scope="module")
 def pictures(device: Device, earth: Any) -> Any:
     solution = solve(earth, few_wavelengths(4, *earth.wavelength_limits), cache=False)
-    made = Pictures(device)
-    made.show(solution)
+    made = GpuRenderer(device)
+    made.set_solution(solution)
     return made
 
 
@@ -116,42 +116,42 @@ def test_tables(benchmark: Any, device: Device, way: str) -> None:
 
 @pytest.mark.benchmark(group="a frame for the window")
 @pytest.mark.parametrize("size", SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
-@pytest.mark.parametrize("table", [QUICK_SKY_SHAPE, SKY_SHAPE], ids=["moving", "resting"])
+@pytest.mark.parametrize("table", [QUICK_SKY_VIEW_SIZE, SKY_VIEW_SIZE], ids=["moving", "resting"])
 @pytest.mark.parametrize("place", PLACES)
 def test_drawn_frame(
     benchmark: Any, device: Device, pictures: Any, place: str, table: Any, size: Any, tell: Any
 ) -> None:
-    # the sky table, the look-ups and the tone map, into a texture as a window has it; the smaller
-    # table is what the window takes on a software device while something moves
+    # sky-view LUT, pixels and tone map, into a texture as in the window; the smaller LUT is that of
+    # software GPUs while the view moves
     view, following = target(device, size).create_view(), scenes(place, size)
-    pictures.sky_shape = table
+    pictures.sky_view_size = table
     spent: list[float] = []
 
     def frame() -> None:
         began = process_time()
-        pictures.draw(following(), view, FORMAT, exposure=-2.5, tone_map="aces")
+        pictures.display(following(), view, FORMAT, exposure=-2.5, tone_map="aces")
         device.wait()
         spent.append(process_time() - began)
 
     frame()  # compiles the shaders
     spent.clear()
     benchmark.pedantic(frame, rounds=15)
-    pictures.sky_shape = SKY_SHAPE
+    pictures.sky_view_size = SKY_VIEW_SIZE
     rate = 1.0 / benchmark.stats.stats.median
     tell(
         f"{device}, {place}, {size}, table {table}: {rate:.1f} frames a second, "
-        f"{1e3 * np.median(spent):.0f} ms of processor time a frame"
+        f"{1e3 * np.median(spent):.0f} ms of CPU time a frame"
     )
 
 
 @pytest.mark.benchmark(group="a frame as numbers")
-@pytest.mark.parametrize("exact", [False, True], ids=["sky table", "every pixel marched"])
+@pytest.mark.parametrize("exact", [False, True], ids=["sky-view LUT", "every pixel marched"])
 @pytest.mark.parametrize("place", PLACES)
 def test_frame_as_numbers(benchmark: Any, pictures: Any, place: str, exact: bool) -> None:
     # linear light in float32, read back: what ``airlight render --device gpu`` waits for
     following = scenes(place, SIZES[0])
-    pictures.frame(following(), exact=exact)
-    benchmark.pedantic(lambda: pictures.frame(following(), exact=exact), rounds=3)
+    pictures.render(following(), exact=exact)
+    benchmark.pedantic(lambda: pictures.render(following(), exact=exact), rounds=3)
 
 
 @pytest.mark.benchmark(group="a new solution on the GPU")
@@ -160,7 +160,7 @@ def test_show(benchmark: Any, device: Device, pictures: Any, earth: Any) -> None
     solution = solve(earth, few_wavelengths(4, *earth.wavelength_limits), "preview", cache=False)
 
     def show() -> None:
-        pictures.show(solution)
+        pictures.set_solution(solution)
         device.wait()
 
     benchmark(show)

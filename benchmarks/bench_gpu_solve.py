@@ -17,10 +17,10 @@ import pytest
 from airlight import load_planet
 from airlight.gpu.device.device import NoDevice, open_device
 from airlight.gpu.device.pass_times import PassTimes
+from airlight.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.gpu.solver.passes import MIX, ONCE, PACK, SWEEP
 from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import solve_on
-from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.settings import settings_for
 from airlight.solvers.refracted_geometry import RefractedGeometry
@@ -62,7 +62,7 @@ def test_passes(
 ) -> None:
     geometry = RefractedGeometry.of(Medium.from_planet(load_planet(planet), NM))
     seconds: dict[str, float] = {}
-    with borrowed_sweeper(device) as sweeper:
+    with pooled_iteration(device) as sweeper:
         sweeper.load(plan_for(geometry, settings_for(quality)))
         sweeper.begin()
         benchmark.pedantic(sweeper.sweep, rounds=3, warmup_rounds=1)

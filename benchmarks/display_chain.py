@@ -85,7 +85,7 @@ def shortest(work: Callable[[], object], clock: Callable[[], float]) -> float:
 
 
 def by_frame(count: int) -> None:
-    """Print a line for each frame of Earth: light and display, of the processor's time.
+    """Print a line for each frame of Earth: light and display, of the CPU's time.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def by_device() -> None:
     from airlight.gpu.device.device import open_device
     from airlight.gpu.device.fragment_pass import FragmentPass
     from airlight.gpu.picture.display_passes import LINEAR, DisplayPasses
-    from airlight.pixels.picture_numbers import display_numbers
+    from airlight.pixels.view_uniforms import display_uniforms
 
     device = open_device()
     chain = DisplayPasses(device)
@@ -133,8 +133,8 @@ def by_device() -> None:
 
     def shown(glare: float, again: bool) -> None:
         chain.drawn = object() if again else "sky"
-        numbers = {**display_numbers(-4.0, "natural", "srgb"), "glare": glare}
-        chain.show(numbers, PIXEL, target, TARGET)
+        numbers = {**display_uniforms(-4.0, "natural", "srgb"), "glare": glare}
+        chain.display(numbers, PIXEL, target, TARGET)
 
     works = {
         "fill": lambda: fill.draw({}, [target]),
@@ -152,7 +152,7 @@ def by_device() -> None:
 
         done()
         wall, own = shortest(done, time.perf_counter), shortest(done, time.process_time)
-        print(f"{name:20s} {1e3 * wall:6.1f} ms  {1e3 * own:6.1f} ms of the processor")
+        print(f"{name:20s} {1e3 * wall:6.1f} ms  {1e3 * own:6.1f} ms of the CPU")
 
 
 def main() -> None:

@@ -29,11 +29,12 @@ FloatArray = NDArray[np.float64]
 EARTH, SHELL = 6360e3, 60e3
 
 ABOUT = """\
-Quality `{quality}`: one kind of particle (Henyey-Greenstein), scale height an eighth of the shell,
-550 nm. Seconds are CPU time of the solve. Energy: light that came, less what left the top and
-what the ground kept, over what came, where the air absorbs nothing. Verdict *solved* includes
-radiances, finite and not negative, from the ground, the top and above it, under suns and towards
-directions in the zenith, on both horizons, level and in the nadir.
+`python benchmarks/extremes.py docs/reliability.md`, quality `{quality}`: one kind of particle
+(Henyey-Greenstein), scale height an eighth of the shell, 550 nm. Seconds are CPU time of the
+solve. Energy: light that came, less what left the top and what the ground kept, over what came,
+where the air absorbs nothing. Verdict *solved* includes radiances, finite and not negative, from
+the ground, the top and above it, under suns and towards directions in the zenith, on both
+horizons, level and in the nadir.
 """
 EDGE_ABOUT = """
 Light exactly on an edge, less that of the nearer neighbour (1e-6 of the shell or 1e-5 degrees

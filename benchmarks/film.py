@@ -6,7 +6,7 @@
 
 The compiled code is on disk, and so is the solution unless ``--cold`` takes it away. Each run is a
 process of its own with its own folder of frames. The machine's load before the run is said, and the
-processor time of the command and its processes, which other work on the machine lengthens less.
+CPU time of the command and its processes, which other work on the machine lengthens less.
 The frames of all runs are compared byte by byte.
 """
 
@@ -29,7 +29,7 @@ CODE = "import sys; from airlight.cli import main; sys.exit(main(sys.argv[1:]))"
 def run(
     folder: Path, frames: int, size: str, workers: int | None, quality: str
 ) -> tuple[float, float]:
-    """Clock and processor time of one film. [s]"""
+    """Clock and CPU time of one film. [s]"""
     words = [
         "animate", "earth", "--frames", str(frames), "--size", size, "--quality", quality,
         "--key", "view.sun_zenith=84deg,97deg", "--set", "view.look_zenith=85deg",
@@ -70,7 +70,7 @@ def main() -> None:
             digests.add(content)
             print(
                 f"workers {workers or 'by default'}: {len(files)} frames of {given.size} in "
-                f"{seconds:.1f} s, {used:.1f} s of processor, {used / given.frames:.2f} a frame; "
+                f"{seconds:.1f} s, {used:.1f} s of CPU, {used / given.frames:.2f} a frame; "
                 f"started again {again:.1f} s; load before {load:.1f}; {content[:12]}",
                 flush=True,
             )

@@ -122,7 +122,7 @@ def cases() -> dict[str, dict[str, Any]]:
 
 
 def measured(case: dict[str, Any]) -> tuple[float, float, float, Any] | str:
-    """Processor time, time on the clock [s], peak memory [MiB], values; or why there are none."""
+    """CPU time, time on the clock [s], peak memory [MiB], values; or why there are none."""
     words = [json.dumps(case), str(Path(__file__).parent)]
     done = subprocess.run(
         [sys.executable, "-P", "-c", CHILD, *words], capture_output=True, text=True, check=False
@@ -145,7 +145,7 @@ def draw(results: dict[str, tuple[float, Any]], path: Path, load: float) -> None
     figure = new_figure(
         "Time against error: a polarised Rayleigh sky, optical depths 0.1 and 0.5",
         "Error of I against fine: median and quartiles of 54 lines of sight. The best of both\n"
-        f"differ by 0.13 %. Processor time of both cores, at a load of {load:.0f}",
+        f"differ by 0.13 %. CPU time of both cores, at a load of {load:.0f}",
     )
     axes = figure.subplots()
     kinds = {"moments": ("airlight, processor", "o"), "device": ("airlight, lavapipe", "s"),
@@ -162,7 +162,7 @@ def draw(results: dict[str, tuple[float, Any]], path: Path, load: float) -> None
             word = name.removeprefix("SASKTRAN ").removeprefix("moments ").removesuffix(", device")
             axes.annotate(word.replace(" x ", " × "), (at, error), (6, 5),
                           textcoords="offset points", fontsize=8)  # fmt: skip
-    axes.set(xscale="log", yscale="log", xlabel="processor time [s]", ylabel="error of I [%]")
+    axes.set(xscale="log", yscale="log", xlabel="CPU time [s]", ylabel="error of I [%]")
     axes.legend(frameon=False)
     grid(axes)
     with path.open("wb") as file:

@@ -7,13 +7,13 @@
 ``examples/engines/takram`` asks for) computes Bruneton's tables of its own default atmosphere,
 which is our preset ``earth-bruneton``, scalar and unbent; its ``SkyMaterial`` draws skies into
 targets of floats, which are read back. Ours are the page's solver in the same Chromium, and the
-processor and the GPU's passes without a browser. Errors are of radiance, against the moments
-solver's ``fine``, over the pixels of six views of the sky in three wavelengths: median, with the
+CPU and the GPU's passes without a browser. Errors are of radiance, against the moments solver's
+``fine``, over the pixels of six views of the sky in three wavelengths: median, with the
 quartiles as bars. The page's passes are those of the native device: its errors are read there.
 
-Processor time is that of all processes of the browser. Ours are timed at their second run, shaders
+CPU time is that of all processes of the browser. Ours are timed at their second run, shaders
 and loops compiled, the page's as it is shipped, polarised. In software takram's generator takes two
-minutes of processor, so it runs once, with its shaders. Without npm or Chromium their cases are
+minutes of CPU, so it runs once, with its shaders. Without npm or Chromium their cases are
 left out, and a line says why.
 """
 
@@ -152,7 +152,7 @@ def radiances(solution: Any) -> np.ndarray:
 
 
 def processor_time(root: int) -> float:
-    """Processor time of a process and all its descendants so far. [s]"""
+    """CPU time of a process and all its descendants so far. [s]"""
     parents: dict[int, int] = {}
     times: dict[int, float] = {}
     for place in Path("/proc").glob("[0-9]*/stat"):
@@ -173,7 +173,7 @@ def processor_time(root: int) -> float:
 
 
 def timed(call: Callable[[], Any], clock: Callable[[], float]) -> tuple[Any, float, float]:
-    """Result of a call, its processor time and its time. [s]"""
+    """Result of a call, its CPU time and its time. [s]"""
     spent, began = clock(), time.perf_counter()
     found = call()
     return found, clock() - spent, time.perf_counter() - began
@@ -183,7 +183,7 @@ Row = tuple[float, float, np.ndarray]
 
 
 def processor(quality: str) -> Row:
-    """Our solver on the processor."""
+    """Our solver on the CPU."""
     from airlight.planets.medium import Medium
     from airlight.solvers.moments.solve import solve
 
@@ -219,7 +219,7 @@ def scalar(quality: str) -> Any:
 
 
 def in_page(browser: Any, clock: Callable[[], float], folder: Path) -> tuple[float, float]:
-    """Processor time and time of the page's solver in the browser. [s]"""
+    """CPU time and time of the page's solver in the browser. [s]"""
     from airlight.planets.medium import Medium
     from airlight.solvers.moments.solve import solve
     from airlight.viewer.browser import page as pages
@@ -336,7 +336,7 @@ def rows() -> dict[str, Callable[[], Row | str]]:
 
 
 def draw(found: dict[str, tuple[float, np.ndarray]], path: Path, load: float) -> None:
-    """Plot the error against processor time."""
+    """Plot the error against CPU time."""
     from airlight.plots.figure import grid, new_figure, write_figure
 
     figure = new_figure(
@@ -349,7 +349,7 @@ def draw(found: dict[str, tuple[float, np.ndarray]], path: Path, load: float) ->
         low, middle, high = error
         axes.errorbar(spent, middle, [[middle - low], [high - middle]], fmt=marker, label=name,
                       capsize=3)  # fmt: skip
-    axes.set(xscale="log", yscale="log", xlabel="processor time [s]", ylabel="error [%]")
+    axes.set(xscale="log", yscale="log", xlabel="CPU time [s]", ylabel="error [%]")
     axes.legend(frameon=False, fontsize=8)
     grid(axes)
     with path.open("wb") as file:

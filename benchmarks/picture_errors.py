@@ -1,4 +1,4 @@
-"""Errors of pictures that the processor reads from the table of the sky, against exact marching.
+"""Errors of pictures that the CPU reads from the sky-view LUT, against exact marching.
 
 ``python benchmarks/picture_errors.py`` prints the table of docs/pictures.md; some minutes. The
 tests measure the same scenes, solved more coarsely.
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from airlight import Camera, Planet, Scene, load_planet, look_at, solve
 from airlight.color.display import to_display
 from airlight.color.exposure import automatic_exposure
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.solvers.moments.solution import MomentsSolution
 
 Float32Array = NDArray[np.float32]
@@ -118,12 +118,12 @@ class Errors:
     texels: int
 
 
-def rows_of(drawing: Drawing, camera: Camera, rows: range) -> Float32Array:
+def rows_of(renderer: CpuRenderer, camera: Camera, rows: range) -> Float32Array:
     """Some rows of a picture, shape (n, width, 3)."""
     whole = np.zeros((camera.height, camera.width, 3), np.float32)
-    drawing.fill_sky()
+    renderer.fill_sky_view()
     for row in rows:
-        drawing.draw(row, row + 1, whole)
+        renderer.render_rows(row, row + 1, whole)
     return whole[rows.start : rows.stop : rows.step]
 
 
@@ -135,10 +135,10 @@ def errors(solution: MomentsSolution, scene: Scene, count: int = ROWS) -> Errors
     camera = scene.camera
     step = max(1, camera.height // count)
     rows = range(step // 2, camera.height, step)
-    quick = Drawing(solution, scene)
+    quick = CpuRenderer(solution, scene)
     assert quick.window is not None
     drawn = rows_of(quick, camera, rows)
-    exact = rows_of(Drawing(solution, scene, exact=True), camera, rows)
+    exact = rows_of(CpuRenderer(solution, scene, exact=True), camera, rows)
     bright = np.abs(exact).max(axis=-1)
     lit = bright > 0.0
     floor = 1e-4 * np.quantile(bright[lit], 0.99)

@@ -3,14 +3,13 @@
     python benchmarks/scaling.py                    # everything, some minutes
     python benchmarks/scaling.py wavelengths pixels
 
-Processor time of one call and peak resident set of a process of its own, whose compiled code is
+CPU time of one call and peak resident set of a process of its own, whose compiled code is
 there and whose solution is not kept. The slope is that of the logarithms between two neighbouring
 sizes: 1 where cost grows in proportion, 0 where it does not grow.
 
 ``wavelengths``: solves of Earth, ``default``, over the visible. ``constituents``: of a gas and thin
 clouds of one kind, three wavelengths. ``radii`` and ``sun_angles``: nodes of the solver's grid,
-Earth, three wavelengths. ``pixels``: dome masters of Earth from the ground, from the table of the
-sky.
+Earth, three wavelengths. ``pixels``: dome masters of Earth from the ground, from the sky-view LUT.
 """
 
 from __future__ import annotations
@@ -75,7 +74,7 @@ print(json.dumps([time.process_time() - began, time.perf_counter() - clock,
 
 
 def measured(what: str, size: int) -> tuple[float, float, float]:
-    """Processor time, time on the clock [s] and peak memory [MiB] of one process."""
+    """CPU time, time on the clock [s] and peak memory [MiB] of one process."""
     done = subprocess.run(
         [sys.executable, "-P", "-c", CHILD, what, str(size)],
         check=True,

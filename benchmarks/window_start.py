@@ -7,9 +7,9 @@
 Each run is a process of its own; the window is drawn offscreen, in the size of a new window.
 ``frame`` is the first that shows anything, the preset's small picture; ``picture`` is the first
 of this planet and view, ``whole`` the first of the window's size, ``finished`` the last, ``rest``
-when no shader is compiled any more either. All since the process was asked for, with the processor
-time of the process beside them, a second one that compiles is not in it, and its resident memory
-(Linux). Medians of the runs.
+when no shader is compiled any more either. All since the start of the process, with its CPU time
+(without that of a second process that compiles) and its resident memory (Linux). Medians of the
+runs.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ print(json.dumps({{"said": said, "lines": lines}}))
 
 
 def run(planet: str, cold: bool, verbose: bool) -> dict[str, tuple[float, float, float]]:
-    """Times of one start by the clock and of the processor [s], and resident memory [MiB]."""
+    """Times of one start by the clock and of the CPU [s], and resident memory [MiB]."""
     environment = dict(os.environ)
     folder = tempfile.mkdtemp() if cold else ""
     if cold:

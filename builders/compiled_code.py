@@ -44,7 +44,7 @@ def main() -> None:
     """Compile in an empty cache, for the target's features, and copy what Python calls."""
     made_for = target()
     if made_for is None:
-        sys.exit("no target in airlight.kernel.prebuilt_cache runs on this processor")
+        sys.exit("no target in airlight.kernel.prebuilt_cache runs on this CPU")
     shutil.rmtree(PREBUILT, ignore_errors=True)
     with tempfile.TemporaryDirectory() as place:
         cache = Path(place) / "cache"

@@ -24,7 +24,7 @@ from PIL import Image, ImageDraw
 
 from airlight import Camera, Scene, load_planet
 from airlight.exports.picture import write_picture
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 
 #: Distance from which a whole planet fills most of a picture, in radii above the ground. [1]
 FAR = 3.2
@@ -154,7 +154,7 @@ def by_processor(names: list[str], width: int) -> Iterator[tuple[str, Image.Imag
     for name in names:
         planet = load_planet(VIEWS[name].planet)
         scene = scene_of(VIEWS[name], planet.bottom_radius, width)
-        frame = paint_scene(planet, scene)
+        frame = render_scene(planet, scene)
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "picture.png"
             write_picture(file, frame)
@@ -181,7 +181,7 @@ def by_window(names: list[str], width: int) -> Iterator[tuple[str, Image.Image]]
     from airlight.gpu.device.device import open_device
     from airlight.paint.solve_planet import live_solver
     from airlight.viewer.window.canvas import OffscreenCanvas
-    from airlight.viewer.window.start import Start, opened, painter_by
+    from airlight.viewer.window.start import Start, opened, renderer_by
     from airlight.viewer.window.window import Window
 
     device = open_device()
@@ -189,7 +189,7 @@ def by_window(names: list[str], width: int) -> Iterator[tuple[str, Image.Image]]
         canvas = OffscreenCanvas((width, width * 9 // 16))
         session = opened(Start(planet=planet))
         window = Window(
-            session, canvas, device.device, painter_by("auto", device),
+            session, canvas, device.device, renderer_by("auto", device),
             live_solver("auto", device),
         )  # fmt: skip
         window.actions.shows_panels = False

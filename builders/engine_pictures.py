@@ -19,7 +19,7 @@ from PIL import Image, ImageDraw
 from airlight import load_planet, solve, write_picture
 from airlight.color.exposure import automatic_exposure
 from airlight.exports.air_light import AirLight
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 from airlight.planets import Planet, replace
 from airlight.planets.medium import Medium
 from airlight.planets.planet import RED_GREEN_BLUE
@@ -85,7 +85,7 @@ def drawn(name: str) -> Image.Image:
         scene = Scene(camera=camera, altitude=10.0, sun_zenith=sun)
         exposure = None
         for column, planet in enumerate(planets.values()):
-            frame = paint_scene(planet, scene, wavelengths=np.array(RED_GREEN_BLUE))
+            frame = render_scene(planet, scene, wavelengths=np.array(RED_GREEN_BLUE))
             if exposure is None:
                 radius = math.radians(planet.star.angular_radius_degrees)
                 exposure = scene_exposure(frame.rgb, scene, radius)

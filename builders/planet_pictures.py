@@ -81,7 +81,7 @@ def reversed_rayleigh(mars: Planet) -> Planet:
     return replace(mars, name="Mars, reversed", constituents=(fake,))
 
 
-def paint(planet: Planet, wavelengths: NDArray[np.float64], quality: str) -> MomentsSolution:
+def solution_of(planet: Planet, wavelengths: NDArray[np.float64], quality: str) -> MomentsSolution:
     """The solution, with a word on how many orders it took."""
     solution = solve(planet, wavelengths, quality)
     print(f"{planet.name}: {solution.report}")
@@ -105,8 +105,10 @@ def mars_and_fake(quality: str) -> None:
     """The blue sunset of Mars beside the shortcut."""
     mars = load_planet("mars")
     scene = dict(views(mars))["sunset"]
-    true = render(paint(mars, default_wavelengths(16, *mars.wavelength_limits), quality), scene)
-    fake = paint(reversed_rayleigh(mars), np.array([680.0, 550.0, 440.0]), quality)
+    true = render(
+        solution_of(mars, default_wavelengths(16, *mars.wavelength_limits), quality), scene
+    )
+    fake = solution_of(reversed_rayleigh(mars), np.array([680.0, 550.0, 440.0]), quality)
     save("mars-sunset-true-and-reversed", beside(true.rgb, render(fake, scene).rgb))
 
 
@@ -122,7 +124,7 @@ def main() -> None:
         planet = load_planet(name)
         wavelengths = default_wavelengths(count, *planet.wavelength_limits)
         try:
-            solution = paint(planet, wavelengths, quality)
+            solution = solution_of(planet, wavelengths, quality)
         except ConvergenceError as error:
             print(f"{planet.name}: {error}")
             continue

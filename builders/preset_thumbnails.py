@@ -1,7 +1,7 @@
 """Remake ``src/airlight/viewer/gallery/thumbnails/*.webp`` and ``docs/presets.md``.
 
 Run with ``python builders/preset_thumbnails.py``, or with the names of the presets wanted; it needs
-airlight itself and nothing else. Each preset is painted in the view that
+airlight itself and nothing else. Each preset is rendered in the view that
 ``viewer/gallery/presets.py`` declares for it, four times as many pixels as are kept, by the default
 solver, renderer and display, with automatic exposure. With ``--page`` only the page is written.
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 from PIL import Image
 
 from airlight import load_planet, write_picture
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 from airlight.planets import Planet
 from airlight.scene.metering import scene_exposure
 from airlight.viewer.gallery.presets import HEIGHT, PRESETS, WIDTH, Preset, families
@@ -26,18 +26,18 @@ FOLDER = ROOT / "src" / "airlight" / "viewer" / "gallery" / "thumbnails"
 PAGE = ROOT / "docs" / "presets.md"
 #: Largest file. [byte]
 LARGEST = 8000
-#: Pixels per side of the painted picture for one that is kept.
+#: Pixels per side of the rendered picture for one that is kept.
 FINER = 2
 #: Words above the presets of a kind, on the page.
 KINDS = {"reference": "", "variation": "", "literature": "Models of the literature"}
 
 
-def painted(preset: Preset, planet: Planet, quality: str) -> Image.Image:
+def rendered(preset: Preset, planet: Planet, quality: str) -> Image.Image:
     """Small picture of a preset."""
     scene = preset.look.scene(planet, FINER * WIDTH, FINER * HEIGHT)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "picture.png"
-        frame = paint_scene(planet, scene, quality=quality)
+        frame = render_scene(planet, scene, quality=quality)
         radius = math.radians(planet.star.angular_radius_degrees)
         exposure = scene_exposure(frame.rgb, scene, radius)
         write_picture(file, frame.rgb, exposure=exposure, eye=True, pixel_angle=frame.pixel_angle)
@@ -100,7 +100,7 @@ def main() -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     for preset in () if chosen.page else PRESETS:
         if preset.name in (chosen.names or names):
-            keep(preset, painted(preset, load_planet(preset.name), quality))
+            keep(preset, rendered(preset, load_planet(preset.name), quality))
 
 
 if __name__ == "__main__":

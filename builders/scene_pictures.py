@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 from airlight.color.display import to_display
-from airlight.paint.paint_system import paint_system
+from airlight.paint.render_system import render_system
 from airlight.planets.parameters import replace
 from airlight.system import System, load_system
 
@@ -68,7 +68,7 @@ def of_eclipse(view: EclipseView) -> Image.Image:
 
 def picture(system: System, exposure: float | None, width: int = WIDTH) -> Image.Image:
     """One scene as it is displayed."""
-    frame = paint_system(system, width=width, height=HEIGHT, samples=6)
+    frame = render_system(system, width=width, height=HEIGHT, samples=6)
     chosen = frame.exposure if exposure is None else exposure
     pixels = to_display(frame.rgb, exposure=chosen, pixel_angle=frame.pixel_angle)
     return Image.fromarray(np.asarray(pixels))

@@ -27,7 +27,7 @@ from airlight.gpu.device.device import open_device
 from airlight.paint.solve_planet import live_solver
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.window.canvas import OffscreenCanvas
-from airlight.viewer.window.start import Start, opened, painter_by
+from airlight.viewer.window.start import Start, opened, renderer_by
 from airlight.viewer.window.window import Window
 
 FOLDER = Path(__file__).parents[1] / "docs" / "images"
@@ -93,7 +93,7 @@ def window(
     view = {"light.quality": "preview", **view}
     start = Start(planet="earth", view=view, look=look, size=WINDOW)
     made = Window(
-        opened(start), canvas, device.device, painter_by("auto", device),
+        opened(start), canvas, device.device, renderer_by("auto", device),
         live_solver("auto", device),
     )  # fmt: skip
 

@@ -40,7 +40,7 @@ def pytest_configure(config: pytest.Config) -> None:
     settings.register_profile("airlight", deadline=None, derandomize=True, database=None)
     settings.load_profile("airlight")
     workers = os.environ.get("PYTEST_XDIST_WORKER_COUNT")
-    if workers is not None:  # all workers together have as many threads as there are processors
+    if workers is not None:  # all workers together have as many threads as there are CPU cores
         threads = str(max(1, (os.cpu_count() or 1) // int(workers)))
         os.environ.setdefault("AIRLIGHT_THREADS", threads)
 

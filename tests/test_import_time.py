@@ -15,7 +15,7 @@ NEEDLESS = [
     "scipy.interpolate", "scipy.optimize", "scipy.sparse", "scipy.special",
 ]  # fmt: skip
 
-#: Modules of the standard library, and the processor time of their import on that machine. [s]
+#: Modules of the standard library, and the CPU time of their import on that machine. [s]
 YARDSTICK = ("asyncio", "decimal", "email.message", "http.client", "json", "sqlite3",
              "unittest.mock", "xml.dom.minidom")  # fmt: skip
 USUAL = 0.10
@@ -27,16 +27,16 @@ def python(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def processor_seconds(statement: str) -> float:
-    """Processor time of a process that runs one statement, the best of three. [s]"""
+def cpu_seconds(statement: str) -> float:
+    """CPU time of a process that runs one statement, the best of three. [s]"""
     code = f"{statement}; import time; print(time.process_time())"
     return min(float(python("-c", code).stdout) for _ in range(3))
 
 
 def import_seconds(statement: str) -> float:
     """The same on the machine that the bars were set on: a slower one is given more time. [s]"""
-    slowness = processor_seconds(f"import {', '.join(YARDSTICK)}") / USUAL
-    return processor_seconds(statement) / max(slowness, 1.0)
+    slowness = cpu_seconds(f"import {', '.join(YARDSTICK)}") / USUAL
+    return cpu_seconds(statement) / max(slowness, 1.0)
 
 
 def test_import_airlight_takes_less_than_half_a_second() -> None:

@@ -21,7 +21,7 @@ from airlight.composition.placement import Placement
 from airlight.errors import ParameterError
 from airlight.exports.exr import read_exr
 from airlight.film.view import PlanetView
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 from airlight.planets.reading.reader import planet_text
 from airlight.planets.schema.toml_table import TomlTable
 from airlight.scene.compass import POINTS
@@ -42,14 +42,14 @@ def sky(solved: Callable[..., MomentsSolution]) -> MomentsSolution:
 def test_a_picture_of_a_preset_is_that_of_its_planet_its_file_and_its_solution(
     tmp_path: Path,
 ) -> None:
-    # a second method: solving and drawing by paint_scene
+    # a second method: solving and drawing by render_scene
     file = tmp_path / "mine.toml"
     file.write_text(planet_text(NAME)[0], encoding="utf-8")
     planet = airlight.load_planet(NAME)
-    expected = paint_scene(planet, SMALL).rgb
+    expected = render_scene(planet, SMALL).rgb
     for given in (NAME, file, str(file), planet):
         assert_array_equal(airlight.render(given, SMALL).rgb, expected)
-        assert_array_equal(paint_scene(given, SMALL).rgb, expected)
+        assert_array_equal(render_scene(given, SMALL).rgb, expected)
 
 
 def test_functions_take_presets_planets_and_solutions_alike(sky: MomentsSolution) -> None:
@@ -81,7 +81,7 @@ def test_what_is_no_planet_is_refused_in_one_line(wrong: object) -> None:
         lambda: airlight.observe(wrong, "bond-albedo"),  # type: ignore[arg-type]
         lambda: airlight.bake(wrong),  # type: ignore[arg-type]
         lambda: airlight.load_planet(wrong),  # type: ignore[arg-type]
-        lambda: paint_scene(wrong, SMALL),  # type: ignore[arg-type]
+        lambda: render_scene(wrong, SMALL),  # type: ignore[arg-type]
     ]
     for call in calls:
         with pytest.raises(ParameterError, match=r"planet is .* allowed: a Planet, a solution"):
@@ -199,8 +199,8 @@ def test_commands_begin_with_the_observer_of_a_scene(tmp_path: Path) -> None:
         assert texts[f"airlight.{name}"] == default.metadata()[name]
     sky = ["sky", NAME, "-o", str(tmp_path / "s.exr"), "--for", "blender", "--size", "16", *quick]
     assert main(sky) == 0
-    told = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
-    assert told["observer"]["altitude_m"] == default.altitude
+    reported = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
+    assert reported["observer"]["altitude_m"] == default.altitude
 
 
 @pytest.mark.slow

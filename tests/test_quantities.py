@@ -93,10 +93,10 @@ def test_scenes_cameras_and_places_take_quantities() -> None:
     assert (camera.field_of_view, camera.look_zenith, camera.roll) == (90.0, 90.0, 10.0)
     scene = airlight.Scene(
         altitude=400.0 * UNIT.km, sun_zenith=half, latitude=45.0 * UNIT.deg, camera=camera,
-        others=(airlight.MoonLight(zenith=half, phase=half),),
+        secondary_lights=(airlight.MoonLight(zenith=half, phase=half),),
     )  # fmt: skip
     assert (scene.altitude, scene.sun_zenith, scene.latitude) == (400e3, 90.0, 45.0)
-    assert (scene.others[0].zenith, scene.others[0].phase) == (90.0, 90.0)  # type: ignore[attr-defined]
+    assert (scene.secondary_lights[0].zenith, scene.secondary_lights[0].phase) == (90.0, 90.0)  # type: ignore[attr-defined]
     place = Place(latitude=half, longitude=0.0, altitude=2.0 * UNIT.km)  # type: ignore[arg-type]
     assert (place.latitude, place.altitude) == (90.0, 2000.0)
     assert Placement(altitude=2.0 * UNIT.km, heading=half).heading == 90.0

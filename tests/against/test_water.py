@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet, solve
 from airlight.render import render
-from airlight.render.drawing import color_weights
+from airlight.render.cpu_renderer import color_weights
 from airlight.solvers.montecarlo.settings import Settings
 
 SEA = {"ground.law": "water", "ground.albedo": 0.02, "ground.wind": "5 m/s"}

@@ -1,4 +1,4 @@
-"""``airlight render --device``: the GPU's picture, and the processor's with the reason."""
+"""``airlight render --device``: the GPU's picture, and the CPU's with the reason."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ def rendered(path: Path, *words: str) -> tuple[np.ndarray, dict[str, str]]:
     return read_exr(path)
 
 
-def test_the_gpu_draws_what_the_processor_renders(
+def test_the_gpu_draws_what_the_cpu_renders(
     tmp_path: Path, device: Device, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    # The same wavelengths and weights: 1 %, as tests/gpu/test_pictures.py has it.
+    # The same wavelengths and weights: 1 %, as tests/gpu/test_gpu_renderer.py has it.
     words = ["--wavelengths", "rgb"]
     gpu, said = rendered(tmp_path / "gpu.exr", *words, "--device", "gpu")
     assert capsys.readouterr().err == ""
-    processor, also = rendered(tmp_path / "cpu.exr", *words)
-    assert np.abs(gpu - processor).max() < 0.01 * processor.max()
+    cpu, also = rendered(tmp_path / "cpu.exr", *words)
+    assert np.abs(gpu - cpu).max() < 0.01 * cpu.max()
     assert device.name in said.values()
-    assert "processor" in also.values()
+    assert "CPU" in also.values()
 
 
 def test_without_wavelengths_the_gpu_takes_the_four_with_fitted_weights(
@@ -41,8 +41,8 @@ def test_without_wavelengths_the_gpu_takes_the_four_with_fitted_weights(
     # is several times that, while other weights of the same four are 20 % off.
     gpu, said = rendered(tmp_path / "gpu.exr", "--device", "gpu")
     assert "440, 500, 560, 620 nm" in said.values()
-    processor, _ = rendered(tmp_path / "cpu.exr")
-    assert np.abs(gpu - processor).max() < 0.05 * processor.max()
+    cpu, _ = rendered(tmp_path / "cpu.exr")
+    assert np.abs(gpu - cpu).max() < 0.05 * cpu.max()
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,7 @@ def test_without_wavelengths_the_gpu_takes_the_four_with_fitted_weights(
         (["--wavelengths", "rgb"], "no GPU: it is switched off (AIRLIGHT_GPU=off)"),
     ],
 )
-def test_where_the_gpu_cannot_the_processor_does_and_one_line_says_why(
+def test_where_the_gpu_cannot_the_cpu_does_and_one_line_says_why(
     tmp_path: Path,
     words: list[str],
     reason: str,

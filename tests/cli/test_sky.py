@@ -30,8 +30,8 @@ def test_a_map_its_json_and_its_lines(tmp_path: Path, capsys: pytest.CaptureFixt
     rgb, texts = read_exr(path)
     assert rgb.shape == (32, 64, 3)
     assert texts["airlight.sun_azimuth"] == "120 deg"
-    told = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
-    assert (told["planet"], told["observer"]) == ("Earth", {"altitude_m": 2.0})
+    reported = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
+    assert (reported["planet"], reported["observer"]) == ("Earth", {"altitude_m": 2.0})
 
 
 def test_a_setting_sun_beyond_srgb_is_said(
@@ -42,8 +42,8 @@ def test_a_setting_sun_beyond_srgb_is_said(
     assert main(["sky", "earth", "-o", str(tmp_path / "sky.exr"), *words]) == 0
     line = capsys.readouterr().out.splitlines()[1]
     found = re.search(r"moved into sRGB: a channel by ([\d.]+) of its luminance", line)
-    told = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))["lights"][0]
-    change = np.abs(told["gamut_change_W_m2"]).max() * 683.0 / told["illuminance_lx"]
+    reported = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))["lights"][0]
+    change = np.abs(reported["gamut_change_W_m2"]).max() * 683.0 / reported["illuminance_lx"]
     assert found is not None
     assert float(found[1]) == pytest.approx(change, rel=0.05)
     assert change > 0.01
@@ -53,16 +53,16 @@ def test_a_place_and_a_time_are_in_the_json(tmp_path: Path) -> None:
     path = tmp_path / "sky.exr"
     words = ["--at", "59.33N,18.07E", "--time", "2026-06-21T18:10+02:00", "--for", "three"]
     assert main(["sky", "earth", "-o", str(path), *QUICK, *words]) == 0
-    told = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
-    assert told["observer"] == {
+    reported = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
+    assert reported["observer"] == {
         "altitude_m": 2.0, "latitude_deg": 59.33, "longitude_deg": 18.07,
         "time": "2026-06-21T16:10:00Z",
     }  # fmt: skip
     # Stockholm, the afternoon of midsummer: the sun in the west, some 30° high
-    sun = told["lights"][0]
+    sun = reported["lights"][0]
     assert 260.0 < sun["bearing_deg"] < 275.0
     assert 25.0 < sun["elevation_deg"] < 35.0
-    assert [one["name"] for one in told["lights"]] == ["star", "moon"]
+    assert [one["name"] for one in reported["lights"]] == ["star", "moon"]
 
 
 def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
@@ -76,12 +76,12 @@ def test_a_dome_master_for_a_theatre(tmp_path: Path) -> None:
     row, column = np.unravel_index(np.argmax(pixels[:60]), (60, 64))
     assert 50 <= row <= 53
     assert abs(column - 31.5) < 2.0
-    told = json.loads((tmp_path / "dome.json").read_text(encoding="utf-8"))
-    assert (told["bearing_of_the_bottom_deg"], told["tilt_deg"]) == (90.0, 15.0)
+    reported = json.loads((tmp_path / "dome.json").read_text(encoding="utf-8"))
+    assert (reported["bearing_of_the_bottom_deg"], reported["tilt_deg"]) == (90.0, 15.0)
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (["-o", "a.exr"], "Missing option '--for'"),
         (["--for", "maya", "-o", "a.exr"], "'maya' is not one of 'blender'"),
@@ -111,12 +111,12 @@ def test_bad_input_is_refused_in_one_line(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
     words: list[str],
-    told: str,
+    reported: str,
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert main(["sky", "earth", *words]) == 2
     (line,) = capsys.readouterr().err.splitlines()
-    assert told in line
+    assert reported in line
     assert list(tmp_path.iterdir()) == []
 
 

@@ -27,13 +27,13 @@ def towards(elevation: float, azimuth: float) -> np.ndarray:
 
 def test_small_tables_are_as_good_as_they_say(aerial: AerialPerspective) -> None:
     # a quarter of the texels of the default; the default's errors are in docs/compose.md
-    told = aerial.errors
-    assert 0.0 < told.air_median < 1e-3
-    assert told.air_median < told.air_95 < 0.01
-    assert 0.0 < told.sky_median < 3e-3
-    assert told.sky_median < told.sky_95 < 0.01
-    assert told.air_largest < 0.05
-    assert told.sky_largest < 0.05
+    reported = aerial.errors
+    assert 0.0 < reported.air_median < 1e-3
+    assert reported.air_median < reported.air_95 < 0.01
+    assert 0.0 < reported.sky_median < 3e-3
+    assert reported.sky_median < reported.sky_95 < 0.01
+    assert reported.air_largest < 0.05
+    assert reported.sky_largest < 0.05
 
 
 def test_no_air_before_the_eye_and_all_of_it_far_away(aerial: AerialPerspective) -> None:

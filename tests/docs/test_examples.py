@@ -18,7 +18,7 @@ PICTURES = ROOT / "docs" / "images" / "gallery"
 #: Blocks of so many pixels are compared: the edges of letters and of the sun's disc may move by a
 #: part of a pixel.
 _BLOCK = 4
-#: A block differs if it is off by more: pictures by the table of the sky are held to 2/255.
+#: A block differs if it is off by more: pictures by the sky-view LUT are held to 2/255.
 _MOST = 3.0
 #: So many blocks may differ, in text that another version of matplotlib sets.
 _SHARE = 0.01

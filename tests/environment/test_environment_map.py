@@ -158,7 +158,9 @@ def test_a_second_sun_and_a_moon_have_discs_of_their_own() -> None:
         StarLight(zenith=60.0, azimuth=-90.0, star=StarLight.black_body(3500.0, 0.4)),
     )
     camera = Camera(projection="equirectangular", width=64, height=32)
-    scene = Scene(altitude=2.0, sun_zenith=96.0, sun_azimuth=100.0, camera=camera, others=others)
+    scene = Scene(
+        altitude=2.0, sun_zenith=96.0, sun_azimuth=100.0, camera=camera, secondary_lights=others
+    )
     planet = load_planet("earth-atmosphere-plus")
     shown = environment_map(
         planet, scene, CONSUMERS["usd"], sun="light", placed=False, wavelengths=NM,

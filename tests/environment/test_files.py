@@ -125,9 +125,9 @@ def test_the_json_says_where_the_sun_stands_in_the_program_s_axes(
 ) -> None:
     for consumer in ("blender", "mitsuba", "unity"):
         write_map(tmp_path / "sky.exr", made(consumer, "light"))
-        told = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
-        (light,) = told["lights"]
-        frame = {name: np.array(told["frame"][name]) for name in ("east", "north", "up")}
+        reported = json.loads((tmp_path / "sky.json").read_text(encoding="utf-8"))
+        (light,) = reported["lights"]
+        frame = {name: np.array(reported["frame"][name]) for name in ("east", "north", "up")}
         turn, high = np.radians(215.0), np.radians(light["elevation_deg"])
         wanted = np.cos(high) * (np.sin(turn) * frame["east"] + np.cos(turn) * frame["north"])
         assert_allclose(light["direction"], wanted + np.sin(high) * frame["up"], atol=1e-4)
@@ -138,7 +138,7 @@ def test_the_json_says_where_the_sun_stands_in_the_program_s_axes(
         law = np.array(light["limb_darkening"])
         assert_allclose(law @ (2.0 / (np.arange(6) + 2.0)), 1.0, rtol=1e-6)
         assert np.all(np.diff(law[:, 0]) < 0.0)
-        assert told["sun_bearing_deg"] == 215.0
+        assert reported["sun_bearing_deg"] == 215.0
 
 
 def test_a_scene_for_mitsuba_has_the_map_and_the_sun(made: Made, tmp_path: Path) -> None:

@@ -117,7 +117,7 @@ def test_a_large_frame_of_two_lights_is_the_same(large: Callable[[], None]) -> N
         altitude=2.0,
         sun_zenith=70.0,
         camera=Camera(projection="fisheye", width=96, height=96),
-        others=(LightPosition(zenith=40.0, azimuth=90.0),),
+        secondary_lights=(LightPosition(zenith=40.0, azimuth=90.0),),
     )
     whole = render(solution, scene, stokes=True)
     large()

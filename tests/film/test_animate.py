@@ -1,4 +1,4 @@
-"""Films as files: bitwise equal however they are drawn, resumed, and whole after a kill -9."""
+"""Films as files: bitwise equal however they are rendered, resumed, and whole after a kill -9."""
 
 from __future__ import annotations
 
@@ -61,9 +61,9 @@ def contents(folder: Path) -> dict[str, str]:
     }
 
 
-def drawn(rock: Path, folder: Path, **options: object) -> tuple[int, int]:
+def rendered(rock: Path, folder: Path, **options: object) -> tuple[int, int]:
     done = animate(load_film(rock), folder, width=32, height=18, workers=1, **options)  # type: ignore[arg-type]
-    return done.drawn, done.kept
+    return done.rendered, done.kept
 
 
 @pytest.mark.slow
@@ -80,29 +80,29 @@ def test_one_process_and_two_workers_write_the_same_bytes(tmp_path: Path) -> Non
 def test_only_what_is_missing_or_changed_is_drawn(rock: Path, tmp_path: Path) -> None:
     folder = tmp_path / "frames"
     locked = {"exposure": -3.0}
-    assert drawn(rock, folder, **locked) == (20, 0)
+    assert rendered(rock, folder, **locked) == (20, 0)
     before = contents(folder)
-    assert drawn(rock, folder, **locked) == (0, 20)
+    assert rendered(rock, folder, **locked) == (0, 20)
     (folder / "rock_00007.png").unlink()
     cut = folder / "rock_00009.png"
     cut.write_bytes(cut.read_bytes()[:-20])
-    assert drawn(rock, folder, **locked) == (2, 18)
+    assert rendered(rock, folder, **locked) == (2, 18)
     assert contents(folder) == before
     # the first half of the film stays as it is, the second is another
     at = 'law = "linear"\nat = [0, 0.5, 1]'
     whole = SCENE.replace('["1 km", "9 km", "0 km"]]', '["0 km", "9 km", "0 km"], LAST]\n' + at)
     rock.write_text(whole.replace("LAST", '["1 km", "8 km", "0 km"]'))
-    assert drawn(rock, folder, **locked) == (19, 1)  # the first stands where it stood
+    assert rendered(rock, folder, **locked) == (19, 1)  # the first stands where it stood
     rock.write_text(whole.replace("LAST", '["1 km", "8 km", "2 km"]'))
-    assert drawn(rock, folder, **locked) == (10, 10)
-    assert drawn(rock, folder, exposure=-2.0) == (20, 0)
+    assert rendered(rock, folder, **locked) == (10, 10)
+    assert rendered(rock, folder, exposure=-2.0) == (20, 0)
 
 
 def test_the_header_holds_the_fingerprint_of_png_and_exr(rock: Path, tmp_path: Path) -> None:
     film = load_film(rock, {"film.frames": 1})
     for finish in (Finish(), Finish(bits=16), Finish(suffix=".exr")):
         folder = tmp_path / f"{finish.bits}{finish.suffix[1:]}"
-        assert animate(film, folder, width=32, height=18, finish=finish).drawn == 1
+        assert animate(film, folder, width=32, height=18, finish=finish).rendered == 1
         assert animate(film, folder, width=32, height=18, finish=finish).kept == 1
         texts = read_picture_metadata(folder / f"rock_00001{finish.suffix}")
         assert len(texts[f"airlight.{FINGERPRINT}"]) == 32
@@ -178,7 +178,7 @@ def test_ctrl_c_ends_all_processes_in_two_lines(rock: Path, tmp_path: Path) -> N
     # a machine that has measured slow pictures also announces 3000 of them
     lines = [line for line in said.decode().splitlines() if "3000 frames of" not in line]
     assert lines[0].endswith("2 processes")
-    assert lines[1].endswith("the same command draws the rest")
+    assert lines[1].endswith("the same command renders the rest")
     assert lines[2:] == ["airlight: cancelled"]
     assert all(name.endswith(".png") for name in contents(folder))
 

@@ -1,4 +1,4 @@
-"""Frames that are damaged, or somebody else's: drawn again, or one line."""
+"""Frames that are damaged, or somebody else's: rendered again, or one line."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def rock(tmp_path: Path) -> Path:
     return file
 
 
-def drawn(rock: Path, folder: Path, finish: Finish = FINISHES[0], **options: object) -> Animated:
+def rendered(rock: Path, folder: Path, finish: Finish = FINISHES[0], **options: object) -> Animated:
     return animate(load_film(rock), folder, width=32, height=18, workers=1, finish=finish,
                    exposure=-3.0, **options)  # type: ignore[arg-type]  # fmt: skip
 
@@ -67,7 +67,7 @@ def test_the_checksum_is_that_of_all_other_bytes(
     # SHA-256 of the file without the 64 digits, and in PNG without the CRC behind them, which
     # Pillow verifies; a flip of any bit of these is seen
     folder = tmp_path / "frames"
-    drawn(rock, folder, finish)
+    rendered(rock, folder, finish)
     content = next(iter(contents(folder).values()))
     at = content.index(b"airlight.frame_checksum")
     while not content[at : at + 64].isalnum() or b"." in content[at : at + 64]:
@@ -109,14 +109,14 @@ def test_damaged_frames_are_drawn_again(
 ) -> None:
     # the files as they were before
     folder, lines = tmp_path / "frames", []
-    drawn(rock, folder, finish)
+    rendered(rock, folder, finish)
     before = contents(folder)
     for number in (2, 4):
         damage(folder / f"rock_0000{number}{finish.suffix}")
     (folder / f"rock_00001{finish.suffix}").unlink()
-    done = drawn(rock, folder, finish, told=lines.append)
-    assert (done.drawn, done.kept, done.damaged) == (3, 1, 2)
-    assert lines[0] == "2 of 4 frames are damaged and will be rendered again"
+    done = rendered(rock, folder, finish, on_message=lines.append)
+    assert (done.rendered, done.kept, done.damaged) == (3, 1, 2)
+    assert lines[0] == "2 of 4 frames were damaged and are rendered again"
     assert contents(folder) == before
 
 
@@ -138,8 +138,8 @@ def test_a_file_that_is_no_frame_is_left_alone(rock: Path, tmp_path: Path, kind:
     else:
         write_picture(file, np.ones((4, 4, 3), np.float32))
     with pytest.raises(FileError, match=r"rock_00002\.png: is not a ") as refusal:
-        drawn(rock, folder)
-    assert "choose another folder" in str(refusal.value)
+        rendered(rock, folder)
+    assert "name another folder" in str(refusal.value)
     assert [one.name for one in folder.iterdir()] == ["rock_00002.png"]
     assert note.read_text() == "mine"
 
@@ -161,13 +161,13 @@ def test_a_full_disk_is_one_line_and_frames_are_kept(
     words = ["animate", str(rock), "--size", "32x18", "--exposure=-3", "--workers", "1",
              "-o", str(folder)]  # fmt: skip
     assert main(words) == 2
-    *_, told, last = capsys.readouterr().err.splitlines()
-    assert told == "airlight: 2 frames are complete; the same command renders the others"
+    *_, reported, last = capsys.readouterr().err.splitlines()
+    assert reported == "airlight: 2 frames were rendered; the same command renders the rest"
     assert "rock_00003.png: cannot be written: No space left on device" in last
     assert sorted(contents(folder)) == ["rock_00001.png", "rock_00002.png"]
     left[0] = 100
     assert main(words) == 0
-    assert "2 rendered, 2 unchanged" in capsys.readouterr().out
+    assert "2 rendered, 2 kept" in capsys.readouterr().out
 
 
 def test_a_closed_folder_is_refused_before_anything_is_drawn(
@@ -179,7 +179,7 @@ def test_a_closed_folder_is_refused_before_anything_is_drawn(
 
     monkeypatch.setattr("airlight.exports.output_lock.os.open", closed)
     with pytest.raises(FileError, match="frames: cannot be written: read-only file system"):
-        drawn(rock, tmp_path / "frames")
+        rendered(rock, tmp_path / "frames")
 
 
 def test_a_movie_has_one_writer_and_is_whole(
@@ -188,14 +188,14 @@ def test_a_movie_has_one_writer_and_is_whole(
     pytest.importorskip("imageio_ffmpeg")
     movie = tmp_path / "rock.mp4"
     hidden_file(movie, "part").write_text("of a killed run")
-    drawn(rock, tmp_path / "frames", movie=movie)
+    rendered(rock, tmp_path / "frames", movie=movie)
     before = movie.read_bytes()
     monkeypatch.setattr("airlight.exports.atomic_file.WAIT", 0.1)
     with output_lock(movie), pytest.raises(FileError, match="is being written by another"):
-        drawn(rock, tmp_path / "frames", movie=movie)
+        rendered(rock, tmp_path / "frames", movie=movie)
     monkeypatch.setattr("airlight.film.movie._frame_count", lambda file: 3)
     with pytest.raises(FileError, match="ffmpeg has written 3 of 4 frames; the disk has"):
-        drawn(rock, tmp_path / "frames", movie=movie)
+        rendered(rock, tmp_path / "frames", movie=movie)
     assert movie.read_bytes() == before
     assert sorted(one.name for one in tmp_path.iterdir()) == ["frames", "rock.mp4", "rock.toml"]
     assert len(contents(tmp_path / "frames")) == 4
@@ -203,8 +203,10 @@ def test_a_movie_has_one_writer_and_is_whole(
 
 def test_a_long_film_is_verified_with_progress(rock: Path, tmp_path: Path) -> None:
     folder, seen = tmp_path / "frames", []
-    drawn(rock, folder)
+    rendered(rock, folder)
     shutil.copy(folder / "rock_00001.png", folder / "rock_00099.png")  # of no frame of this film
-    drawn(rock, folder, progress=lambda done, total, message: seen.append((done, total, message)))
+    rendered(
+        rock, folder, progress=lambda done, total, message: seen.append((done, total, message))
+    )
     assert seen == [(n, 4, "verifying") for n in (1, 2, 3, 4)]
     assert folders.FramesFolder(folder, "Rock", ".png", 4).others()

@@ -21,7 +21,7 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     Scalar,
     TupleType,
-    Uniform,
+    UniformValue,
     Value,
 )
 
@@ -37,7 +37,7 @@ def on_gpu(device: Device) -> Callable[..., Any]:
 
     An input is an array or a number, passed at run time (floats as f32, integers as i32, bools),
     or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and ``spectra``, the latter of
-    shape (n, 4), are the arrays of the ``Table`` values by name. The result is an array, or a
+    shape (n, 4), are the arrays of the ``ShaderTable`` values by name. The result is an array, or a
     tuple of them, in the inputs' common shape; four wavelengths are its last axis.
     """
 
@@ -68,7 +68,7 @@ def _run(
     for one in inputs:
         if isinstance(one, Value):
             values.append(one)
-            handed += [one.text] if isinstance(one, Uniform) else []
+            handed += [one.text] if isinstance(one, UniformValue) else []
             continue
         kind, taken = _KINDS[np.asarray(one).dtype.kind]
         values.append(kind)

@@ -1,4 +1,4 @@
-"""Look-ups of aerial perspective in WGSL against the processor's."""
+"""Look-ups of aerial perspective in WGSL against the CPU's."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from numpy.testing import assert_allclose
 from airlight.composition.aerial_perspective import AerialPerspective
 from airlight.composition.aerial_reading import air_radiance, air_transmittance, sky_radiance
 from airlight.composition.aerial_shader import TEXTURES, bound_tables
-from airlight.gpu.emit.shader_types import Bundle
+from airlight.gpu.emit.shader_types import StructValue
 from airlight.kernel.lanes import LANES
 
 COUNT = 2000
 
 
-def test_a_device_reads_the_air_as_the_processor(
+def test_a_device_reads_the_air_as_the_cpu(
     on_gpu: Callable[..., Any], aerial: AerialPerspective
 ) -> None:
     rng = np.random.default_rng(3)
@@ -25,7 +25,7 @@ def test_a_device_reads_the_air_as_the_processor(
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
     unit = unit.astype(np.float32).astype(np.float64)
     away = 10.0 ** rng.uniform(0.0, 6.0, COUNT)
-    tables = Bundle(bound_tables(aerial.tables))
+    tables = StructValue(bound_tables(aerial.tables))
     spectra = {name: getattr(aerial.tables, name).reshape(-1, LANES)[:, :4] for name in TEXTURES}
     radiance, transmittance = aerial.air(unit, away)
     given = (*unit.T, away, tables)

@@ -13,7 +13,7 @@ from airlight import Camera, Scene, load_planet, solve
 from airlight.color.display import to_display
 from airlight.color.exposure import automatic_exposure
 from airlight.gpu.device.device import Device
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.gpu.solver.solver import solve_on
 from airlight.planets.cloud_cover import mean_cover
 from airlight.planets.medium import Medium
@@ -35,21 +35,21 @@ def clouds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     return "./clouds.png"
 
 
-def test_clouds_of_a_device_are_those_of_the_processor(device: Device, clouds: str) -> None:
+def test_clouds_of_a_device_are_those_of_the_cpu(device: Device, clouds: str) -> None:
     # The same functions in double precision, over land, sea and lights of towns; above the layer
     # and below it, by day and at dusk; also for the clear Earth after the cloudy one, whose shaders
     # and textures are others.
-    pictures = Pictures(device, (128, 64))
+    pictures = GpuRenderer(device, (128, 64))
     for changes in ({"ground.clouds": clouds, "ground.cloud_altitude": "10 km"}, {}):
         solution = solve(load_planet("earth", changes), NM, "preview", cache=False)
-        pictures.show(solution)
+        pictures.set_solution(solution)
         for altitude, zenith, sun in (
             (4e5, 150.0, 40.0), (4e5, 130.0, 93.0), (12e3, 100.0, 80.0), (2e3, 110.0, 70.0),
         ):  # fmt: skip
             camera = Camera(width=48, height=27, look_zenith=zenith, look_azimuth=20.0)
             scene = Scene(camera=camera, altitude=altitude, sun_zenith=sun, latitude=40.0,
                           longitude=10.0)  # fmt: skip
-            wanted, seen = render(solution, scene), pictures.frame(scene)
+            wanted, seen = render(solution, scene), pictures.render(scene)
             exposure = automatic_exposure(wanted.rgb)
             shown = [to_display(one.rgb, exposure) for one in (wanted, seen)]
             off = np.abs(shown[0].astype(float) - shown[1].astype(float))

@@ -17,11 +17,11 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
-    Table,
-    Uniform,
+    ShaderTable,
+    StructValue,
+    UniformValue,
     Value,
 )
 from airlight.gpu.emit.wgsl import WGSL
@@ -280,12 +280,14 @@ def test_tables_are_read_by_their_indices(on_gpu: Run) -> None:
     table = np.arange(20.0).reshape(4, 5)
     line = np.arange(5000.0) ** 2 % 1009.0  # several rows of the texture
     i, j = np.indices((4, 4))
-    seen = on_gpu(some_elements, i, j, Table("table", 2), Table("line"),
+    seen = on_gpu(some_elements, i, j, ShaderTable("table", 2), ShaderTable("line"),
                   tables={"table": table, "line": line})  # fmt: skip
     assert_array_equal(seen[0], table[i, j + 1] * 2.0 + line[i * 3])
     assert_array_equal(seen[1], np.full(i.shape, 54))
     assert_array_equal(seen[2], np.full(i.shape, 5000))
-    far = on_gpu(far_along, np.array([0, 2047, 2048, 4999]), Table("line"), tables={"line": line})
+    far = on_gpu(
+        far_along, np.array([0, 2047, 2048, 4999]), ShaderTable("line"), tables={"line": line}
+    )
     assert_array_equal(far, line[[0, 2047, 2048, 4999]])
 
 
@@ -300,7 +302,7 @@ def three_axes(i, cube):
 def test_the_last_axis_of_a_table_runs_fastest(on_gpu: Run) -> None:
     cube = np.random.default_rng(2).integers(0, 999, (3, 4, 5)).astype(float)
     i = np.arange(3)
-    seen = on_gpu(three_axes, i, Table("cube", 3), tables={"cube": cube})
+    seen = on_gpu(three_axes, i, ShaderTable("cube", 3), tables={"cube": cube})
     assert_array_equal(seen, cube[i, 2, i + 1])
 
 
@@ -317,7 +319,9 @@ def in_a_bundle(x, grid):
 
 def test_a_bundle_s_fields_are_uniforms_constants_and_tables(on_gpu: Run) -> None:
     # By hand: 4 x + 4, 3 + 3 and the table's entries.
-    bundle = Bundle({"bottom": Uniform("(2.0 * 2.0)"), "count": Constant(3), "line": Table("line")})
+    bundle = StructValue(
+        {"bottom": UniformValue("(2.0 * 2.0)"), "count": Constant(3), "line": ShaderTable("line")}
+    )
     seen = on_gpu(in_a_bundle, X, bundle, tables={"line": np.array([1.0, 2.0, 4.0])})
     assert_allclose(seen[0], 4.0 * X + 4.0, rtol=0.0, atol=8 * EPS)
     assert_array_equal(seen[1], np.full(X.size, 6))
@@ -342,10 +346,10 @@ def test_lanes_are_four_wavelengths(on_gpu: Run) -> None:
     i, x = np.arange(9), np.linspace(0.0, 1.0, 9)
     spectra = {"field": field}
     value = np.clip(np.exp(-field * x[:, None]) + x[:, None], 0.5, 2.0) - 1.0
-    seen = on_gpu(four_wavelengths, i, x, Table("field", 1, True), spectra=spectra)
+    seen = on_gpu(four_wavelengths, i, x, ShaderTable("field", 1, True), spectra=spectra)
     assert_allclose(seen, 3.0 * value / (field + 1.0), rtol=0.0, atol=16 * EPS)
     # A difference rounded by EPS before its fourth root: 2e-2 of it below 1e-6, none lies there.
-    seen = on_gpu(four_roots, i, x, Table("field", 1, True), spectra=spectra)
+    seen = on_gpu(four_roots, i, x, ShaderTable("field", 1, True), spectra=spectra)
     assert_allclose(seen, np.maximum(field - x[:, None], 0.0) ** 0.25, rtol=1e-4)
 
 
@@ -382,10 +386,10 @@ def one_group(i, field):
 def test_a_loop_over_groups_of_lanes_is_one_turn(on_gpu: Run) -> None:
     # A device has one group of lanes: the loop is gone from the text, its body is not.
     emitter = Emitter()
-    emitter.add(one_group, I32, Table("field", 1, True))
+    emitter.add(one_group, I32, ShaderTable("field", 1, True))
     assert "for" not in emitter.functions_text()
     field = np.random.default_rng(5).uniform(0.0, 1.0, (9, 4))
-    seen = on_gpu(one_group, np.arange(9), Table("field", 1, True), spectra={"field": field})
+    seen = on_gpu(one_group, np.arange(9), ShaderTable("field", 1, True), spectra={"field": field})
     assert_array_equal(seen, field.astype(np.float32))
 
 
@@ -402,10 +406,10 @@ def from_arrays(x, work):
 def test_the_arrays_of_a_bundle_are_handed_over_where_they_are_used() -> None:
     # By hand: each function has the arrays that it or a function called by it uses, no other.
     sizes = {"first": 1, "second": 2, "unused": 3}
-    work = Bundle({name: LocalArray(size) for name, size in sizes.items()})
+    work = StructValue({name: LocalArray(size) for name, size in sizes.items()})
     emitter = Emitter()
     made = emitter.add(from_arrays, F32, work)
-    handed = [name for several in made.handed(WGSL) for name, _ in several]
+    handed = [name for several in made.argument_lists(WGSL) for name, _ in several]
     assert handed == ["x", "work_first", "work_second"]
     text = emitter.functions_text()
     assert "fn halved(x: f32, work_first: ptr<function, array<f32, 1>>) -> f32 {" in text
@@ -413,7 +417,7 @@ def test_the_arrays_of_a_bundle_are_handed_over_where_they_are_used() -> None:
     # Arrays of the module are not handed over at all.
     emitter = Emitter(GLSL)
     named = {name: emitter.module_array(name, one) for name, one in work.fields.items()}
-    emitter.add(from_arrays, F32, Bundle(named))
+    emitter.add(from_arrays, F32, StructValue(named))
     assert "float halved(float x) {" in emitter.functions_text()
     assert "(halved(x) + second[1])" in emitter.functions_text()
 
@@ -424,7 +428,7 @@ def another_name(x, work):
 
 
 def test_an_array_has_one_name() -> None:
-    assert_refused(another_name, F32, Bundle({"first": LocalArray(1)}))
+    assert_refused(another_name, F32, StructValue({"first": LocalArray(1)}))
 
 
 def test_a_function_is_emitted_once_and_before_its_callers() -> None:
@@ -690,14 +694,14 @@ def a_spectrum_by_index(x, table):
 @pytest.mark.parametrize(
     ("function", "table"),
     [
-        (a_write_to_a_table, Table("table")),
-        (too_few_indices, Table("table", 2)),
-        (a_slice, Table("table", 2)),
-        (a_spectrum_by_index, Table("table", 1, True)),
+        (a_write_to_a_table, ShaderTable("table")),
+        (too_few_indices, ShaderTable("table", 2)),
+        (a_slice, ShaderTable("table", 2)),
+        (a_spectrum_by_index, ShaderTable("table", 1, True)),
     ],
     ids=lambda one: getattr(one, "__name__", ""),
 )
-def test_tables_used_otherwise_are_refused(function: Any, table: Table) -> None:
+def test_tables_used_otherwise_are_refused(function: Any, table: ShaderTable) -> None:
     assert_refused(function, F32, table)
 
 

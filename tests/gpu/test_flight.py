@@ -1,6 +1,6 @@
 """Continuity on a flight from the ground to deep space, and across the horizon behind an object.
 
-The method of drawing changes there: the table of the sky has one mapping inside the shell and
+The method of drawing changes there: the sky-view LUT has one mapping inside the shell and
 another outside; the horizon separates its halves; lines that graze the ground have more points.
 """
 
@@ -22,10 +22,10 @@ from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, VEC4, LocalArray
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.gpu.picture.pictures import Pictures, scene_numbers
+from airlight.gpu.picture.gpu_renderer import GpuRenderer, view_uniforms
 from airlight.gpu.picture.shaders import assembled, filled_by, march_workspace
 from airlight.gpu.picture.uniforms import FRAME
-from airlight.pixels.sky_table import phases_towards
+from airlight.pixels.sky_view_lut import phases_towards
 from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables
@@ -41,10 +41,10 @@ def earth(solved: Callable[..., MomentsSolution]) -> MomentsSolution:
 
 
 @pytest.fixture(scope="module")
-def pictures(device: Device, earth: MomentsSolution) -> Pictures:
+def pictures(device: Device, earth: MomentsSolution) -> GpuRenderer:
     """Pictures of it, with a table a quarter as high and as wide as by default."""
-    made = Pictures(device, (64, 64))
-    made.show(earth)
+    made = GpuRenderer(device, (64, 64))
+    made.set_solution(earth)
     return made
 
 
@@ -61,43 +61,43 @@ def flown(altitude: float, earth: MomentsSolution) -> Scene:
 
 
 def means(
-    pictures: Pictures, earth: MomentsSolution, altitudes: np.ndarray
+    pictures: GpuRenderer, earth: MomentsSolution, altitudes: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Mean luminance of each frame by the GPU and by the CPU."""
     found = []
     for altitude in altitudes:
         scene = flown(float(altitude), earth)
-        drawn = pictures.frame(scene, disc=False).rgb, render(earth, scene, exact=True).rgb
+        drawn = pictures.render(scene, disc=False).rgb, render(earth, scene, exact=True).rgb
         found.append([rgb_to_xyz(rgb)[..., 1].mean() for rgb in drawn])
     return tuple(np.array(found).T)  # type: ignore[return-value]
 
 
 def test_no_frame_of_a_flight_to_deep_space_jumps(
-    pictures: Pictures, earth: MomentsSolution, tell: Callable[[str], None]
+    pictures: GpuRenderer, earth: MomentsSolution, tell: Callable[[str], None]
 ) -> None:
     # The CPU marches every pixel and has neither table nor mapping; both treat pixels at the limb
     # alike. Between two frames the GPU may change by as much as the CPU, and by 1e-3 more: the
     # contribution of its table, coarser here than by default, to the mean. The eye sees no step
     # below a hundredth.
     altitudes = np.geomspace(1.0, 1e8, 60)
-    gpu, processor = means(pictures, earth, altitudes)
-    steps = np.diff(np.log(gpu)) - np.diff(np.log(processor))
+    gpu, cpu = means(pictures, earth, altitudes)
+    steps = np.diff(np.log(gpu)) - np.diff(np.log(cpu))
     worst = int(np.abs(steps).argmax())
     jump = f"{abs(steps[worst]):.1e} at {altitudes[worst]:.3g} m"
     tell(f"flight of {gpu.size} frames: largest jump {jump}")
     assert np.abs(steps).max() < 1e-3
     # and the frames themselves are those of one flight: no step is far from its neighbours'
-    assert np.abs(np.diff(np.log(gpu), 2)).max() < 1.2 * np.abs(np.diff(np.log(processor), 2)).max()
+    assert np.abs(np.diff(np.log(gpu), 2)).max() < 1.2 * np.abs(np.diff(np.log(cpu), 2)).max()
 
 
 def test_the_top_of_the_air_is_crossed_without_a_jump(
-    pictures: Pictures, earth: MomentsSolution, tell: Callable[[str], None]
+    pictures: GpuRenderer, earth: MomentsSolution, tell: Callable[[str], None]
 ) -> None:
     # As above, a hundred metres a frame: the table's mapping changes between two of them.
     thickness = earth.medium.thickness
     altitudes = thickness + np.linspace(-1e3, 1e3, 20)
-    gpu, processor = means(pictures, earth, altitudes)
-    steps = np.diff(np.log(gpu)) - np.diff(np.log(processor))
+    gpu, cpu = means(pictures, earth, altitudes)
+    steps = np.diff(np.log(gpu)) - np.diff(np.log(cpu))
     tell(f"across the top of the air: largest jump {np.abs(steps).max():.1e}")
     assert np.abs(steps).max() < 1e-3
 
@@ -112,13 +112,13 @@ def stretch(r, mu, mu_s, nu, half_sine, length, light, work, result):
 
 
 @pytest.fixture(scope="module")
-def stretches(device: Device, pictures: Pictures) -> Callable[[np.ndarray], np.ndarray]:
+def stretches(device: Device, pictures: GpuRenderer) -> Callable[[np.ndarray], np.ndarray]:
     """Radiance per irradiance of air before objects: rows of r, μ, μs, ν, sin(θ/2), length."""
     import wgpu
 
     emitter = Emitter()
     made = emitter.add(
-        stretch, *[F32] * 6, FRAME.bundle(MarchTables), march_workspace(emitter),
+        stretch, *[F32] * 6, FRAME.struct_value(MarchTables), march_workspace(emitter),
         LocalArray(4, VEC4), name="light_of_stretch",
     )  # fmt: skip
     given = [f"number(item + {k})" for k in range(6)]
@@ -136,7 +136,7 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
     def run(rows: np.ndarray) -> np.ndarray:
         textures = pictures._textures
         assert textures is not None
-        numbers: dict[str, Any] = {**scene_numbers(Scene(), pictures._shown()), **textures.numbers}
+        numbers: dict[str, Any] = {**view_uniforms(Scene(), pictures._shown()), **textures.numbers}
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         values = FRAME.packed(
             {**numbers, "separated_1": -1.0, "separated_2": -1.0}, textures.places

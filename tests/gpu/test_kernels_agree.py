@@ -21,12 +21,12 @@ from airlight.color.floating import physical_light
 from airlight.color.gamut import in_gamut
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.geometry import path, refraction, shell, sun_disc
-from airlight.gpu.emit.shader_types import Bundle, Constant, Table
+from airlight.gpu.emit.shader_types import Constant, ShaderTable, StructValue
 from airlight.gpu.solver import ray_sums
 from airlight.mappings import sky_view, transmittance
 from airlight.optics import clouds, cox_munk, fresnel, phase_functions, reflection, water
 from airlight.optics.reflection import LAWS, NUMBERS, Reflection
-from airlight.pixels import disc_shading, ground_angles, sky_table, star_disc
+from airlight.pixels import disc_shading, ground_angles, sky_view_lut, star_disc
 from airlight.scene import ground_place
 from airlight.scene.projections import PROJECTIONS
 from airlight.scene.projections.cubemap import cube_ray
@@ -313,10 +313,10 @@ STEPS = [
     Case(ray_sums.azimuth_cosine, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(march.line_azimuth, (0.99 * MU, 0.99 * MU_S, UNIT), atol=ANGLE / 0.02),
     Case(ray_optics.star_from_ray, (MU, MU_S, 2.0 * UNIT - 1.0), atol=ANGLE),
-    Case(sky_table.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
+    Case(sky_view_lut.row_coordinate, (np.arange(COUNT) % 32, 16, UNIT < 0.5)),
     Case(ground_angles.star_from, (R * SINE, R * MU, R, MU_S, SINE, MU), atol=ANGLE),
     Case(
-        sky_table.half_sine_between,
+        sky_view_lut.half_sine_between,
         (SINE * MU_S, SINE * np.sqrt(1.0 - MU_S**2), MU, 0.6, 0.8),
         atol=ANGLE,
     ),
@@ -347,7 +347,7 @@ STEPS = [
     [*GEOMETRY, *MAPPINGS, *PHASES, *COLORS, *RAYS, *GROUND, *WATER, *STEPS],
     ids=lambda case: case.function.__name__,
 )
-def test_a_formula_on_the_gpu_is_the_processor_s(on_gpu: Callable[..., Any], case: Case) -> None:
+def test_a_formula_on_the_gpu_is_the_cpu_s(on_gpu: Callable[..., Any], case: Case) -> None:
     # A second compiler for the same source.
     agree(on_gpu, case.function, case.inputs, case.rtol, case.atol)
 
@@ -377,14 +377,14 @@ def test_every_scalar_formula_of_these_files_is_compared() -> None:
                 assert plain in named, f"{room.__name__}.{name}"
 
 
-def test_a_ray_meets_the_ground_or_not_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
+def test_a_ray_meets_the_ground_or_not_as_on_the_cpu(on_gpu: Callable[..., Any]) -> None:
     # Within EPS of the horizon either result is correct: those rays are left out.
     horizon = -np.sqrt(1.0 - (BOTTOM / R) ** 2)
     mu = MU[np.abs(MU - horizon) > 16 * EPS]
     agree(on_gpu, shell.meets_ground, (R[np.abs(MU - horizon) > 16 * EPS], mu, BOTTOM), 0.0, 0.0)
 
 
-def test_the_leg_of_a_panel_is_the_processor_s(on_gpu: Callable[..., Any]) -> None:
+def test_the_leg_of_a_panel_is_the_cpu_s(on_gpu: Callable[..., Any]) -> None:
     # A root of a difference of radii, each accurate to EPS of it: METRES under the root near 0.
     mu = uniform(0.05, 0.9, 30)
     agree(on_gpu, path.panel_leg, (R, mu, 0.2 * LENGTH, 0.7 * LENGTH, LENGTH), 16 * EPS,
@@ -430,7 +430,7 @@ def test_a_tone_map_s_number_is_its_place(on_gpu: Callable[..., Any], which: int
 def test_a_law_of_reflection_s_number_is_its_place(on_gpu: Callable[..., Any], which: int) -> None:
     # The law's own kernels, in double precision; also at the horizon, where cosines are 0.
     ground = Reflection(1.0, which)
-    bound = Bundle({name: Constant(getattr(ground, name)) for name in NUMBERS})
+    bound = StructValue({name: Constant(getattr(ground, name)) for name in NUMBERS})
     cosines = np.append(UNIT, [0.0, 0.0, 1.0]).astype(np.float32)
     suns = np.append(MU_S, [0.0, -0.1, 1.0]).astype(np.float32)
     law = list(LAWS.values())[which]
@@ -473,7 +473,7 @@ def read_map(latitude, longitude, level, texels):
 _CHANNELS = 4
 
 
-def test_the_map_of_the_ground_is_read_as_on_the_processor(on_gpu: Callable[..., Any]) -> None:
+def test_the_map_of_the_ground_is_read_as_on_the_cpu(on_gpu: Callable[..., Any]) -> None:
     # Bilinear in values of 0 to 1; a position in the map is accurate to EPS of its 54 pixels. The
     # device's texture gives the texels as fractions of 255, which the shader decodes by a power.
     count = sum(h * w for h, w in [(27, 54), (14, 27), (7, 14)])
@@ -482,7 +482,7 @@ def test_the_map_of_the_ground_is_read_as_on_the_processor(on_gpu: Callable[...,
     longitude = uniform(-math.pi, math.pi, 33)
     level = uniform(-1.0, 3.0, 34)
     seen = on_gpu(
-        read_map, latitude, longitude, level, Table("texels", spectral=True),
+        read_map, latitude, longitude, level, ShaderTable("texels", spectral=True),
         spectra={"texels": texels / 255.0},
     )  # fmt: skip
     wanted = np.empty((COUNT, _CHANNELS))

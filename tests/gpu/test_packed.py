@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import MOST_ROWS, empty_flat_texture, read_flat
+from airlight.gpu.device.flat import MAX_ROWS, empty_flat_texture, read_flat
 from airlight.gpu.device.fragment_pass import FragmentPass
 from airlight.gpu.device.packed import packed_rows, packed_texture
 from airlight.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
@@ -43,6 +43,6 @@ def test_no_height_is_a_power_of_two() -> None:
 
 
 def test_more_texels_than_a_texture_has_are_refused(device: Device) -> None:
-    texels = np.zeros(4 * (PACKED_WIDTH * (MOST_ROWS - 1) + 1), np.uint8)
+    texels = np.zeros(4 * (PACKED_WIDTH * (MAX_ROWS - 1) + 1), np.uint8)
     with pytest.raises(ParameterError, match=r"allowed: at most 33554432 texels"):
         packed_texture(device, texels)

@@ -12,7 +12,7 @@ from airlight import load_planet
 from airlight.gpu.solver.solver import fields_on
 from airlight.paint.capacity import fits
 from airlight.paint.solve_planet import live_solver, solve_planet
-from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.pixels.render_tables import MAX_CONSTITUENTS
 from airlight.planets import replace as planet_replace
 
 NM = [450.0, 530.0, 600.0, 680.0]
@@ -46,7 +46,7 @@ def test_what_has_no_room_or_is_thick_is_solved_by_the_cpu(fast, name, wavelengt
     assert solution.moments.field.shape[-1] == len(wavelengths)
 
 
-def test_a_processor_that_plays_a_gpu_is_not_asked(device):
+def test_a_cpu_that_plays_a_gpu_is_not_asked(device):
     # lavapipe runs on the CPU beside the CPU's solver, which is ten times faster.
     if not device.software:
         pytest.skip("this device is a GPU")
@@ -61,12 +61,12 @@ def test_without_wavelengths_a_device_gets_what_fits_a_texel(fast):
     assert solve_planet(earth, quality="preview").wavelengths.size == 16
 
 
-def test_who_asks_for_the_processor_gets_it(fast):
+def test_who_asks_for_the_cpu_gets_it(fast):
     # The same device, the same planet: only "auto" and "gpu" leave a field on it.
     earth = load_planet("earth")
 
-    def solved(processor):
-        solver = live_solver(processor, fast)
+    def solved(choice):
+        solver = live_solver(choice, fast)
         return solver(earth, np.array(NM), "preview", progress=lambda *_: None, cancel=None)
 
     assert fields_on(fast, solved("cpu")) is None
@@ -76,7 +76,7 @@ def test_who_asks_for_the_processor_gets_it(fast):
 def test_a_bent_planet_has_one_constituent_more():
     # Refraction takes one more row of the tables: where all are used, the GPU has no capacity.
     earth = load_planet("earth")
-    room = MOST_CONSTITUENTS
+    room = MAX_CONSTITUENTS
     air = [planet_replace(earth.constituents[0], name=f"air {k}") for k in range(room)]
     full = planet_replace(earth, constituents=tuple(air), refraction="none")
     assert fits(full, 4)

@@ -15,10 +15,10 @@ from airlight.gpu.device.flat import read_flat
 from airlight.gpu.device.fragment_pass import declared_bindings
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.solver import planning as solver_planning
+from airlight.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.gpu.solver.passes import PASSES, shader
 from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import ThickAir, fields_on, solve_on
-from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.planets import replace
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.first_order import first_order_radius
@@ -59,11 +59,11 @@ def assert_moments_agree(field, expected, least, rtol):
     assert_allclose(field / scale, expected / scale, rtol=0, atol=rtol)
 
 
-def light_of(plan, sweeper, texture):
+def light_of(plan, iteration, texture):
     """Moments and irradiances in a light's texture."""
     n = plan.sizes
     moments = plan.nodes * n["terms"]
-    flat = read_flat(sweeper.device, sweeper.texture(texture), moments + plan.nodes)
+    flat = read_flat(iteration.device, iteration.texture(texture), moments + plan.nodes)
     shape = (n["radii"], n["sun_angles"])
     return flat[:moments].reshape(*shape, n["terms"], 4), flat[moments:].reshape(*shape, 4)
 
@@ -93,7 +93,7 @@ def test_each_order_is_that_of_the_cpu(device, name, changes):
     )
     packed = pack_light(first, first_sky[:1], batch.level, batch.setup.refinement)
     second, second_sky = gather(batch, sweep_radius, *packed, batch.all_degrees)
-    with borrowed_sweeper(device) as gpu:
+    with pooled_iteration(device) as gpu:
         gpu.load(plan)
         gpu.begin()
         got, got_sky = light_of(plan, gpu, "first")

@@ -66,7 +66,7 @@ def shone(index, lamp):
 def test_what_is_declared_arrives_in_the_shader(device: Device) -> None:
     # a second method: NumPy on the arrays; float32 after a few operations
     emitter = Emitter()
-    made = emitter.add(shone, I32, STRUCT.bundle(Lamp, (("law", 5),)))
+    made = emitter.add(shone, I32, STRUCT.struct_value(Lamp, (("law", 5),)))
     body = emitter.module()
     tables = STRUCT.read_by(body)
     assert {one.name for one in tables} == set(ARRAYS)  # nobody reads the layer
@@ -108,7 +108,7 @@ def test_tables_lie_behind_each_other_in_their_textures() -> None:
 def test_choices_are_switches_and_marked_indices() -> None:
     # as constants, of their types; a size is none
     assert STRUCT.fixed({"law": 3.0, "lit": 1.0}) == (("law", 3), ("lit", True))
-    assert STRUCT.bundle(Lamp, STRUCT.fixed({})).fields["lit"] == Constant(False)
+    assert STRUCT.struct_value(Lamp, STRUCT.fixed({})).fields["lit"] == Constant(False)
 
 
 def test_the_struct_is_the_same_in_both_languages() -> None:

@@ -57,13 +57,13 @@ def module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ModuleTy
 
 
 def test_functions_are_counted_from_none_to_all_and_once(module: ModuleType) -> None:
-    compiling, told = Compiling([module.total]), []
+    compiling, reported = Compiling([module.total]), []
     other = Compiling([module.total], here=False)
-    compiling.told = lambda: told.append(compiling.done)
+    compiling.on_change = lambda: reported.append(compiling.done)
     assert (compiling.done, compiling.total) == (0, 3)
     assert module.total(4) == 7.0
     assert (compiling.done, compiling.total) == (3, 3)
-    assert told == [1, 2, 3]
+    assert reported == [1, 2, 3]
     compiling.close()
     assert other.done == 3  # what another process has compiled is on disk
     assert Compiling([module.total]).total == 0

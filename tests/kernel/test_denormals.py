@@ -14,7 +14,7 @@ from airlight.kernel.denormals import flush_denormals, restore
 from airlight.kernel.threads import run_blocks
 
 pytestmark = pytest.mark.skipif(
-    platform.machine().lower() not in ("x86_64", "amd64"), reason="no MXCSR on this processor"
+    platform.machine().lower() not in ("x86_64", "amd64"), reason="no MXCSR on this CPU"
 )
 
 #: Smallest normal float32; its half is subnormal.

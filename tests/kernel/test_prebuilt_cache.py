@@ -58,7 +58,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folder with a formula, and its code for the target that this machine belongs to."""
     made_for = target()
     if made_for is None:
-        pytest.skip("no target runs on this processor")
+        pytest.skip("no target runs on this CPU")
     folder = tmp_path_factory.mktemp("package")
     own = {"NUMBA_CPU_NAME": made_for.processor, "NUMBA_CPU_FEATURES": made_for.written}
     assert run(folder, folder / "cache", own=own) == ["False", "27.0", "0"]

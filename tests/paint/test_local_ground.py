@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import Camera, Scene, load_planet, local_ground, render, solve
 from airlight.cli import main
 from airlight.exports.png import read_png_metadata
-from airlight.paint.paint_scene import paint_scene
+from airlight.paint.render_scene import render_scene
 
 NM = (680.0, 550.0, 440.0)
 #: A dome above Greenland's inland ice.
@@ -25,7 +25,7 @@ OPTIONS = {"wavelengths": NM, "quality": "preview"}
 
 @pytest.fixture(scope="module")
 def snowy() -> np.ndarray:
-    return paint_scene(load_planet("earth"), DOME, **OPTIONS).rgb
+    return render_scene(load_planet("earth"), DOME, **OPTIONS).rgb
 
 
 def test_a_picture_shows_the_sky_that_is_solved_for_its_observer(snowy: np.ndarray) -> None:
@@ -37,7 +37,7 @@ def test_a_picture_shows_the_sky_that_is_solved_for_its_observer(snowy: np.ndarr
     plain = solve(load_planet("earth"), NM, "preview")
     darker = plain.radiance(altitude=2.0, sun_zenith=60.0, view_zenith=0.0)
     # the zenith is a tenth brighter above snow and more: seen, and computed
-    whole = paint_scene(load_planet("earth"), DOME, **OPTIONS, local=False)
+    whole = render_scene(load_planet("earth"), DOME, **OPTIONS, local=False)
     middle = (slice(7, 9), slice(7, 9))
     seen = snowy[middle].mean(axis=(0, 1)) / whole.rgb[middle].mean(axis=(0, 1))
     assert_allclose(seen[2], float(zenith[2] / darker[2]), rtol=0.02)

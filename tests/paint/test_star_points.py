@@ -25,7 +25,7 @@ from airlight.ephemeris.sky import Place, horizon_axes, horizon_axes_by_sun, sun
 from airlight.ephemeris.sun_vector import meridian_axes
 from airlight.ephemeris.world import WORLDS
 from airlight.film import Quality, load_film
-from airlight.film.still import PlanetStill
+from airlight.film.frame_spec import PlanetFrameSpec
 from airlight.paint.star_points import add_catalogue
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.system.stars import stars
@@ -94,7 +94,7 @@ def test_stars_are_outshone_by_day_and_hidden_by_the_moon(earth: MomentsSolution
     add_catalogue(lit, day, earth, "earth")
     shown = [to_display(one, frame.exposure, dither=False).astype(int) for one in (lit, frame.rgb)]
     assert np.abs(shown[0] - shown[1]).max() <= 3
-    hidden = looking_at_sirius(others=(MoonLight(zenith=zenith, azimuth=0.0),))  # type: ignore[arg-type]
+    hidden = looking_at_sirius(secondary_lights=(MoonLight(zenith=zenith, azimuth=0.0),))  # type: ignore[arg-type]
     rgb, free = np.zeros((2, 80, 120, 3), np.float32)
     add_catalogue(rgb, hidden, earth, "earth")
     add_catalogue(free, looking_at_sirius(), earth, "earth")
@@ -162,15 +162,15 @@ def test_a_film_of_a_planet_has_stars() -> None:
     changes = {"view.stars": True, "view.sun_zenith": "120 deg", "view.look_at": "S/40"}
     film = load_film("earth", changes)
     how = Quality(wavelengths=(680.0, 550.0, 440.0), quality="preview")
-    still = film.still(0, 96, 54, how)
-    assert isinstance(still, PlanetStill)
+    still = film.frame_spec(0, 96, 54, how)
+    assert isinstance(still, PlanetFrameSpec)
     dark = replace(still, stars=False)
     assert still.defined_by != dark.defined_by
-    wanted = dark.frame().rgb
+    wanted = dark.render().rgb
     solution = solve(local_ground(
         still.planet, latitude=still.scene.latitude, longitude=still.scene.longitude,
         altitude=still.scene.altitude,
     ), how.wavelengths, how.quality)  # fmt: skip
     add_catalogue(wanted, still.scene, solution, "earth")
     assert wanted.max() > 100.0 * np.median(wanted)
-    assert_allclose(still.frame().rgb, wanted, rtol=1e-6)
+    assert_allclose(still.render().rgb, wanted, rtol=1e-6)

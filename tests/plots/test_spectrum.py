@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight.observables import KINDS, observe
 from airlight.plots.figure import write_figure
-from airlight.plots.spectrum import SHOWN, spectrum
+from airlight.plots.spectrum import COLOR_BARS, spectrum
 from airlight.solvers.solution import Solution
 
 
@@ -26,7 +26,7 @@ def test_each_observable_has_a_figure_of_its_own_numbers(of: str, solution: Solu
     assert axes.get_ylabel()
     line = axes.get_lines()[0]
     x, y = np.asarray(line.get_xdata()), np.asarray(line.get_ydata())
-    shown = data[SHOWN[of]]
+    shown = data[COLOR_BARS[of]]
     if of == "limb":
         assert_allclose(x, shown.values[:, 0])
         assert_allclose(y, [0.0, 20.0, 60.0])

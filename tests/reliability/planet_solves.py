@@ -16,9 +16,9 @@ from airlight import solve
 from airlight.errors import AirlightError, Cancelled
 from airlight.planets import Planet, load_planet
 
-#: Processor time of a solve on all of two cores, by quality. [s]
+#: CPU time of a solve on all of two cores, by quality. [s]
 LIMITS = {"preview": 20.0, "default": 120.0}
-#: Processor time of a refusal. [s]
+#: CPU time of a refusal. [s]
 AT_ONCE = 4.0
 _NUMBER = re.compile(r"(?<![\w.+-])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
 
@@ -49,7 +49,7 @@ def mutated(text: str, chance: random.Random) -> str:
 
 
 class Watch:
-    """Watcher of a solve: asks it to end after some processor time of this process."""
+    """Watcher of a solve: asks it to end after some CPU time of this process."""
 
     def __init__(self, seconds: float) -> None:
         self.begun, self.seconds = time.process_time(), seconds
@@ -59,7 +59,7 @@ class Watch:
 
     @property
     def spent(self) -> float:
-        """Processor time so far. [s]"""
+        """CPU time so far. [s]"""
         return time.process_time() - self.begun
 
 
@@ -142,7 +142,7 @@ def try_solves(
             tally.add("", f"{kept}: {type(error).__name__}: {ascii(str(error))[:300]}")
     times.sort()
     tally.note = (
-        f"processor time {np.median(times):.1f} s (median), "
+        f"CPU time {np.median(times):.1f} s (median), "
         f"{times[math.ceil(0.99 * len(times)) - 1]:.1f} s (99 %), {times[-1]:.1f} s (longest)"
     )
     return tally

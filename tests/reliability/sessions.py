@@ -21,7 +21,7 @@ from airlight.planets.medium import Medium
 from airlight.render import render
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solve import solve
-from airlight.viewer.background.solving import Solving
+from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.parameters.parameter import Parameter, Value
 from airlight.viewer.session.session import Session
 
@@ -36,7 +36,7 @@ PLANETS = (
     "mars-rayleigh",
     "mars-standard",
 )
-#: Limits of a single edit, in processor time of this process and, where that stands still, of the
+#: Limits of a single edit, in CPU time of this process and, where that stands still, of the
 #: clock: a machine that others keep busy may give seconds of the one in minutes of the other. [s]
 LONG, LONG_STILL = 60.0, 1800.0
 
@@ -137,8 +137,8 @@ def three(planet: Planet) -> np.ndarray:
     return default_wavelengths(3, *planet.wavelength_limits)
 
 
-def settled(solving: Solving) -> bool:
-    """Wait for the solution of an edit; False after ``LONG`` seconds of processor time."""
+def settled(solving: SolverThread) -> bool:
+    """Wait for the solution of an edit; False after ``LONG`` seconds of CPU time."""
     begun, spent = time.monotonic(), time.process_time()
     while not solving.wait(1.0):
         if time.process_time() - spent > LONG or time.monotonic() - begun > LONG_STILL:
@@ -147,7 +147,7 @@ def settled(solving: Solving) -> bool:
 
 
 def edit_at_random(
-    session: Session, solving: Solving, chance: random.Random, edits: int
+    session: Session, solving: SolverThread, chance: random.Random, edits: int
 ) -> tuple[int, collections.Counter[str]]:
     """Edit, solve and draw; check that the newest planet is shown, or refused in one line.
 
@@ -173,7 +173,7 @@ def edit_at_random(
         assert status.version == session.versions.planet, (edit, name)
         if status.error:
             assert "\n" not in status.error
-            # Solving prefixes an unexpected exception with its type.
+            # SolverThread prefixes an unexpected exception with its type.
             assert not re.match(r"[A-Z]\w+: ", status.error), (edit, name, status.error)
             refused[without_places(status.error)] += 1
             # Most users undo an invalid edit; some continue.
@@ -199,9 +199,9 @@ def begun_session() -> Session:
     return session
 
 
-def quick_solving(session: Session) -> Solving:
+def quick_solving(session: Session) -> SolverThread:
     """Background solver with coarse grids."""
-    return Solving(session, solver=quickly, wavelengths=lambda planet, count: three(planet))
+    return SolverThread(session, solver=quickly, wavelengths=lambda planet, count: three(planet))
 
 
 def resident() -> float:

@@ -21,7 +21,7 @@ from airlight.errors import CostError, FileError
 from airlight.exports.exr import read_exr, read_exr_channels, write_exr
 from airlight.exports.render_passes import read_render_passes
 from airlight.film import animate, load_film
-from airlight.film.still import PlanetStill
+from airlight.film.frame_spec import PlanetFrameSpec
 from airlight.fit.photograph import Shot, read_photograph
 from airlight.kernel import cost, memory
 from airlight.kernel.cost import announce
@@ -90,14 +90,14 @@ def test_wavelengths_beyond_the_memory_are_refused_at_once(small_machine: None) 
 def test_a_picture_is_refused_before_its_planet_is_solved(
     small_machine: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from airlight.paint import paint_scene as painting
+    from airlight.paint import render_scene as painting
 
     def solved(*_: object, **__: object) -> None:
         raise AssertionError("solved")
 
     monkeypatch.setattr(painting, "solve_planet", solved)
     with pytest.raises(CostError, match=r"a picture of 4000x2000 pixels needs about 0.26 GB"):
-        painting.paint_scene(
+        painting.render_scene(
             load_planet("earth-openspace"), Scene(camera=Camera(width=4000, height=2000))
         )
 
@@ -154,8 +154,8 @@ def seconds(line: str) -> float:
 def test_the_frames_of_a_film_are_announced_before_the_first(
     announced: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(PlanetStill, "prepare", never)
-    monkeypatch.setattr(PlanetStill, "frame", never)
+    monkeypatch.setattr(PlanetFrameSpec, "prepare", never)
+    monkeypatch.setattr(PlanetFrameSpec, "frame", never)
     found = []
     for frames, albedo in ((60, "0.1, 0.1"), (600, "0.1, 0.1"), (600, "0.1, 0.2")):
         keys = [{"path": "ground.albedo", "values": albedo}]

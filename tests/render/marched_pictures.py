@@ -1,4 +1,4 @@
-"""Pictures by the processor of which each pixel has one line of sight, at edges too."""
+"""Pictures by the CPU of which each pixel has one line of sight, at edges too."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.gpu.device.device import Device
-from airlight.pixels.lit_scenes import lit_scenes
-from airlight.render.drawing import Drawing
+from airlight.pixels.scenes_by_light import scenes_by_light
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Scene
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -17,13 +17,13 @@ from airlight.solvers.moments.solution import MomentsSolution
 def marched(
     solution: MomentsSolution, scene: Scene, device: Device, **options: Any
 ) -> NDArray[np.float32]:
-    """Picture of ``render(..., exact=True)``; like a software device without samples of edges."""
+    """Picture of ``render(..., exact=True)``; like a software GPU without samples of edges."""
     camera = scene.camera
     total = np.zeros((camera.height, camera.width, 3), np.float32)
-    for seen, lit, _, _ in lit_scenes(scene, solution):
+    for seen, lit, _, _ in scenes_by_light(scene, solution):
         rgb = np.zeros_like(total)
-        drawing = Drawing(lit, seen, exact=True, edges=not device.software, **options)
-        drawing.draw(0, camera.height, rgb)
+        renderer = CpuRenderer(lit, seen, exact=True, edges=not device.software, **options)
+        renderer.render_rows(0, camera.height, rgb)
         total += rgb
     return total
 
@@ -31,7 +31,7 @@ def marched(
 def centres(solution: MomentsSolution, scene: Scene, **options: Any) -> NDArray[np.float32]:
     """Picture of ``render`` whose pixels show their centres, as single lines of sight do."""
     rgb = np.zeros((scene.camera.height, scene.camera.width, 3), np.float32)
-    drawing = Drawing(solution, scene, edges=False, **options)
-    drawing.fill_sky()
-    drawing.draw(0, scene.camera.height, rgb)
+    renderer = CpuRenderer(solution, scene, edges=False, **options)
+    renderer.fill_sky_view()
+    renderer.render_rows(0, scene.camera.height, rgb)
     return rgb

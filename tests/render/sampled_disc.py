@@ -1,4 +1,4 @@
-"""Star's disc by many samples a pixel: slow, the reference for the disc that is drawn."""
+"""Star's disc by many samples a pixel: slow, the reference for the disc that is rendered."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def add_sun_disc(
     Its radiance is irradiance over solid angle, times the transmittance along each pixel's own
     line of sight. With refraction, the disc is where the refracted lines of sight meet it: lifted,
     and flattened near the horizon. Each sample has the darkening of its place on the disc; a disc
-    of less than a pixel is even. A point star (angular radius 0) is not drawn.
+    of less than a pixel is even. A point star (angular radius 0) is not rendered.
 
     Parameters
     ----------

@@ -12,7 +12,7 @@ import numpy as np
 
 from airlight import Camera, Scene, load_planet
 from airlight.render.background_compilation import _arguments
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.solvers.moments.march_tables import new_workspace
 
 #: Solves, and names the functions that Python has called and that no loop of the count leads to.
@@ -33,13 +33,13 @@ print(len(used & set(known)), *sorted(used - set(known)))
 def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any]) -> None:
     solution = solved(load_planet("earth"), quality="preview")
     camera = Camera(width=320, height=180, look_zenith=100.0)
-    drawing = Drawing(solution, Scene(altitude=400e3, camera=camera))
-    drawing.fill_sky()
+    renderer = CpuRenderer(solution, Scene(altitude=400e3, camera=camera))
+    renderer.fill_sky_view()
     fill, draw, _ = _arguments()
     points = np.zeros(4)
     real = (
-        points, points, drawing.window, drawing._observer, drawing._screen, drawing._tables,
-        new_workspace(drawing._tables), drawing._weights, drawing._reach,
+        points, points, renderer.window, renderer._observer, renderer._screen, renderer._tables,
+        new_workspace(renderer._tables), renderer._weights, renderer._reach,
     )  # fmt: skip
     for made, one in zip(draw[:9], real, strict=True):
         assert numba.typeof(made) == numba.typeof(one)

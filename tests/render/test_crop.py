@@ -15,8 +15,8 @@ from airlight import Camera, ParameterError, Scene, load_planet, render, solve
 from airlight.cli import main
 from airlight.color.display import to_display
 from airlight.gpu.device.device import Device
-from airlight.gpu.picture.pictures import Pictures
-from airlight.paint.paint_system import paint_system
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
+from airlight.paint.render_system import render_system
 from airlight.paint.star_points import add_catalogue
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.system import load_system
@@ -74,10 +74,10 @@ def test_tiles_make_the_whole_picture(lit: MomentsSolution) -> None:
 
 def test_a_device_draws_the_same_window(device: Device, lit: MomentsSolution) -> None:
     # The definition again: pixels know their place in the whole picture.
-    pictures = Pictures(device)
-    pictures.show(lit)
+    pictures = GpuRenderer(device)
+    pictures.set_solution(lit)
     scene = Scene(altitude=2.0, sun_zenith=80.0, camera=Camera(width=320, height=180))
-    whole, part = (pictures.frame(one).rgb for one in (scene, cropped(scene)))
+    whole, part = (pictures.render(one).rgb for one in (scene, cropped(scene)))
     assert_array_equal(part, window(whole))
 
 
@@ -145,7 +145,7 @@ def test_a_scene_of_several_bodies_has_windows_too() -> None:
     options: dict[str, Any] = {"width": 160, "height": 90, "wavelengths": (680.0, 550.0, 440.0)}
     crop = (60, 30, 50, 40)
     whole, part = (
-        paint_system(system, quality="preview", crop=one, **options) for one in (None, crop)
+        render_system(system, quality="preview", crop=one, **options) for one in (None, crop)
     )
     assert part.origin == (60, 30)
     assert_allclose(part.rgb, window(whole.rgb, crop), rtol=1e-6)

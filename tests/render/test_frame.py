@@ -118,12 +118,14 @@ def test_progress_only_grows_and_ends_at_the_total(
     lit: Lit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys.modules["airlight.render.render"], "_BLOCK_PIXELS", 16)
-    told: list[tuple[int, int, str]] = []
-    render(lit(), Scene(camera=Camera(width=8, height=9)), progress=lambda *now: told.append(now))
-    done = [now[0] for now in told]
+    reported: list[tuple[int, int, str]] = []
+    render(
+        lit(), Scene(camera=Camera(width=8, height=9)), progress=lambda *now: reported.append(now)
+    )
+    done = [now[0] for now in reported]
     assert done == sorted(set(done))
-    assert told[-1][:2] == (5, 5)  # nine rows, two a block
-    assert {now[1:] for now in told} == {(5, "rendering")}
+    assert reported[-1][:2] == (5, 5)  # nine rows, two a block
+    assert {now[1:] for now in reported} == {(5, "rendering")}
 
 
 def test_a_wide_strip_needs_little_more_than_its_pixels(lit: Lit) -> None:

@@ -16,7 +16,7 @@ from airlight.pixels.march_points import MarchPoints
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Tent
 from airlight.render import render
-from airlight.render.drawing import color_weights
+from airlight.render.cpu_renderer import color_weights
 from airlight.solvers.moments.solution import MomentsSolution
 
 Lit = Callable[..., MomentsSolution]
@@ -75,10 +75,10 @@ def test_few_points_see_a_faint_stratosphere(
     solution = lit(load_planet("earth"), (680.0, 550.0, 440.0))
     camera = Camera(width=24, height=14, look_zenith=sun - 8.0)
     scene = Scene(altitude=2.0, sun_zenith=sun, camera=camera)
-    drawn = render(solution, scene, exact=True).rgb
+    rendered = render(solution, scene, exact=True).rgb
     monkeypatch.setitem(march_points.BY_PANELS, 1, MarchPoints((24, 24, 24), 3))
     exact = render(solution, scene, exact=True).rgb
-    assert_allclose(drawn, exact, rtol=rtol)
+    assert_allclose(rendered, exact, rtol=rtol)
 
 
 def test_sweeps_take_no_more_panels_for_a_faint_wide_layer() -> None:

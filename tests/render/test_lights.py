@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, Scene, load_planet
 from airlight.gpu.device.device import Device
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.planets.light_source import LightSource
 from airlight.render import render
 from airlight.scene.light_position import LightPosition
@@ -73,18 +73,18 @@ def test_two_halves_of_a_star_are_the_star(solution, exact):
     assert_allclose(two, one, rtol=2e-6)
 
 
-def test_a_device_adds_lights_as_the_processor_does(device: Device, solution):
+def test_a_device_adds_lights_as_the_cpu_does(device: Device, solution):
     # The star's halves, and a second, smaller light of another colour elsewhere in the sky.
-    pictures = Pictures(device, (128, 64))
-    pictures.show(solution)
+    pictures = GpuRenderer(device, (128, 64))
+    pictures.set_solution(solution)
     small = {"camera": replace(CAMERA, width=64, height=36)}
-    one = pictures.frame(replace(PLAIN, **small)).rgb
-    assert_allclose(pictures.frame(replace(HALVES, **small)).rgb, one, rtol=2e-6)
-    assert_array_equal(pictures.frame(replace(PLAIN, **small)).rgb, one)  # the star is back
+    one = pictures.render(replace(PLAIN, **small)).rgb
+    assert_allclose(pictures.render(replace(HALVES, **small)).rgb, one, rtol=2e-6)
+    assert_array_equal(pictures.render(replace(PLAIN, **small)).rgb, one)  # the star is back
     moon = Dimmed(zenith=60.0, azimuth=50.0, share=0.1, radius=0.02)
     both = lit(replace(PLAIN, **small), LightPosition(zenith=75.0), moon)
     wanted = marched(solution, both, device)
-    seen = pictures.frame(both, exact=True).rgb
+    seen = pictures.render(both, exact=True).rgb
     # Two discs, whose rims single precision draws elsewhere by a fraction of a pixel.
     error = np.abs(seen - wanted).max(axis=2) / wanted.max(axis=2)
     assert np.quantile(error, 0.99) < 0.01
@@ -122,7 +122,7 @@ def test_every_light_has_its_disc(solution):
 
 
 def test_the_probe_adds_the_lights_of_the_picture(solution):
-    # Two processors of the same light: the probe's spectrum and a pixel marched, away from the
+    # Two computations of the same light: the probe's spectrum and a pixel marched, away from the
     # horizon, where a pixel is the mean of several lines of sight.
     moon = Dimmed(zenith=50.0, azimuth=-60.0, share=0.3, radius=0.01)
     scene = lit(replace(PLAIN, camera=replace(CAMERA, width=16, height=9)),

@@ -13,11 +13,11 @@ from airlight import Camera, MoonLight, Scene, StarLight, load_planet, render
 from airlight.cli.scene_file import SceneOptions, changed
 from airlight.color.xyz import luminance
 from airlight.geometry.disc_overlap import visible_light
-from airlight.paint.paint_scene import paint_scene
-from airlight.paint.paint_system import paint_system
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.paint.render_scene import render_scene
+from airlight.paint.render_system import render_system
 from airlight.pixels.occulted_light import DARKEST, light_left
-from airlight.render.drawing import Drawing
+from airlight.pixels.scenes_by_light import scenes_by_light
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.solvers.moments.solution import MomentsSolution
 
 NM = (680.0, 550.0, 440.0)
@@ -35,14 +35,14 @@ def eclipse(apart: float, radius: float = 0.27, zenith: float = 40.0, **camera: 
         angular_radius=radius,
     )  # fmt: skip
     view = {"width": 120, "height": 120, "field_of_view": 0.8, "look_zenith": zenith} | camera
-    return Scene(camera=Camera(**view), altitude=2.0, sun_zenith=zenith, others=(moon,))
+    return Scene(camera=Camera(**view), altitude=2.0, sun_zenith=zenith, secondary_lights=(moon,))
 
 
 def discs(scene: Scene, solution: MomentsSolution) -> np.ndarray:
     """Light of the discs alone, linear sRGB."""
     rgb = np.zeros((scene.camera.height, scene.camera.width, 3), np.float32)
-    for seen, lit, _, _ in lit_scenes(scene, solution):
-        Drawing(lit, seen, exact=True, air=False).draw(0, scene.camera.height, rgb)
+    for seen, lit, _, _ in scenes_by_light(scene, solution):
+        CpuRenderer(lit, seen, exact=True, air=False).render_rows(0, scene.camera.height, rgb)
     return rgb
 
 
@@ -53,7 +53,7 @@ def test_the_light_of_the_crescent_is_what_the_moon_leaves(
     apart: float, radius: float, earth: MomentsSolution
 ) -> None:
     # a second method: the integral over the darkened disc; 1 % of the whole for rims of pixels
-    whole = discs(dataclasses.replace(eclipse(apart, radius), others=()), earth)
+    whole = discs(dataclasses.replace(eclipse(apart, radius), secondary_lights=()), earth)
     found = discs(eclipse(apart, radius), earth).sum(axis=(0, 1)) / whole.sum(axis=(0, 1))
     star = earth.lights[0]
     left = visible_light(
@@ -67,9 +67,12 @@ def test_behind_the_moon_there_is_nothing_and_beside_it_nothing_changes(
 ) -> None:
     # a law: a pixel shows the sun or the moon, but for their rims
     scene = eclipse(0.25)
-    whole, found = discs(dataclasses.replace(scene, others=()), earth), discs(scene, earth)
+    whole, found = (
+        discs(dataclasses.replace(scene, secondary_lights=()), earth),
+        discs(scene, earth),
+    )
     rays = scene.camera.directions()
-    angle = np.degrees(np.arccos(np.clip(rays @ scene.others[0].direction, -1.0, 1.0)))
+    angle = np.degrees(np.arccos(np.clip(rays @ scene.secondary_lights[0].direction, -1.0, 1.0)))
     rim = np.degrees(scene.camera.pixel_angle) + 0.01  # refraction of half a minute
     # the new moon itself has some 1e-16 of a sun
     assert found[angle < 0.27 - rim].max() < 1e-14 * whole.max()
@@ -84,7 +87,7 @@ def test_the_last_crescent_has_no_ring(width: int, earth: MomentsSolution) -> No
     star = earth.lights[0]
     alpha = np.degrees(star.angular_radius)
     view = {"width": width, "height": width, "field_of_view": 4.0}
-    whole = discs(dataclasses.replace(eclipse(0.0, **view), others=()), earth)
+    whole = discs(dataclasses.replace(eclipse(0.0, **view), secondary_lights=()), earth)
     assert_array_equal(discs(eclipse(0.0, alpha + 0.005, **view), earth), 0.0)
     thin = discs(eclipse(0.012, alpha + 0.005, **view), earth)
     left = visible_light(alpha, [0.012], [alpha + 0.005], darkening=star.darkenings)
@@ -97,7 +100,7 @@ def test_air_is_lit_by_what_is_left(earth: MomentsSolution) -> None:
     away = {"field_of_view": 40.0, "look_zenith": 60.0, "look_azimuth": 120.0, "width": 24}
     scene = eclipse(0.1, **away)
     sky = luminance(render(earth, scene).rgb)
-    day = luminance(render(earth, dataclasses.replace(scene, others=())).rgb)
+    day = luminance(render(earth, dataclasses.replace(scene, secondary_lights=())).rgb)
     star = earth.lights[0]
     left = visible_light(np.degrees(star.angular_radius), [0.1], [0.27], darkening=star.darkenings)
     assert np.ptp(left) > 1e-3
@@ -124,10 +127,10 @@ def test_the_share_of_live_pictures_is_that_of_the_disc(earth: MomentsSolution) 
 def test_a_second_star_is_hidden_too(earth: MomentsSolution) -> None:
     # both stand behind the moon; half of the light of equal stars would be left by hiding one
     star = StarLight(zenith=40.0, azimuth=0.2, star=StarLight.black_body(5800.0, 0.2))
-    moon = eclipse(0.0, 3.0).others[0]
-    scene = dataclasses.replace(eclipse(0.0), others=(star, moon))
+    moon = eclipse(0.0, 3.0).secondary_lights[0]
+    scene = dataclasses.replace(eclipse(0.0), secondary_lights=(star, moon))
     assert_array_equal(discs(scene, earth), 0.0)
-    assert discs(dataclasses.replace(scene, others=(star,)), earth).max() > 0.0
+    assert discs(dataclasses.replace(scene, secondary_lights=(star,)), earth).max() > 0.0
 
 
 def test_the_eclipse_over_london_is_that_of_the_scene() -> None:
@@ -139,11 +142,11 @@ def test_the_eclipse_over_london_is_that_of_the_scene() -> None:
     for look, wide in (("sun", 1.2), ("S/35", 90.0)):
         given = SceneOptions(at="51.5,-0.1", time=time, look_at=look, fov=f"{wide}")
         system = changed("solar-eclipse-2017", given)
-        wanted = luminance(paint_system(system, **size, wavelengths=NM, quality="preview").rgb)
+        wanted = luminance(render_system(system, **size, wavelengths=NM, quality="preview").rgb)
         camera = Camera(**size, field_of_view=wide)
         scene = Scene.at(planet, **place, time=time, look_at=look, camera=camera)
         lit = planet.lit_at(scene.time)
-        found = luminance(paint_scene(lit, scene, wavelengths=NM, quality="preview").rgb)
+        found = luminance(render_scene(lit, scene, wavelengths=NM, quality="preview").rgb)
         if look != "sun":
             assert_allclose(np.median(found / wanted), 1.0, atol=0.1)
             continue

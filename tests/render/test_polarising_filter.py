@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, replace, solve
 from airlight.color.xyz import luminance
-from airlight.render.drawing import color_weights
+from airlight.render.cpu_renderer import color_weights
 from airlight.solvers.moments.solution import MomentsSolution
 
 

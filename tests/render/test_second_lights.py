@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, MoonLight, ParameterError, Scene, StarLight, load_planet, solve
 from airlight.color.xyz import luminance
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.render import render
 from airlight.scene.light_position import LightPosition
 from airlight.solvers.moments.solution import MomentsSolution
@@ -29,7 +29,7 @@ def earth() -> MomentsSolution:
 
 def test_two_suns_are_the_sum_of_their_pictures(earth: MomentsSolution) -> None:
     # Linearity. The second alone: the same solution under its own star, turned to it.
-    both = render(earth, replace(SEA, others=(RED,))).rgb
+    both = render(earth, replace(SEA, secondary_lights=(RED,))).rgb
     second = earth.with_light(RED.source(earth.lights))
     alone = render(second, SEA.with_light(RED)).rgb
     assert_allclose(both, render(earth, SEA).rgb + alone, rtol=2e-6)
@@ -38,7 +38,7 @@ def test_two_suns_are_the_sum_of_their_pictures(earth: MomentsSolution) -> None:
 
 def test_a_second_light_in_the_same_place_doubles_the_picture(earth: MomentsSolution) -> None:
     # Linearity again, disc and ground included; the sea there has no lamps.
-    twice = render(earth, replace(SEA, others=(LightPosition(zenith=75.0),))).rgb
+    twice = render(earth, replace(SEA, secondary_lights=(LightPosition(zenith=75.0),))).rgb
     assert_allclose(twice, 2.0 * render(earth, SEA).rgb, rtol=2e-6)
 
 
@@ -50,7 +50,7 @@ def test_a_full_moon_s_sky_is_a_day_four_hundred_thousand_times_darker(
     camera = Camera(width=16, height=9, look_zenith=50.0, look_azimuth=140.0)
     day = render(earth, Scene(camera=camera, sun_zenith=45.0)).rgb
     moon = MoonLight(zenith=45.0, azimuth=0.0)
-    night = render(earth, Scene(camera=camera, sun_zenith=140.0, others=(moon,))).rgb
+    night = render(earth, Scene(camera=camera, sun_zenith=140.0, secondary_lights=(moon,))).rgb
     ratio = luminance(day.astype(float)) / luminance(night.astype(float))
     assert_allclose(ratio, 10.0 ** (0.4 * 14.01), rtol=0.05)
     redder = (night[..., 0] / night[..., 2]) / (day[..., 0] / day[..., 2])
@@ -72,7 +72,7 @@ def test_lamps_shine_once_beside_the_moon(earth: MomentsSolution) -> None:
     dark.medium = replace(earth.medium, surface=replace(earth.medium.surface, lights=None))
     camera = Camera(width=48, height=27, look_zenith=150.0, field_of_view=50.0)
     scene = Scene(camera=camera, altitude=4e5, sun_zenith=180.0, latitude=45.4, longitude=9.2)
-    moonlit = replace(scene, others=(MoonLight(zenith=60.0, azimuth=30.0),))
+    moonlit = replace(scene, secondary_lights=(MoonLight(zenith=60.0, azimuth=30.0),))
     added = []
     for solution in (earth, dark):
         added.append(render(solution, moonlit).rgb - render(solution, scene).rgb)
@@ -95,7 +95,7 @@ def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> Non
 
 
 @pytest.mark.parametrize(
-    ("sun", "moon", "altitude", "drawn"),
+    ("sun", "moon", "altitude", "rendered"),
     [
         (120.0, 60.0, 2.0, [True, True]),
         (120.0, 100.0, 2.0, [True, True]),  # twilight by moonlight
@@ -107,11 +107,13 @@ def test_another_star_of_a_planet_keeps_its_lamps(earth: MomentsSolution) -> Non
     ],
 )
 def test_lights_that_cannot_matter_are_left_out(
-    sun: float, moon: float, altitude: float, drawn: list[bool], earth: MomentsSolution
+    sun: float, moon: float, altitude: float, rendered: list[bool], earth: MomentsSolution
 ) -> None:
-    # Each light in the list is a table of the sky and a pass over the pixels.
-    scene = Scene(altitude=altitude, sun_zenith=sun, others=(MoonLight(zenith=moon, azimuth=90.0),))
-    assert [one.air for one in lit_scenes(scene, earth)] == drawn
+    # Each light in the list is a sky-view LUT and a pass over the pixels.
+    scene = Scene(
+        altitude=altitude, sun_zenith=sun, secondary_lights=(MoonLight(zenith=moon, azimuth=90.0),)
+    )
+    assert [one.air for one in scenes_by_light(scene, earth)] == rendered
 
 
 def test_moonlight_left_out_by_day_is_invisible(earth: MomentsSolution) -> None:
@@ -128,7 +130,7 @@ def test_the_day_moon_stands_in_a_blue_sky(earth: MomentsSolution) -> None:
     camera = Camera(width=80, height=60, field_of_view=1.2, look_zenith=50.0, look_azimuth=70.0)
     scene = Scene(camera=camera, altitude=2.0, sun_zenith=50.0)
     moon = MoonLight(zenith=50.0, azimuth=70.0, phase=90.0)
-    added = render(earth, replace(scene, others=(moon,))).rgb - render(earth, scene).rgb
+    added = render(earth, replace(scene, secondary_lights=(moon,))).rgb - render(earth, scene).rgb
     rows, columns = np.indices(added.shape[:2])
     weight = added[..., 1].astype(float)
     assert weight.max() > 0.1 * render(earth, scene).rgb[..., 1].max()
@@ -143,5 +145,5 @@ def test_what_cannot_be_is_refused() -> None:
             MoonLight(**{"zenith": 30.0, **wrong})
     with pytest.raises(ParameterError, match="temperature"):
         StarLight.black_body(1.0, 0.3)
-    with pytest.raises(ParameterError, match="others"):
-        Scene(others=("moon",))  # type: ignore[arg-type]
+    with pytest.raises(ParameterError, match="secondary_lights"):
+        Scene(secondary_lights=("moon",))  # type: ignore[arg-type]

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from airlight import Camera, Planet, Scene, look_at
 from airlight.color.spectral import rgb_weights
 from airlight.color.xyz import rgb_to_xyz
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.spectra.limb_darkening import solar_darkening
 
@@ -20,15 +20,15 @@ Lit = Callable[..., MomentsSolution]
 Starred = Callable[[float], Planet]
 
 
-def drawn(
+def rendered(
     solution: MomentsSolution, scene: Scene, *, disc: bool, air: bool = True
 ) -> np.ndarray:  # fmt: skip
     """Draw a picture with or without the disc, in float64; without the air the disc alone."""
     camera = scene.camera
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
-    drawing = Drawing(solution, scene, disc=disc, air=air)
-    drawing.fill_sky()
-    drawing.draw(0, camera.height, rgb)
+    renderer = CpuRenderer(solution, scene, disc=disc, air=air)
+    renderer.fill_sky_view()
+    renderer.render_rows(0, camera.height, rgb)
     return rgb.astype(np.float64)
 
 
@@ -37,7 +37,7 @@ def disc() -> Callable[[MomentsSolution, Scene], np.ndarray]:
     """Contribution of the disc to a picture."""
 
     def only(solution: MomentsSolution, scene: Scene) -> np.ndarray:
-        return drawn(solution, scene, disc=True) - drawn(solution, scene, disc=False)
+        return rendered(solution, scene, disc=True) - rendered(solution, scene, disc=False)
 
     return only
 
@@ -160,7 +160,7 @@ def test_a_disc_of_few_pixels_keeps_its_energy(
         scene = Scene(camera=camera, altitude=400e3, sun_zenith=75.0 + float(shift) / 3.0)
         # in panoramas, which are large, without the air before it
         around = projection in ("equirectangular", "cubemap")
-        added = drawn(solution, scene, disc=True, air=False) if around else disc(solution, scene)
+        added = rendered(solution, scene, disc=True, air=False) if around else disc(solution, scene)
         row = np.flatnonzero(added[..., 1].any(axis=1))
         angles = solid_angles(camera, slice(row.min(), row.max() + 1)) if row.size else np.zeros(1)
         lit_rows = added[row.min() : row.max() + 1] if row.size else np.zeros((1, 3))

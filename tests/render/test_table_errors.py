@@ -1,4 +1,4 @@
-"""Pictures from the table of the sky against exact marching, for every kind of view."""
+"""Pictures from the sky-view LUT against exact marching, for every kind of view."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from airlight import Planet
 from airlight.render import render
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Camera, Scene
 from airlight.solvers.moments.solution import MomentsSolution
 from picture_errors import CASES, NM, ROWS, errors
@@ -61,6 +61,6 @@ def test_a_picture_from_the_table_is_the_marched_one(
 def test_a_picture_of_few_pixels_is_marched(lit: Lit) -> None:
     # A table has more texels than such a picture has pixels.
     scene = Scene(camera=Camera(width=32, height=18), altitude=2.0)
-    assert Drawing(lit(), scene).window is None
-    exact, drawn = (render(lit(), scene, exact=choice).rgb for choice in (True, False))
-    assert (exact == drawn).all()
+    assert CpuRenderer(lit(), scene).window is None
+    exact, rendered = (render(lit(), scene, exact=choice).rgb for choice in (True, False))
+    assert (exact == rendered).all()

@@ -139,9 +139,9 @@ def test_solutions_are_kept_by_the_ground_they_were_solved_for(tmp_path: Path) -
 def test_the_report_of_a_solution_says_which_ground_it_has(tmp_path: Path) -> None:
     planet = mapped(tmp_path / "halves.png", halves(), 0.1)
     there = local_ground(planet, latitude=-10.0, longitude=-90.0, altitude=1500.0)
-    told = str(solve(there, quality="preview", cache=False).report)
-    assert "ground of 10°S 90°W, seen by the air of an observer at 1500 m" in told
-    assert "albedo 0.0308 at 550 nm, planet 0.1" in told  # 0.1 · 0.182 / 0.5906
+    reported = str(solve(there, quality="preview", cache=False).report)
+    assert "ground of 10°S 90°W, seen by the air of an observer at 1500 m" in reported
+    assert "albedo 0.0308 at 550 nm, planet 0.1" in reported  # 0.1 · 0.182 / 0.5906
     assert "ground of" not in str(solve(planet, quality="preview", cache=False).report)
 
 

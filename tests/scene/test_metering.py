@@ -66,7 +66,9 @@ def lit_picture(
         width=width, height=width * 9 // 16, look_zenith=60.0, field_of_view=field_of_view
     )
     others = () if moon is None else (moon,)
-    scene = Scene(camera=camera, sun_zenith=60.0 if moon is None else 140.0, others=others)
+    scene = Scene(
+        camera=camera, sun_zenith=60.0 if moon is None else 140.0, secondary_lights=others
+    )
     towards = scene.lights[-1].direction
     angle = np.arccos(np.clip(camera.directions() @ towards, -1.0, 1.0))
     rgb = np.where(angle[..., None] < scene.lights[-1].radius(RADIUS), disc, sky)
@@ -154,7 +156,7 @@ def test_the_disc_of_a_second_light_does_not_count_by_its_own_size() -> None:
     # Pixels within the moon's own radius and the margin of 0.75° are its own, those beyond are not.
     camera = Camera(width=200, height=100, field_of_view=40.0, look_zenith=70.0)
     moon = MoonLight(zenith=70.0, azimuth=5.0, angular_radius=3.0)
-    scene = Scene(camera=camera, sun_zenith=120.0, others=(moon,))
+    scene = Scene(camera=camera, sun_zenith=120.0, secondary_lights=(moon,))
     weights, light = metering_weights(scene, 0.005)
     apart = np.degrees(np.arccos(np.clip(camera.directions() @ moon.direction, -1.0, 1.0)))
     margin = np.degrees(camera.pixel_angle)

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, ParameterError, Scene, load_planet, render, solve
 from airlight.gpu.device.device import Device
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.scene.projections.orthographic import disc_extent
 from airlight.solvers.moments.solution import MomentsSolution
 
@@ -102,11 +102,11 @@ def test_an_orthographic_camera_has_no_altitude_and_others_no_extent() -> None:
         Camera(extent=1e6)
 
 
-def test_a_device_draws_the_processor_s_disc(device: Device, lit: MomentsSolution) -> None:
-    # The second method: double precision, and the processor's own rows of pixels. Light that is
+def test_a_device_draws_the_cpu_s_disc(device: Device, lit: MomentsSolution) -> None:
+    # The second method: double precision, and the CPU's own rows of pixels. Light that is
     # not shown, below 1e-3 of the brightest, is left out.
-    pictures = Pictures(device)
-    pictures.show(lit)
+    pictures = GpuRenderer(device)
+    pictures.set_solution(lit)
     scene = globe(128, sun_zenith=50.0)
-    wanted, got = render(lit, scene).rgb, pictures.frame(scene).rgb
+    wanted, got = render(lit, scene).rgb, pictures.render(scene).rgb
     assert_allclose(got, wanted, rtol=1e-2, atol=1e-3 * wanted.max())

@@ -189,7 +189,7 @@ def test_progress_rises_to_its_total(reference_earth: Callable[..., Planet]) -> 
 
 
 def test_cancel_stops_within_a_moment(reference_earth: Callable[..., Planet]) -> None:
-    # Asked between blocks of a sweep, each a small part of a second: of the processor's time, which
+    # Asked between blocks of a sweep, each a small part of a second: of the CPU's time, which
     # other work on the machine does not lengthen.
     planet = reference_earth(albedo=0.3)
     solve(planet, quality="default", cache=False)  # compiled by now

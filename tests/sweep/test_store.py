@@ -184,7 +184,7 @@ def test_damaged_blocks_are_computed_again(
     blocks = list(np.ndindex(*grid.blocks))
     damage(path / chunk_file("radiance", blocks[1]))
     damage(path / chunk_file("dolp" if stokes else "radiance", blocks[2]))
-    done = swept(grid, path, stokes=stokes, told=lines.append)
+    done = swept(grid, path, stokes=stokes, on_message=lines.append)
     assert (done.computed, done.kept, done.damaged) == (2, 2, 2)
     assert lines == ["2 of 4 blocks are damaged and will be recomputed"]
     assert files(path) == before
@@ -217,7 +217,7 @@ def test_a_damaged_mark_or_axis_is_written_again(grid: Grid, tmp_path: Path) -> 
     before = files(path)
     flip(path / marks_file((0,)))
     flip(path / "sun_zenith/0")
-    assert swept(grid, path, told=lines.append).damaged == 1
+    assert swept(grid, path, on_message=lines.append).damaged == 1
     assert lines == ["the axis sun_zenith was damaged and is written again",
                      "1 of 4 blocks are damaged and will be recomputed"]  # fmt: skip
     assert files(path) == before
@@ -352,7 +352,7 @@ def test_a_large_sweep_is_announced_and_one_that_memory_cannot_hold_refused(
 ) -> None:
     monkeypatch.setattr(sweeps, "_LARGE", 1)
     lines: list[str] = []
-    swept(grid, tmp_path / "a.zarr", told=lines.append)
+    swept(grid, tmp_path / "a.zarr", on_message=lines.append)
     # four chunks, of one sector of 4096 bytes each
     assert "up to 16.4 kB, a sweep of 36 radiances in 4 blocks" in lines[0]
     monkeypatch.setattr(memory, "free_memory", lambda: 1e3)

@@ -122,9 +122,9 @@ def test_the_errors_are_those_of_the_files_read_back(
     rows += level_errors(solution, tables.irradiance_at, tables.transmittance_at)
     said = read_export(earth, TARGET).errors
     assert [row.name for row in said] == [row.name for row in rows]
-    for told, found in zip(said, rows, strict=True):
-        assert_allclose(told.median, found.median, rtol=1e-6)
-        assert_allclose(told.largest, found.largest, rtol=1e-6)
+    for reported, found in zip(said, rows, strict=True):
+        assert_allclose(reported.median, found.median, rtol=1e-6)
+        assert_allclose(reported.largest, found.largest, rtol=1e-6)
     by_name = {row.name: row for row in said}
     assert by_name["sky"].median < 0.015
     assert by_name["sky"].percentile_95 < 0.07

@@ -14,11 +14,11 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
 from airlight.gpu.device.device import Device
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.painting.picture_painter import PicturePainter
 from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.session.adaptation import Adaptation
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.sides import Sides
@@ -87,17 +87,17 @@ def request_(solved: Callable[..., MomentsSolution]) -> Request:
 
 
 def test_pictures_ease_until_the_exposure_is_reached(device: Device, request_: Request) -> None:
-    painter = PicturePainter(device.device, ScenePainter())
-    plain = list(painter.paint(request_, lambda: False))[-1]
+    renderer = SideRenderer(device.device, Renderer())
+    plain = list(renderer.render(request_, lambda: False))[-1]
     adaptation = Adaptation()
     adaptation.towards(plain.exposure - 4.0, held=False)
     held = dataclasses.replace(request_, adaptation=adaptation, held=True)
-    shown = list(painter.paint(held, lambda: False))
+    shown = list(renderer.render(held, lambda: False))
     assert [one.exposure for one in shown] == [plain.exposure - 4.0] * len(shown)
     assert shown[-1].finished
     free = dataclasses.replace(held, held=False)
     assert not free.same(held)
-    eased = list(painter.paint(free, lambda: False))
+    eased = list(renderer.render(free, lambda: False))
     exposures = [one.exposure for one in eased]
     assert len(exposures) > 4
     assert exposures == sorted(exposures)
@@ -106,12 +106,12 @@ def test_pictures_ease_until_the_exposure_is_reached(device: Device, request_: R
 
 
 class Recorder:
-    """Painter that measures an exposure of its own and paints nothing."""
+    """PictureSource that measures an exposure of its own and paints nothing."""
 
     def __init__(self, asked: list[Request], measured: float) -> None:
         self.asked, self.measured = asked, measured
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         self.asked.append(request)
         exposure = request.exposure
         if request.automatic and request.adaptation is None:

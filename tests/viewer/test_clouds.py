@@ -81,7 +81,7 @@ def test_a_file_with_clouds_is_read_as_it_was_written(session: Session, clouds: 
 
 @pytest.mark.parametrize("ground", [{}, {"ground.law": "water", "ground.albedo": 0.02}])
 def test_clouds_are_probed_as_they_are_drawn(clouds: str, ground: dict[str, object]) -> None:
-    # The picture's own pixels, which draw from a table of the sky; water by one direction.
+    # The picture's own pixels, which draw from a sky-view LUT; water by one direction.
     changes = {"ground.clouds": clouds, "ground.cloud_altitude": "20 km", **ground}
     solution = solve(load_planet(PLANET, changes), NM, "preview", cache=False)
     assert isinstance(solution, MomentsSolution)

@@ -14,8 +14,8 @@ from numpy.testing import assert_array_equal
 from airlight.errors import AirlightError, ParameterError
 from airlight.gpu.device.device import Device
 from airlight.viewer.painting.picture_source import Picture, Request
-from airlight.viewer.painting.probe import Part, Probe
-from airlight.viewer.painting.probing import Reading
+from airlight.viewer.painting.probe import Contribution, Probe
+from airlight.viewer.painting.probing import ProbeResult
 from airlight.viewer.session.session import Session
 from airlight.viewer.window import overlay_help
 from airlight.viewer.window.canvas import OffscreenCanvas
@@ -34,9 +34,9 @@ Breaks = Callable[[Window, pytest.MonkeyPatch, BaseException], None]
 
 
 class Idle:
-    """Painter that is never called, since nothing is ever solved."""
+    """PictureSource that is never called, since nothing is ever solved."""
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         raise AssertionError("nothing was solved")
 
     def close(self) -> None:
@@ -57,9 +57,9 @@ class Read:
             chromaticity=(0.3, 0.3), rgb=(1.0, 1.0, 1.0), polarised=(0.4, 30.0), names=("air",),
             optical_depth=((0.2, 0.1, 0.05),), transmittance=(0.8, 0.9, 0.95), distance=np.inf,
             latitude=None, longitude=None,
-            parts=(Part(name="single scattering", radiance=light, luminance=10.0),),
+            parts=(Contribution(name="single scattering", radiance=light, luminance=10.0),),
         )  # fmt: skip
-        self.reading = Reading(probe=probe, spectrum=probe, quality="all", place=(0.5, 0.5))
+        self.reading = ProbeResult(probe=probe, spectrum=probe, quality="all", place=(0.5, 0.5))
         self.working = self.error = ""
         self.busy = False
 
@@ -118,7 +118,7 @@ def breaks_disabled(window: Window, patch: pytest.MonkeyPatch, fault: BaseExcept
     patch.setattr(imgui, "checkbox", failing(fault))
 
 
-#: Part, tab, and function that fails, each between a begin and an end.
+#: Contribution, tab, and function that fails, each between a begin and an end.
 PARTS: tuple[tuple[str, str, Breaks], ...] = (
     ("flight", "Planet", lambda w, patch, fault: patch.setattr(w, "_step", failing(fault))),
     ("request", "Planet", lambda w, patch, fault: patch.setattr(w, "_follow", failing(fault))),

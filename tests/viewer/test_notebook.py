@@ -18,9 +18,9 @@ from PIL import Image
 from airlight import solve
 from airlight.color.display import to_display
 from airlight.kernel.compiling import Compiling
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.planets import load_planet
-from airlight.viewer.background.solving import Solving
+from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.parameters.view_parameters import scene_of
 from airlight.viewer.session.session import Session
 
@@ -38,8 +38,8 @@ def viewer(solution: Any) -> Iterator[Any]:
     """Viewer whose planet is solved immediately."""
     from airlight.viewer.browser.notebook import Viewer
 
-    def solving(session: Session, **more: Any) -> Solving:
-        return Solving(session, **{**more, "solver": lambda *a, **k: solution})
+    def solving(session: Session, **more: Any) -> SolverThread:
+        return SolverThread(session, **{**more, "solver": lambda *a, **k: solution})
 
     def none() -> NoReturn:
         raise RuntimeError  # Playwright, in the same process, keeps a loop that runs no callback
@@ -161,7 +161,7 @@ def test_closing_ends_the_thread(solution: Any) -> None:
     (thread,) = (one for one in set(threading.enumerate()) - before if "solving" in one.name)
     viewer.close()
     altitude = viewer.values["view.altitude"]
-    viewer.session.set("view.altitude", 7.0)  # no follower is left
+    viewer.session.set("view.altitude", 7.0)  # no observer is left
     assert viewer.values["view.altitude"] == altitude != 7.0
     thread.join(120.0)
     assert not thread.is_alive()
@@ -173,27 +173,27 @@ def test_the_kernel_draws_what_a_browser_asks_for(viewer: Any, solution: Any) ->
     view["display.exposure"] = -2.0
     viewer.set_state({"wanted": {"number": 7, "view": view, "size": [40, 24]}})
     limit = time.monotonic() + 300.0
-    while viewer.drawn.get("number") != 7:
+    while viewer.rendered.get("number") != 7:
         assert time.monotonic() < limit
         time.sleep(0.01)
-    drawn = viewer.drawn
-    assert drawn["exposure"] == -2.0
-    got = np.asarray(Image.open(io.BytesIO(drawn["png"])).convert("RGB"))
+    rendered = viewer.rendered
+    assert rendered["exposure"] == -2.0
+    got = np.asarray(Image.open(io.BytesIO(rendered["png"])).convert("RGB"))
     scene = scene_of(view, 40, 24)
-    light = ScenePainter().frame(solution, scene)
+    light = Renderer().render(solution, scene)
     wanted = to_display(
         light.rgb, -2.0, str(view["display.tone_map"]), eye=True,
         glare=float(view["display.glare"]), pixel_angle=light.pixel_angle,
     )  # fmt: skip
     assert_array_equal(got, wanted)
-    # what cannot be drawn is said, and the next picture is drawn
+    # what cannot be rendered is said, and the next picture is rendered
     wrong = {**view, "view.projection": "orthographic"}
     viewer.set_state({"wanted": {"number": 8, "view": wrong, "size": [40, 24]}})
     viewer.set_state({"wanted": {"number": 9, "view": view, "size": [24, 40]}})
     seen = {}
     while 9 not in seen:
         assert time.monotonic() < limit
-        seen[viewer.drawn["number"]] = dict(viewer.drawn)
+        seen[viewer.rendered["number"]] = dict(viewer.rendered)
         time.sleep(0.001)
     assert "png" in seen[9]
     assert 8 not in seen or "orthographic" in seen[8]["error"]
@@ -244,13 +244,13 @@ def test_the_kernel_leaves_compilation_to_another_process(
     assert viewer._pictures.waits
     assert "default" not in viewer.status
     time.sleep(0.3)
-    assert viewer.drawn == {}
+    assert viewer.rendered == {}
     compiler.done.set()
     limit = time.monotonic() + 300.0
-    while viewer.drawn.get("number") != 1:
+    while viewer.rendered.get("number") != 1:
         assert time.monotonic() < limit
         time.sleep(0.01)
-    assert "png" in viewer.drawn
+    assert "png" in viewer.rendered
     assert viewer.status.startswith("default, ")
 
 
@@ -262,7 +262,7 @@ def test_closing_ends_a_picture_that_waits(viewer: Any, monkeypatch: pytest.Monk
     order = {"number": 1, "view": dict(viewer.session.view), "size": [40, 24]}
     viewer.set_state({"wanted": order})
     viewer.close()
-    assert viewer.drawn == {}
+    assert viewer.rendered == {}
     assert not viewer._pictures._thread.is_alive()
 
 

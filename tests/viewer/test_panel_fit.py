@@ -26,9 +26,9 @@ CLOSE = 0.51
 
 
 class Idle:
-    """Painter that is never called, since nothing is ever solved."""
+    """PictureSource that is never called, since nothing is ever solved."""
 
-    def paint(self, request: Request, stale: object) -> Iterator[Picture]:
+    def render(self, request: Request, stale: object) -> Iterator[Picture]:
         raise AssertionError("nothing was solved")
 
     def close(self) -> None:

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from airlight.color.tone_maps import TONE_MAPS
 from airlight.errors import ParameterError
 from airlight.gpu.picture.uniforms import FRAME
-from airlight.pixels.picture_numbers import display_numbers
+from airlight.pixels.view_uniforms import display_uniforms
 from airlight.planets import load_planet, planet_names
 from airlight.planets.reading.declared_keys import spelled_out
 from airlight.planets.reading.nested_tables import Tables
@@ -207,7 +207,7 @@ def test_the_tone_map_that_the_view_sends_is_the_one_that_the_picture_counts() -
     # The shaders' number of tone maps is the second method.
     for name in TONE_MAPS:
         sent = uniforms_of({**DEFAULTS, "display.tone_map": name})["tone_map"]
-        assert sent == display_numbers(0.0, name, "srgb")["tone_map"]
+        assert sent == display_uniforms(0.0, name, "srgb")["tone_map"]
 
 
 def test_a_planet_without_a_date_has_all_uniforms() -> None:

@@ -19,13 +19,13 @@ LONG = 60.0
 
 
 class Slow:
-    """Painter whose second, fine picture waits until it is released or superseded."""
+    """PictureSource whose second, fine picture waits until it is released or superseded."""
 
     def __init__(self) -> None:
         self.painted: list[float] = []
         self.closed = False
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         if request.exposure > 10.0:
             raise ParameterError("exposure", request.exposure, "at most 10 EV")
         if request.exposure < -10.0:
@@ -69,40 +69,40 @@ def until(condition: Callable[[], bool]) -> None:
 
 @pytest.fixture
 def thread() -> Iterator[tuple[PictureThread, Slow, list[int]]]:
-    painter, wakes = Slow(), [0]
+    renderer, wakes = Slow(), [0]
 
     def wake() -> None:
         wakes[0] += 1
 
-    made = PictureThread(painter, wake)
-    yield made, painter, wakes
+    made = PictureThread(renderer, wake)
+    yield made, renderer, wakes
     made.close()
-    assert painter.closed
+    assert renderer.closed
 
 
 def test_the_newest_wish_is_painted_to_the_end(
     thread: tuple[PictureThread, Slow, list[int]],
 ) -> None:
     # The first requests block until they are stale: only a newer one can end them.
-    made, painter, wakes = thread
+    made, renderer, wakes = thread
     for exposure in (1.0, 2.0, 3.0):
         made.want(wish(exposure))
-        until(lambda exposure=exposure: exposure in painter.painted)
+        until(lambda exposure=exposure: exposure in renderer.painted)
     until(lambda: not made.busy)
     assert made.picture is not None
     assert made.picture.finished
     assert made.picture.exposure == 3.0
-    assert painter.painted == [1.0, 2.0, 3.0, 3.0]  # coarse ones of all, a fine one of the last
+    assert renderer.painted == [1.0, 2.0, 3.0, 3.0]  # coarse ones of all, a fine one of the last
     assert wakes[0] >= 4
 
 
 def test_the_same_wish_is_painted_once(thread: tuple[PictureThread, Slow, list[int]]) -> None:
-    made, painter, _ = thread
+    made, renderer, _ = thread
     made.want(wish(3.0))
     until(lambda: not made.busy)
     made.want(wish(3.0))
     assert not made.busy
-    assert painter.painted == [3.0, 3.0]
+    assert renderer.painted == [3.0, 3.0]
 
 
 def test_errors_are_one_line_and_the_thread_lives_on(
@@ -121,10 +121,10 @@ def test_errors_are_one_line_and_the_thread_lives_on(
 
 
 def test_closing_ends_a_picture_under_way() -> None:
-    painter = Slow()
-    made = PictureThread(painter, lambda: None)
+    renderer = Slow()
+    made = PictureThread(renderer, lambda: None)
     made.want(wish(1.0))
-    until(lambda: painter.painted == [1.0])
+    until(lambda: renderer.painted == [1.0])
     assert made._thread.is_alive()
     made.close()
     assert not made._thread.is_alive()

@@ -68,7 +68,7 @@ def test_luminance_and_colour_are_those_of_the_picture(earth: MomentsSolution) -
 def test_the_map_of_the_ground_is_read_where_the_picture_reads_it(
     mapped: MomentsSolution,
 ) -> None:
-    # The same map by the same interpolation; the picture draws from a table of the sky.
+    # The same map by the same interpolation; the picture draws from a sky-view LUT.
     camera = Camera(width=16, height=16, field_of_view=70.0, look_zenith=180.0)
     scene = Scene(camera=camera, altitude=3e6, sun_zenith=30.0, latitude=20.0, longitude=10.0)
     rgb = render(mapped, scene).rgb.astype(float)

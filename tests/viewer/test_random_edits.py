@@ -21,7 +21,7 @@ from sessions import (
 )
 
 from airlight.render import render
-from airlight.viewer.background.solving import Solving
+from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.session.session import Session
 
 
@@ -52,7 +52,7 @@ def test_random_edits_of_particles(tell: Callable[[str], None]) -> None:
     session.set("light.quality", "preview")
     refused: list[str] = []
     pictures = 0
-    with Solving(
+    with SolverThread(
         session, solver=quickly, wavelengths=lambda planet, count: three(planet)
     ) as solving:
         for edit in range(40):

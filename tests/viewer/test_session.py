@@ -248,13 +248,13 @@ def test_versions_tell_what_to_redo(session: Session) -> None:
         ("display.exposure", 3.0, "display"),
     ):
         before = session.versions
-        told: list[Any] = []
-        stop = session.follow(told.append)
+        reported: list[Any] = []
+        stop = session.subscribe(reported.append)
         session.set(path, value)
         stop()
         session.set(path, value)  # no change
         assert session.versions == before._replace(**{part: getattr(before, part) + 1})
-        assert told == [session.versions]
+        assert reported == [session.versions]
 
 
 def test_reset_of_a_parameter_of_a_group_and_of_all(session: Session) -> None:

@@ -152,7 +152,7 @@ def test_date_sets_the_moon_where_the_ephemeris_has_it() -> None:
     assert moon_of(session) == pytest.approx((seen.altitude, seen.azimuth), abs=0.15)
     # the half Moon of that evening; of the Earth's centre, 1° from the place's
     assert session.value("view.moon_phase") == pytest.approx(seen.phase_angle, abs=1.2)
-    (moon,) = session.scene.others
+    (moon,) = session.scene.secondary_lights
     assert moon.zenith == session.value("view.second_zenith")
     bearing = (moon.azimuth + float(session.view["view.sun_azimuth"])) % 360.0
     assert bearing == pytest.approx(moon_of(session)[1])
@@ -176,7 +176,7 @@ def test_moon_is_switched_off_by_one_choice() -> None:
     session.set("view.second_light", "none")
     session.set("view.hour", 21.0)
     assert session.value("view.second_light") == "none"
-    assert session.scene.others == ()
+    assert session.scene.secondary_lights == ()
 
 
 def test_a_moved_moon_shines_and_a_temperature_makes_a_second_sun() -> None:
@@ -186,7 +186,7 @@ def test_a_moved_moon_shines_and_a_temperature_makes_a_second_sun() -> None:
     session.undo()
     assert session.value("view.second_light") == "none"
     session.set("view.second_temperature", 4000.0)
-    (star,) = session.scene.others
+    (star,) = session.scene.secondary_lights
     assert star.star.temperature == 4000.0
     assert star.star.angular_radius_degrees == pytest.approx(0.259)
 

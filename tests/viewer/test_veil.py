@@ -12,9 +12,9 @@ import pytest
 
 from airlight import load_planet
 from airlight.gpu.device.device import Device
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.painting.picture_painter import PicturePainter
+from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.canvas import OffscreenCanvas
 from airlight.viewer.window.window import Window
@@ -50,7 +50,7 @@ def window(device: Device, solver: Solver) -> Iterator[Window]:
         session,
         OffscreenCanvas((800, 600)),
         device.device,
-        lambda: PicturePainter(device.device, ScenePainter()),
+        lambda: SideRenderer(device.device, Renderer()),
         cast(Any, solver),
     )
     window.actions.shows_panels = False
@@ -105,7 +105,7 @@ def test_a_picture_of_another_planet_than_the_controls_says_so(
         Session("mars"),
         OffscreenCanvas((800, 600)),
         device.device,
-        lambda: PicturePainter(device.device, ScenePainter()),
+        lambda: SideRenderer(device.device, Renderer()),
         cast(Any, solver),
     )
     window.actions.shows_panels = False

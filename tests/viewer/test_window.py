@@ -202,7 +202,7 @@ def test_frames_keep_coming_while_a_software_device_compiles(
         lacking(reason)
     with opened_window(tmp_path, MESA_SHADER_CACHE_DIR=str(tmp_path / "shaders")) as driven:
         if not driven.ask("software"):
-            pytest.skip("a graphics card compiles beside the frames that it draws")
+            pytest.skip("a GPU compiles beside the frames that it draws")
         assert driven.ask("compiling")
         longest, limit = 0.0, time.monotonic() + 240.0
         while driven.ask("compiling"):
@@ -412,8 +412,8 @@ def test_frames_keep_coming_while_the_planet_is_solved(
     window.mouse("mouseup", 1)
     assert window.ask("busy")
     gap, slowness = window.ask("longest_gap", 2.0), window.ask("slowness")
-    # 0.3 s, the limit of perception, on a free processor; here it is shared by the solver, the
-    # software device and other processes
+    # 0.3 s, the limit of perception, on a free CPU; here it is shared by the solver, the
+    # software GPU and other processes
     tell(f"window: longest time between frames while solving {gap:.2f} s, slowed {slowness:.1f}×")
     assert gap < 0.3 * min(slowness, 5.0)
     assert window.ask("settled", 60.0)
@@ -495,16 +495,14 @@ def test_a_panel_that_fails_ends_neither_window_nor_picture(window: Driven) -> N
     window.until(lambda: window.ask("error") == "")
 
 
-def test_an_idle_window_costs_no_processor_time(
-    window: Driven, tell: Callable[[str], None]
-) -> None:
+def test_an_idle_window_costs_no_cpu_time(window: Driven, tell: Callable[[str], None]) -> None:
     window.mouse("mousemove", 600, 200)
     assert window.ask("settled", 60.0)
     time.sleep(2.0)  # the last hints have faded
     frames = window.ask("frames")
     share = window.ask("cpu", 3.0)
     assert window.ask("frames") == frames
-    tell(f"window: at rest {100.0 * share:.2f} % of one processor")
+    tell(f"window: at rest {100.0 * share:.2f} % of one CPU")
     assert share < 0.03
 
 
@@ -673,12 +671,12 @@ def test_a_filter_is_clicked_and_turned_and_the_probe_tells_the_light(window: Dr
     left, top, width, height = window.ask("picture_place")
     at = int(left + 0.5 * width), int(top + 0.3 * height)
 
-    def told() -> bool:
+    def reported() -> bool:
         window.mouse("mousemove", *at, "sleep", 0.1, *PRESS)
         window.ask("draws", 2)
         return "polarised" in window.ask("probe_rows")
 
-    window.until(told, of="probe")
+    window.until(reported, of="probe")
     degree, angle = window.ask("probe_rows")["polarised"].removesuffix("°").split(" % at ")
     assert 0.0 <= float(degree) <= 100.0
     assert -90.0 <= float(angle) <= 90.0

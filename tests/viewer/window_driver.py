@@ -20,7 +20,7 @@ from airlight.viewer.window.canvas import DesktopCanvas
 from airlight.viewer.window.panels import parameters as panel_parameters
 from airlight.viewer.window.panels.probe import numbers_of
 from airlight.viewer.window.panels.row import parameter_row
-from airlight.viewer.window.start import Start, opened, painter_by
+from airlight.viewer.window.start import Start, opened, renderer_by
 from airlight.viewer.window.window import Window
 
 
@@ -174,7 +174,7 @@ class Answers:
         return not self.window.settled
 
     def cpu(self, seconds: float) -> float:
-        """Fraction of one processor that the process uses while idle. [1]"""
+        """Fraction of one CPU that the process uses while idle. [1]"""
         started, before = time.perf_counter(), time.process_time()
         time.sleep(seconds)
         return (time.process_time() - before) / (time.perf_counter() - started)
@@ -192,7 +192,7 @@ class Answers:
         return max(longest, time.monotonic() - last)
 
     def slowness(self) -> float:
-        """Ratio of wall-clock time to processor time of some work. [1]"""
+        """Ratio of wall-clock time to CPU time of some work. [1]"""
         started, before = time.perf_counter(), time.thread_time()
         while time.thread_time() - before < 0.1:
             pass
@@ -217,7 +217,7 @@ def main() -> None:
     session = opened(Start(planet=planet, view={"light.quality": "preview"}))
     canvas = DesktopCanvas((width, height), "airlight test")
     device = open_device()
-    window = Window(session, canvas, device.device, painter_by(by, device))
+    window = Window(session, canvas, device.device, renderer_by(by, device))
     answers = Answers(window, canvas)
 
     def listen() -> None:

@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.glsl import GLSL
-from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, Bundle
+from airlight.gpu.emit.shader_types import F32, FLAT_WIDTH, I32, VEC4, StructValue
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME, LAYERS
 from airlight.kernel.lanes import LANES, load
-from airlight.pixels.pixel import Screen
+from airlight.pixels.pixel import ViewUniforms
 from airlight.viewer.browser.tables_text import as_text, deflated
 from airlight.viewer.browser.web_shaders import CORNERS
 
-#: Number of columns of the sky table.
+#: Number of columns of the sky-view LUT.
 COLUMNS = 16
 COLORS = np.linspace(0.05, 1.0, 4 * COLUMNS, dtype=np.float32).reshape(COLUMNS, 4)
 PAINT = (0.25, 0.5, 0.75, 1.0)
@@ -32,14 +32,14 @@ def painted(index, fields):
     return load(fields, LANES * (index % 16))
 
 
-def looked_at(px, py, screen, air):
+def looked_at(px, py, view, air):
     """Picture of it by a camera."""
-    slope = math.tan(0.5 * screen.field_of_view)
-    x = (2.0 * px / screen.width - 1.0) * slope
-    y = (1.0 - 2.0 * py / screen.height) * slope * screen.height / screen.width
-    east = screen.forward_x + x * screen.right_x + y * screen.up_x
-    north = screen.forward_y + x * screen.right_y + y * screen.up_y
-    up = screen.forward_z + x * screen.right_z + y * screen.up_z
+    slope = math.tan(0.5 * view.field_of_view)
+    x = (2.0 * px / view.width - 1.0) * slope
+    y = (1.0 - 2.0 * py / view.height) * slope * view.height / view.width
+    east = view.forward_x + x * view.right_x + y * view.up_x
+    north = view.forward_y + x * view.right_y + y * view.up_y
+    up = view.forward_z + x * view.right_z + y * view.up_z
     height = up / math.sqrt(east * east + north * north + up * up)
     column = min(max(int((0.5 + 0.5 * height) * 16.0), 0), 15)
     return load(air, LANES * column)
@@ -49,18 +49,20 @@ def shader_in(dialect: ShaderDialect) -> tuple[str, dict[str, str]]:
     """Shared shader code, and each entry point."""
     tables = [TextureTable(name, name, 1, True) for name in ("fields", "air")]
     fields, air = (one.table for one in tables)
-    names = [name for name in Screen._fields if name in FRAME.layout()["numbers"]]
+    names = [name for name in ViewUniforms._fields if name in FRAME.layout()["numbers"]]
     emitter = Emitter(dialect)
     emitter.add(painted, I32, fields)
-    emitter.add(looked_at, F32, F32, Bundle({name: FRAME.uniform(name) for name in names}), air)
+    emitter.add(
+        looked_at, F32, F32, StructValue({name: FRAME.uniform(name) for name in names}), air
+    )
     parts = [FRAME.text(dialect)]
     for slot, one in enumerate([*tables, FRAME.tables["picture"]], start=1):
         parts.append(dialect.texture(one.texture, 0, slot))
         parts.append(one.reader(dialect, dialect.texture_name(one.texture, 0, slot)))
     vector = dialect.type_name(VEC4)
-    sky = f"painted({dialect.converted('at.x', I32)}) * frame.red"
+    sky = f"painted({dialect.convert('at.x', I32)}) * frame.red"
     seen = "looked_at(at.x, at.y).rgb"
-    place = [dialect.converted(f"at.{axis}", I32) for axis in "yx"]
+    place = [dialect.convert(f"at.{axis}", I32) for axis in "yx"]
     light = f"read_picture({', '.join(place)}).rgb"
     exposed = f"{FRAME.uniform('exposure').text} * {light}"
     entries = {
@@ -108,7 +110,7 @@ def program() -> dict[str, Any]:
                 one("sky_air", "sky_air", {"0/1": "fields"}, *sky),
                 one("sky_peaks", "sky_air", {"0/1": "fields"}, *peaks),
                 one("sky_polarised", "sky_air", {"0/1": "fields"}, *polarised),
-                one("glance", "linear_picture", {"0/2": "air"}, ("glance", 64, 64)),
+                one("metering", "linear_picture", {"0/2": "air"}, ("metering", 64, 64)),
                 one("picture", "linear_picture", {"0/2": "air"}, ("picture", 1, 1)),
                 one("sky_air_2", "sky_air", {"0/1": "fields"}, *second(sky)),
                 one("sky_peaks_2", "sky_air", {"0/1": "fields"}, *second(peaks)),
@@ -116,7 +118,7 @@ def program() -> dict[str, Any]:
                 # the sky of the first light stands for the sum of both
                 *(
                     one(f"{name}_{part}", "linear_picture", {"0/2": air}, (target, 1, 1))
-                    for name in ("glance", "picture")
+                    for name in ("metering", "picture")
                     for part, air, target in (
                         ("1", "air", f"{name}_1"),
                         ("2", "air_2", f"{name}_2"),
@@ -129,7 +131,7 @@ def program() -> dict[str, Any]:
         "shaders": {"painted": shader()},
         "sky": {"full": [64, 64], "medium": [64, 32], "quick": [64, 16]},
         "layers": list(LAYERS),
-        "glance": 64,
+        "metering": 64,
         "projections": {"perspective": [1e-3, 170.0]},
         "display": {"encoding": 0.0},
         "primaries": ["srgb", "display-p3"],

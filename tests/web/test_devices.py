@@ -78,15 +78,15 @@ def two_targets(dialect: ShaderDialect) -> str:
     for table, *slot in tables:
         parts.append(dialect.texture(table.texture, *slot))
         parts.append(table.reader(dialect, dialect.texture_name(table.texture, *slot)))
-    x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
+    x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
     width = dialect.uniform("uniforms.counts.y", I32)
     count = dialect.uniform("uniforms.counts.x", I32)
     scattered, chosen, total = (dialect.part("means", i) for i in range(3))
-    number = dialect.converted("index", F32)
+    number = dialect.convert("index", F32)
     body = [
-        dialect.kept("index", I32, f"{y} * {width} + {x}"),
-        dialect.kept("means", made.result, f"all_means(index, {count})"),
-        dialect.kept("color", VEC4, "uniforms.colors[index & 3] * read_spectra(index)"),
+        dialect.let("index", I32, f"{y} * {width} + {x}"),
+        dialect.let("means", made.result, f"all_means(index, {count})"),
+        dialect.let("color", VEC4, "uniforms.colors[index & 3] * read_spectra(index)"),
     ]
     place = f"{dialect.type_name(VEC4)}({number}, {chosen}, {total}, at.y)"
     entry = dialect.fragment("fragment", 2, body, [f"color + {scattered}", place])

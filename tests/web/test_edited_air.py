@@ -14,9 +14,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.gpu.device.flat import read_flat
+from airlight.gpu.solver.gpu_iteration import pooled_iteration
 from airlight.gpu.solver.passes import ONCE
 from airlight.gpu.solver.planning import plan_for
-from airlight.gpu.solver.sweeper import borrowed_sweeper
 from airlight.kernel import vectorized
 from airlight.planets import load_planet, planet_names
 from airlight.planets.medium import Medium
@@ -114,7 +114,7 @@ def test_air_that_is_too_thick_is_refused_in_one_line(
     assert got == "so much air is too thick to be solved here; the desktop viewer solves it"
 
 
-def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
+def test_a_page_completes_orders_along_the_vertical_as_the_cpu_does(
     gpu: Any, modules: Callable[..., Any]
 ) -> None:
     # A second method: the operator that the CPU's loops assemble from the same rays, for any
@@ -130,7 +130,7 @@ def test_a_page_completes_orders_along_the_vertical_as_the_processor_does(
     assert plan.sizes["refinement"] > 1
     assert plan.setup.optics.transport_depth.max() > data["synthetic"]["thicker"]
     rays = {}
-    with borrowed_sweeper(gpu) as sweeper:
+    with pooled_iteration(gpu) as sweeper:
         sweeper.load(plan)
         sweeper.run(ONCE)
         for name in ("factors", "shares", "bounces", "projections"):
@@ -269,7 +269,7 @@ def test_a_reset_brings_each_of_two_hazes_back(path: str, modules: Callable[...,
     assert_allclose(got[1], 3.0, rtol=1e-12)
 
 
-def test_the_next_guess_is_weighed_as_on_the_processor(modules: Callable[..., Any]) -> None:
+def test_the_next_guess_is_weighed_as_on_the_cpu(modules: Callable[..., Any]) -> None:
     # a second method: the solver's Python code, with its eight lanes
     rng = np.random.default_rng(4)
     shape = (3, 5, 4)

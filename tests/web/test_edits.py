@@ -16,7 +16,7 @@ from numpy.testing import assert_allclose
 from PIL import Image
 from test_pictures import FIXED, HEIGHT, SKY, WAVELENGTHS, WIDTH, drawn
 
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.planets import load_planet
 from airlight.planets.medium import Medium
 from airlight.planets.surface import PLAIN
@@ -68,12 +68,12 @@ def solution_of(name: str, amounts: dict[int, float], ground: float, settings: A
 
 
 @pytest.fixture(scope="module")
-def native(gpu: Any) -> Pictures:
-    """Renderer of pictures without a browser; like a page it fills the table of the sky itself.
+def native(gpu: Any) -> GpuRenderer:
+    """Renderer of pictures without a browser; like a page it fills the sky-view LUT itself.
 
-    By the processor, with fewer points, the horizon under three times the aerosol is 2.5/255 off.
+    By the CPU, with fewer points, the horizon under three times the aerosol is 2.5/255 off.
     """
-    return Pictures(gpu, SKY, sky_by_processor=False)
+    return GpuRenderer(gpu, SKY, sky_view_on_cpu=False)
 
 
 @pytest.fixture(scope="module")
@@ -129,7 +129,7 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
     edit: str,
     device: str,
     plain: Callable[[str], MomentsSolution],
-    native: Pictures,
+    native: GpuRenderer,
     page_by: Callable[[str, str], Any],
     tell: Callable[[str], None],
 ) -> None:
@@ -138,9 +138,9 @@ def test_an_edit_in_the_page_shows_what_is_solved_without_a_browser(
     # of the reference, which are fewer, leave 3 to 9 % too much light.
     name, amounts, ground, view = EDITS[edit]
     values = {**DEFAULTS, **FIXED, **view}
-    native.show(solution_of(name, amounts, ground, page_settings()))
+    native.set_solution(solution_of(name, amounts, ground, page_settings()))
     wanted = drawn(native, values)
-    native.show(plain(name))
+    native.set_solution(plain(name))
     assert np.abs(drawn(native, values) - wanted).max() > 10.0  # the edit is visible
     page = page_by(name, device)
     present = {one.path: one.present for one in amounts_of(load_planet(name))}

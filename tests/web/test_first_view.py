@@ -70,7 +70,7 @@ def test_the_first_picture_takes_its_place(
 def test_shaders_are_counted_as_they_are_compiled(modules: Callable[..., Any]) -> None:
     # Three passes by two shaders, on a device that compiles them one after the other.
     page = modules({"drawing/program": ("Program",)})
-    told = page.evaluate(
+    reported = page.evaluate(
         """async () => {
           const passes = [["a", "sky"], ["b", "sky"], ["c", "picture"]].map(([name, entry]) => ({
             name, entry, shader: "one", vertex: "corners", reads: {}, targets: [], uniforms: "0/0",
@@ -78,9 +78,9 @@ def test_shaders_are_counted_as_they_are_compiled(modules: Callable[..., Any]) -
           let turn = Promise.resolve();
           const device = { pipeline: () => (turn = turn.then(() => ({}))) };
           const program = new Program(device, { passes, size: 1 }, { one: { glsl: {} } });
-          const told = [];
-          await program.build((done, total) => told.push([done, total]));
-          return told;
+          const reported = [];
+          await program.build((done, total) => reported.push([done, total]));
+          return reported;
         }"""
     )
-    assert told == [[1, 2], [2, 2]]
+    assert reported == [[1, 2], [2, 2]]

@@ -53,14 +53,14 @@ CASES: dict[str, tuple[Any, ...]] = {
     "moon_share": (ZENITHS,),
     "bright_limb": (ZENITHS, BEARINGS, ZENITHS[::-1]),
     "phase_shading": (0.9 * ZENITHS, BEARINGS, numbers(0.0, 1.0), numbers(-1.0, 1.0)),
-    "light_shown": (
+    "light_visibility": (
         ZENITHS, ZENITHS[::-1], numbers(0.0, 2.0), numbers(-1e-6, 2e-5), ALTITUDES, BOTTOM, 1e5
     ),
     "direction_of": ANGLES[:2],
     "camera_frame": ANGLES,
     "filter_axis": (*(numbers(-1.0, 1.0) for _ in range(6)), ANGLES[0]),
     "ground_axes": ANGLES,
-    "observer_numbers": (
+    "observer_uniforms": (
         numbers(BOTTOM, TOP), BOTTOM, numbers(-1.0, 1.0), numbers(-1.0, 1.0), numbers(-1.0, 1.0),
         np.maximum(numbers(-0.005, 0.005), 0.0),
     ),

@@ -165,7 +165,7 @@ def test_slider_in_jupyterlab_moves_python_and_the_picture(
     after = seen(page)
     assert np.abs(after - before).mean() > 2.0
 
-    # without a graphics card the kernel draws, and its pictures follow what Python sets
+    # without a GPU the kernel renders, and its frames follow what Python sets
     assert page.evaluate(f"{VIEWER}.device.kind") == "kernel"
     shown = page.evaluate(f"{VIEWER}.picture.number")
     run_cell(page, 2)

@@ -127,14 +127,14 @@ def test_slider_in_marimo_moves_python_and_python_the_slider(served: str, chromi
     # behind a filter the probe tells degree and angle of the light before it
     page.locator("[data-path='view.filter'] input[type=checkbox]").click()
     box = page.locator(".airlight canvas").bounding_box()
-    told = page.locator(".airlight-probe")
+    reported = page.locator(".airlight-probe")
     found, end = None, time.monotonic() + PATIENCE
     while found is None:
-        assert time.monotonic() < end, told.inner_text()
+        assert time.monotonic() < end, reported.inner_text()
         page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.3 * box["height"])
         page.wait_for_timeout(200)
         page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.31 * box["height"])
-        found = re.search(r"polarised ([\d.]+) % at (-?[\d.]+)°", told.inner_text())
+        found = re.search(r"polarised ([\d.]+) % at (-?[\d.]+)°", reported.inner_text())
     assert 0.0 <= float(found[1]) <= 100.0
     assert -90.0 <= float(found[2]) <= 90.0
     page.close()

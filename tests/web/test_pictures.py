@@ -18,7 +18,7 @@ from PIL import Image
 from airlight import render, solve
 from airlight.gpu.device.flat import read_texture
 from airlight.gpu.picture import solution_textures
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.planets import load_planet
 from airlight.scene.surface_map import SurfaceMap, from_pixels, surface_map
 from airlight.viewer.browser.ground_map import ground_map
@@ -117,11 +117,11 @@ def solutions(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Any]:
 
 
 @pytest.fixture(scope="module")
-def native(gpu: Any) -> Iterator[Pictures]:
+def native(gpu: Any) -> Iterator[GpuRenderer]:
     """Renderer of pictures without a browser, with the map that a page carries."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(solution_textures, "surface_map", page_map)
-        yield Pictures(gpu, SKY)
+        yield GpuRenderer(gpu, SKY)
 
 
 @cache
@@ -137,7 +137,7 @@ def page_map(name: str) -> SurfaceMap:
     return from_pixels(name, pixels(data["image"]), data["water"] and pixels(data["water"]))
 
 
-def drawn(native: Pictures, values: dict[str, Any], primaries: float = 0.0) -> np.ndarray:
+def drawn(native: GpuRenderer, values: dict[str, Any], primaries: float = 0.0) -> np.ndarray:
     """Picture drawn by ``native`` for a display of these primaries. [0 to 255]"""
     import wgpu
 
@@ -145,7 +145,7 @@ def drawn(native: Pictures, values: dict[str, Any], primaries: float = 0.0) -> n
     size = (scene.camera.width, scene.camera.height, 1)
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     target = native.device.device.create_texture(size=size, format="rgba32float", usage=use)
-    native.draw(
+    native.display(
         scene, target.create_view(), "rgba32float", exposure=values["display.exposure"],
         tone_map=values["display.tone_map"], encoding="srgb", glare=values["display.glare"],
         uniforms={"eye": uniforms_of(values)["eye"], "primaries": primaries},
@@ -198,10 +198,10 @@ def painted_by(page: Any, changes: dict[str, Any]) -> np.ndarray:
 
 
 def test_a_page_on_a_wide_screen_draws_for_its_primaries(
-    solutions: Callable[[str], Any], native: Pictures, page_by: Callable[[str, str], Any]
+    solutions: Callable[[str], Any], native: GpuRenderer, page_by: Callable[[str, str], Any]
 ) -> None:
     name, changes = VIEWS["mars, sunset"]
-    native.show(solutions(name))
+    native.set_solution(solutions(name))
     wide, narrow = (drawn(native, {**DEFAULTS, **FIXED, **changes}, one) for one in (1.0, 0.0))
     page = page_by(name, "webgl2")
     page.evaluate("airlight.ready.then(() => { airlight.device.space = 'display-p3'; })")
@@ -242,10 +242,10 @@ def test_a_page_exposes_as_a_picture_is_exposed(
 
 @pytest.mark.slow
 def test_the_slider_of_glare_is_that_of_the_native_device(
-    solutions: Callable[[str], Any], native: Pictures, page_by: Callable[[str, str], Any]
+    solutions: Callable[[str], Any], native: GpuRenderer, page_by: Callable[[str, str], Any]
 ) -> None:
     name, changes = VIEWS["earth, the sun"]
-    native.show(solutions(name))
+    native.set_solution(solutions(name))
     page = page_by(name, "webgl2")
     painted_by(page, {**FIXED, **changes})
     page.get_by_placeholder("find").fill("glare")
@@ -287,14 +287,14 @@ def test_page_draws_what_the_native_device_draws(
     view: str,
     device: str,
     solutions: Callable[[str], Any],
-    native: Pictures,
+    native: GpuRenderer,
     page_by: Callable[[str, str], Any],
     tell: Callable[[str], None],
 ) -> None:
     # the same shaders on another driver: only rounding differs, also that to 8 bits
     name, changes = VIEWS[view]
     values = {**DEFAULTS, **FIXED, **changes}
-    native.show(solutions(name))
+    native.set_solution(solutions(name))
     wanted = drawn(native, values)
     page = page_by(name, device)
     got = painted_by(page, {**FIXED, **changes})

@@ -223,18 +223,18 @@ def test_the_exposure_holds_while_the_planet_is_dragged_or_locked(page: Any) -> 
           const values = { ...state.values, [air.path]: 100, "display.locked": false };
           state.declare(parameters, values);
           const seen = [];
-          let told = 0;
-          state.follow(() => (told += 1));
+          let reported = 0;
+          state.subscribe(() => (reported += 1));
           state.set({ "view.altitude": 120 }, "view.altitude"); seen.push(state.holdsExposure);
           state.rest();
           state.set({ [air.path]: 120 }, air.path); seen.push(state.holdsExposure);
-          const before = told;
-          state.rest(); seen.push(state.holdsExposure, told - before);
+          const before = reported;
+          state.rest(); seen.push(state.holdsExposure, reported - before);
           state.set({ "display.locked": true }); seen.push(state.holdsExposure);
           return seen;
         }"""
     )
-    # let go, the viewer is told once, and moves on
+    # let go, the viewer is notified once, and moves on
     assert got == [False, True, False, 1, True]
 
 

@@ -74,7 +74,7 @@ def test_automatic_exposure_leaves_out_every_light(modules: Callable[..., Any]) 
     rgb = np.random.default_rng(3).lognormal(0.0, 2.0, (9, 16, 3)).astype(np.float32)
     camera = Camera(width=16, height=9, look_zenith=70.0, field_of_view=55.0)
     moon = MoonLight(zenith=66.0, azimuth=6.0, angular_radius=8.0)
-    scene = Scene(camera=camera, sun_zenith=110.0, others=(moon,))
+    scene = Scene(camera=camera, sun_zenith=110.0, secondary_lights=(moon,))
     rgb[camera.directions() @ moon.direction > np.cos(np.radians(8.0))] = 1e5
     rgba = np.concatenate([rgb, np.ones((9, 16, 1), np.float32)], axis=2)
     page = modules({"drawing/exposure": ("automaticExposure",), "drawing/view": ("cameraOf",)})

@@ -140,7 +140,7 @@ def animate(
     changes |= {f"film.{field}": value for field, value in plan.items() if value is not None}
     from airlight.cli.render import check_glare, check_tone_map
     from airlight.film import Finish, Quality, load_film
-    from airlight.film import animate as drawn
+    from airlight.film import animate as rendered
     from airlight.film.movie import check_movie
 
     check_tone_map(tone_map)
@@ -166,13 +166,13 @@ def animate(
                     count[0] = done
                 report(done, total, message)
 
-            result = drawn(
+            result = rendered(
                 made, folder, width=columns, height=rows,
                 how=Quality(wavelengths=nm, quality=quality, exact=exact, samples=samples),
                 finish=Finish(suffix=f".{format_}", tone_map=tone_map, encoding=encoding,
                               primaries=primaries, bits=bits, glare=glare),
                 exposure=level, movie=movie, name=name, scheduler=scheduler, workers=workers,
-                told=note,
+                on_message=note,
                 progress=counted,
             )  # fmt: skip
     except (KeyboardInterrupt, WorkerError, FileError):
@@ -185,7 +185,7 @@ def animate(
 def _report(result: Animated, movie: Path | None, columns: int, rows: int, seconds: float) -> None:
     frames = result.frames
     say(f"{frames.path(0)} … {frames.path(frames.count - 1).name}  {columns}x{rows}  "
-          f"{result.drawn} rendered, {result.kept} unchanged  {seconds:.1f} s"
+          f"{result.rendered} rendered, {result.kept} unchanged  {seconds:.1f} s"
           + ("  linear" if result.exposures is None else
              "  exposure {:+.2f} to {:+.2f} EV".format(*result.exposures)))  # fmt: skip
     if movie is not None:

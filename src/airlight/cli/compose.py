@@ -316,7 +316,7 @@ def _solved(
     cache: bool,
 ) -> Any:
     """Solution of the planet for the ground around the scene."""
-    from airlight.paint.paint_scene import FEWEST
+    from airlight.paint.render_scene import FEWEST
     from airlight.paint.solve_planet import solve_planet
     from airlight.scene.local_ground import local_ground
 

@@ -17,7 +17,7 @@ from airlight.errors import ConflictError, ParameterError
 if TYPE_CHECKING:
     from airlight.cli.time_and_place import Placed
     from airlight.exports.picture import Written
-    from airlight.paint.drawing_device import Choice
+    from airlight.paint.rendering_gpu import Choice
     from airlight.planets.planet import Planet
     from airlight.scene import Scene
     from airlight.scene.frame import Frame
@@ -232,7 +232,7 @@ def render(
             roll=roll if roll != "0deg" else None,
             projection=projection if projection != "perspective" else None,
         )  # fmt: skip
-        frame, window = scene_file.painted(
+        frame, window = scene_file.rendered(
             planet, given, size, crop, wavelengths, quality, samples if samples > 1 else None,
             whole=whole, cache=not no_cache,
             excluded={
@@ -297,13 +297,13 @@ def render(
         sun_azimuth=placed.sun_azimuth,
         ground=ground,
         time=placed.time,
-        others=second_lights.given(moon, second_star, placed),
+        secondary_lights=second_lights.given(moon, second_star, placed),
     )
     if parallel:
         scene = scene.north_up()
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)
-    frame = _painted(
+    frame = _rendered(
         world, scene, wavelengths, quality, device, polarisation=not no_polarisation, exact=exact,
         samples=samples, stokes=stokes or show is not None, stars=stars, cache=not no_cache,
         local=ground_albedo is None,
@@ -360,7 +360,7 @@ def _shown(
 
     from airlight.exports.picture import Written, write_picture
     from airlight.exports.png import write_png
-    from airlight.plots.polarised_picture import SHOWN, polarised_picture
+    from airlight.plots.polarised_picture import COLOR_BARS, polarised_picture
     from airlight.solvers.stokes_frame import angle_of_polarisation, degree_of_polarisation
 
     if output.suffix.lower() == ".exr":
@@ -370,7 +370,7 @@ def _shown(
         texts = {**metadata, show: f"of the luminance, unit {unit}"}
         return write_picture(output, frame, texts, layers=layer)
     pixels = polarised_picture(frame, show)
-    write_png(output, pixels, {**frame.metadata, **metadata, "shown": SHOWN[show].label})
+    write_png(output, pixels, {**frame.metadata, **metadata, "shown": COLOR_BARS[show].label})
     return Written(path=output, size=output.stat().st_size, exposure=None)
 
 
@@ -415,7 +415,7 @@ def _target(
     return zenith, azimuth if look_at is not None else _ACROSS
 
 
-def _painted(
+def _rendered(
     planet: Planet,
     scene: Scene,
     wavelengths: str | None,
@@ -431,7 +431,7 @@ def _painted(
     local: bool,
 ) -> Frame:
     """The frame, with progress on the standard error stream."""
-    from airlight.paint.paint_scene import FEWEST, paint_scene
+    from airlight.paint.render_scene import FEWEST, render_scene
 
     nm = None if wavelengths is None else options.wavelengths(wavelengths, planet)
     if nm is not None and len(nm) < FEWEST:
@@ -442,7 +442,7 @@ def _painted(
         note(f"falling back to the CPU: {reason}")
 
     with shown_progress() as report:
-        return paint_scene(
+        return render_scene(
             planet, scene, wavelengths=nm, quality=quality, polarisation=polarisation,
             device=device, exact=exact, samples=samples, stokes=stokes, cache=cache, local=local,
             stars=stars, refused=refused, progress=report,

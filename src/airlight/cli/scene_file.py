@@ -50,7 +50,7 @@ class SceneOptions:
     changes: list[str] | None = None
 
 
-def painted(
+def rendered(
     name: str,
     given: SceneOptions,
     size: str | None,
@@ -63,7 +63,7 @@ def painted(
     cache: bool,
     excluded: Mapping[str, object],
 ) -> tuple[Frame, tuple[int, int, int, int] | None]:
-    """Draw a scene, with progress on the standard error stream; and its window.
+    """Render a scene, with progress on the standard error stream; and its window.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def painted(
     size, crop, wavelengths, quality, samples, cache :
         Options of ``airlight render``.
     whole : bool
-        Whether the whole picture is drawn, also of a window.
+        Whether the whole picture is rendered, also of a window.
     excluded : mapping
         Options that are not available for scene files.
 
@@ -83,7 +83,7 @@ def painted(
     ParameterError
         If one of them is given, or a change is not possible.
     """
-    from airlight.paint.paint_system import paint_system
+    from airlight.paint.render_system import render_system
 
     for option, value in excluded.items():
         if value:
@@ -98,7 +98,7 @@ def painted(
             raise ConflictError("--wavelengths", "does not apply to a scene without air")
         nm = options.wavelengths(wavelengths, first)
     with shown_progress() as report:
-        frame = paint_system(
+        frame = render_system(
             system, width=columns, height=rows, wavelengths=nm, quality=quality,
             samples=samples, crop=None if whole else window, cache=cache, progress=report,
         )  # fmt: skip

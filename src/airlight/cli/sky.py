@@ -124,7 +124,7 @@ def sky(
     from airlight.cli.render import check_glare, check_tone_map
     from airlight.environment.environment_map import environment_map
     from airlight.environment.files import check_beside, write_map
-    from airlight.paint.paint_scene import FEWEST
+    from airlight.paint.render_scene import FEWEST
     from airlight.paint.star_points import check_stars
     from airlight.scene import Camera, Scene
 
@@ -177,7 +177,7 @@ def sky(
         latitude=placed.latitude,
         longitude=placed.longitude,
         time=placed.time,
-        others=second_lights.given(moon, second_star, placed),
+        secondary_lights=second_lights.given(moon, second_star, placed),
     )
     if placed.time is not None:
         world = time_and_place.lit(world, placed, sun_distance)

@@ -105,7 +105,7 @@ def sweep(
     with shown_progress() as report, distribution_options.named():
         done = computed(
             grid, output, quality=quality, polarisation=not no_polarisation, stokes=stokes,
-            scheduler=scheduler, workers=workers, told=note, progress=report,
+            scheduler=scheduler, workers=workers, on_message=note, progress=report,
         )  # fmt: skip
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
     say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} unchanged  "

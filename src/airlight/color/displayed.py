@@ -1,4 +1,4 @@
-"""Display value of a pixel: common formula of CPU and shaders."""
+"""Displayed values of a pixel: the one formula of CPU and shaders."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.kernel.shader_fields import CHOICE
 
 
 class Display(NamedTuple):
-    """Conversion of radiance for a display, on CPU and in shaders.
+    """Conversion of light for a display; one declaration for CPU and shaders.
 
     Attributes
     ----------

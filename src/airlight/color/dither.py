@@ -3,7 +3,7 @@
 A rank-1 lattice: each pixel's number is a multiple of its column plus one of its row, modulo 1,
 with the two ratios that fill a plane most evenly. Its power lies at high frequencies, where an eye
 sees least: below a sixteenth of the sampling rate it has a fortieth of that of white noise. Whole
-numbers below 2³¹ make it the same on all devices.
+numbers below 2³¹ make it the same on all CPUs and GPUs.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Composition: the air over a picture that another renderer drew, by its depth."""
+"""Composition of atmosphere and sky with another renderer's image and depth."""
 
 from __future__ import annotations
 

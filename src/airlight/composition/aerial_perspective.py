@@ -1,7 +1,7 @@
-"""Aerial perspective around one observer: tables of the air and the sky for a pass in a shader.
+"""Aerial perspective tables of path radiance, transmittance and sky around one observer.
 
-Froxels of all directions instead of a camera's: the camera may turn, and move sideways as far as
-the air is the same, without new tables. The sky behind has tables of its own.
+Unlike froxels, they cover all directions: the camera may turn, and translate while the atmosphere
+is nearly the same, without new tables. The sky behind has separate tables.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, store
 from airlight.kernel.threads import Cancel, Progress
 from airlight.mappings.sky_view import direction_from_row
-from airlight.pixels.picture_numbers import scene_numbers
+from airlight.pixels.view_uniforms import view_uniforms
 from airlight.scene import Scene
 from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.moments.solution import MomentsSolution
@@ -35,7 +35,7 @@ Float32Array = NDArray[np.float32]
 
 #: Azimuths, rows of each half and steps to a factor of ten of the air's tables.
 SIZE: Final = (48, 48, 8)
-#: Azimuths and rows of each half of the sky's tables.
+#: Azimuths, and rows of each half, of the tables.
 SKY_SIZE: Final = (128, 128)
 #: Limits of the tables' sizes.
 _LEAST, _MOST = 4, 512
@@ -56,14 +56,14 @@ SEED: Final = 20260621
 
 @dataclass(frozen=True)
 class AerialErrors:
-    """Errors of the tables against the march, at random directions and distances.
+    """Interpolation errors of the tables at random directions and distances.
 
     Attributes
     ----------
     air_median, air_95, air_largest : float
-        Of a grey surface's light and the air's before it. [1]
+        Errors of the radiance of a grey surface with aerial perspective. [1]
     sky_median, sky_95, sky_largest : float
-        Of the sky and the ground, without the star's disc. [1]
+        Errors of the radiance of sky and ground, without the star's disc. [1]
     """
 
     air_median: float
@@ -76,11 +76,11 @@ class AerialErrors:
 
 @dataclass(frozen=True, eq=False)
 class AerialPerspective:
-    """Air before every point around an observer, and the sky behind.
+    """Path radiance and transmittance to any point around an observer, and the sky behind.
 
     Directions are unit vectors in the observer's frame: x level towards the star, z up. Radiance
-    is in units of a white Lambert surface that faces the star without air, in each channel of
-    linear sRGB.
+    is relative to that of a white Lambert surface outside the atmosphere that faces the star, in
+    each channel of linear sRGB.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ class AerialPerspective:
     scene : Scene
         Observer and star.
     scale : array, shape (3,)
-        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+        Radiance of the unit of each channel. [W m⁻² sr⁻¹]
     errors : AerialErrors
         Errors, measured when the tables were filled.
     """
@@ -112,29 +112,29 @@ class AerialPerspective:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> AerialPerspective:
-        """March to every node, and measure the error between them.
+        """Fill the tables by marching, and measure their interpolation errors.
 
         Parameters
         ----------
         solution : MomentsSolution
             Solution of the planet at three or more wavelengths.
         scene : Scene
-            Observer inside the air, and one light; its camera is not used.
+            Observer inside the atmosphere, and one light; the camera is ignored.
         nearest, farthest : float
-            Distances between which the air is tabled. Before nearer points it is proportional to
-            the distance; before farther ones it is that before the farthest. [m]
+            Range of tabulated distances: path radiance is proportional to distance below it, and
+            constant above it. [m]
         size : (int, int, int)
-            Azimuths, rows of each half, and steps of distance to a factor of ten.
+            Number of azimuths, of rows per hemisphere, and of distances per decade.
         sky_size : (int, int)
-            Azimuths and rows of each half of the sky's tables.
+            Number of azimuths and of rows per hemisphere of the sky tables.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
         Raises
         ------
         ParameterError
-            If the observer is outside the air, there is more than one light, or a value is out of
-            its range.
+            If the observer is outside the atmosphere, there is more than one light, or a value is
+            out of range.
         Cancelled
             If ``cancel`` requested it.
         """
@@ -188,7 +188,7 @@ class AerialPerspective:
         return cls(tables, scene, march.scale, _errors(tables, march))
 
     def air(self, directions: ArrayLike, distances: ArrayLike) -> tuple[Float32Array, Float32Array]:
-        """Air before points: as the shader has it.
+        """Path radiance and transmittance to points, as in the shader.
 
         Parameters
         ----------
@@ -205,7 +205,7 @@ class AerialPerspective:
         return _air_of(self.tables, directions, values_in(distances, "m", "distances"))
 
     def sky(self, directions: ArrayLike, pixel: Measure = 1e-3) -> Float32Array:
-        """Sky, or ground, behind everything, with the star's disc: as the shader has it.
+        """Radiance of sky or ground with the star's disc, as in the shader.
 
         Parameters
         ----------
@@ -224,11 +224,11 @@ class AerialPerspective:
 
 
 class _March:
-    """Exact light along lines of sight, in the colours of the tables."""
+    """Marched radiance along lines of sight, in the colours of the tables."""
 
     def __init__(self, solution: MomentsSolution, scene: Scene) -> None:
         self.solution = solution
-        self.numbers = scene_numbers(scene, solution)
+        self.numbers = view_uniforms(scene, solution)
         self._air = PathRadiance(solution, scene)
         self._r = solution.medium.bottom_radius + scene.altitude
         self._sun = scene.sun_direction
@@ -244,7 +244,7 @@ class _March:
         self.grey = (_GREY / np.pi * received[0]) @ self._radiance
 
     def nodes(self, columns: int, rows: int) -> FloatArray:
-        """Directions of the texels, row by row, first those above the horizon, (n, 3). [1]"""
+        """Directions of the texels, row by row, from above the horizon down, (n, 3). [1]"""
         azimuth = np.pi * (np.arange(columns) / (columns - 1)) ** 2
         at = np.maximum(np.arange(rows) / (rows - 1), _ASIDE)
         horizon = (self.numbers["horizon_mu"], self.numbers["horizon_sine"])
@@ -258,7 +258,7 @@ class _March:
     def air(
         self, directions: FloatArray, distances: FloatArray, *, below: bool = False
     ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-        """Radiance and transmittance of the air, each (n, 3), and whether its end is met. [1]"""
+        """Path radiance and transmittance, each (n, 3), and whether the ray ends inside. [1]"""
         light, through, whole = self._air.before(directions, distances, below=below)
         return light @ self._radiance, through @ self._white, whole
 
@@ -286,20 +286,20 @@ def check_request(
     size: tuple[int, int, int] = SIZE,
     sky_size: tuple[int, int] = SKY_SIZE,
 ) -> None:
-    """Refuse what no table can be filled for, before long work.
+    """Validate a request before filling tables.
 
     Parameters
     ----------
     thickness : float
-        Thickness of the air. [m]
+        Thickness of the atmosphere. [m]
     scene, nearest, farthest, size, sky_size :
         Arguments of ``AerialPerspective.fill``.
 
     Raises
     ------
     ParameterError
-        If the observer is outside the air, there is more than one light, the camera has a
-        polarising filter, or a value is out of its range.
+        If the observer is outside the atmosphere, there is more than one light, the camera has a
+        polarising filter, or a value is out of range.
     """
     if scene.altitude >= thickness:
         allowed = f"below the top of the air, {thickness:g} m"
@@ -318,15 +318,15 @@ def check_request(
 
 
 def _stored(values: FloatArray | Float32Array) -> Float32Array:
-    """Texels as they are written, in half precision."""
+    """Texels rounded to half precision, as in files."""
     return np.ascontiguousarray(values, np.float16).astype(np.float32).ravel()
 
 
 def _errors(tables: AerialTables, march: _March) -> AerialErrors:
-    """Errors at random distances, even in the logarithm, and random directions.
+    """Errors at random directions, and random distances, uniform in the logarithm.
 
-    A third of these are even over the sphere, a third within 10° of the star, a third within 3° of
-    the horizon.
+    A third of the directions is uniform over the sphere, a third within 10° of the star, a third
+    within 3° of the horizon.
     """
     rng = np.random.default_rng(SEED)
     unit = rng.normal(size=(ERROR_POINTS, 3))

@@ -1,8 +1,8 @@
-"""Look-ups of aerial perspective: the air before a point and the sky, by direction and distance.
+"""Look-up of aerial perspective tables by direction and distance.
 
-Tables are indexed by direction as the table of the sky is, with azimuths denser towards the star,
-and, of the air, by distance. Between directions they are linear, along the distance cubic in its
-logarithm. The formulas run on the processor and are emitted to shaders.
+Directions are mapped as in the sky-view LUT, with azimuths denser towards the star. Interpolation
+is linear in direction and cubic in the logarithm of distance. The kernels run on the CPU and are
+emitted to shaders.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from airlight.kernel.lanes import exponential, load, maximum, splat
 from airlight.kernel.shader_fields import Always, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle
 from airlight.pixels.pixel import between_texels, texel_before
-from airlight.pixels.sky_table import half_sine_between
+from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.pixels.star_disc import covered
 
 
 class AerialTables(NamedTuple):
-    """Tables of the air and the sky before one observer, with the numbers of their look-ups.
+    """Aerial perspective tables of one observer, with look-up parameters.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class AerialTables(NamedTuple):
     columns, rows, steps : int
         Azimuths, rows of each half, and distances of the air's tables.
     sky_columns, sky_rows : int
-        Azimuths and rows of each half of the sky's tables.
+        Azimuths, and rows of each half, of the tables.
     lanes : int
         Numbers of a texel.
     light_scale, extinction_scale : float
@@ -75,7 +75,7 @@ class AerialTables(NamedTuple):
 
 @inlined
 def texel_towards(x, y, z, columns, rows, tables):
-    """First of the four texels around a direction.
+    """First of the four texels to interpolate for a direction.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def texel_towards(x, y, z, columns, rows, tables):
 
 @inlined
 def per_distance(table, x, y, z, distance, tables):
-    """Stored amount over distance between the nodes of a table. [1]
+    """Interpolated value over distance. [1]
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def per_distance(table, x, y, z, distance, tables):
 
 @inlined
 def air_radiance(x, y, z, distance, tables):
-    """Radiance of the air before a point; red, green, blue. [1]
+    """Path radiance to a point; red, green, blue. [1]
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ def air_radiance(x, y, z, distance, tables):
 
 @inlined
 def air_transmittance(x, y, z, distance, tables):
-    """Transmittance of the air before a point, for white under the star. [1]
+    """Transmittance to a point, for the colour of the star; red, green, blue. [1]
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ def air_transmittance(x, y, z, distance, tables):
 
 @inlined
 def sky_radiance(x, y, z, pixel, tables):
-    """Radiance of the sky or the planet's ground, with the star's disc; red, green, blue. [1]
+    """Radiance of sky or ground, with the star's disc; red, green, blue. [1]
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Shader functions of aerial perspective, in WGSL and GLSL, with the numbers of one table."""
+"""Shader functions of aerial perspective in WGSL and GLSL, with the parameters of one table."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from airlight.composition.aerial_reading import (
 )
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, Bundle, Constant, Value
+from airlight.gpu.emit.shader_types import F32, Constant, StructValue, Value
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.kernel.shader_fields import Always, InTexture, shader_fields
 
@@ -20,7 +20,7 @@ TEXTURES = ("air_light", "air_extinction", "air_sky", "air_star")
 
 
 def aerial_shader(aerial: AerialPerspective, dialect: ShaderDialect) -> str:
-    """Functions ``air_radiance``, ``air_transmittance`` and ``sky_radiance`` for a host's shader.
+    """Source of ``air_radiance``, ``air_transmittance`` and ``sky_radiance`` for a host shader.
 
     The host declares the textures of ``TEXTURES`` by their names, as flat textures of four
     channels, ``FLAT_WIDTH`` texels wide. Nothing else is bound: numbers are constants of the text.
@@ -33,7 +33,7 @@ def aerial_shader(aerial: AerialPerspective, dialect: ShaderDialect) -> str:
         ``WGSL`` or ``GLSL``.
     """
     emitter = Emitter(dialect)
-    tables = Bundle(bound_tables(aerial.tables))
+    tables = StructValue(bound_tables(aerial.tables))
     for function in (air_radiance, air_transmittance, sky_radiance):
         emitter.add(function, F32, F32, F32, F32, tables, name=function.__name__)
     readers = [TextureTable(name, name, spectral=True).reader(dialect, name) for name in TEXTURES]
@@ -41,7 +41,7 @@ def aerial_shader(aerial: AerialPerspective, dialect: ShaderDialect) -> str:
 
 
 def bound_tables(tables: AerialTables) -> dict[str, Value]:
-    """Numbers of the tables as constants, and the tables, for the emitter.
+    """Tables, and their parameters as constants, for the emitter.
 
     Parameters
     ----------

@@ -1,8 +1,7 @@
-"""``compose``: the air over another renderer's picture, pixel by pixel, in bands of rows.
+"""``compose``: path radiance, transmittance and sky for another renderer's image, in bands of rows.
 
-Implements the composition of a picture with its depth: the light that reaches the camera is the
-surface's times the transmittance of the air before it, and the light of that stretch of air, which
-is marched, never the difference of two look-ups.
+The radiance at the camera is that of the surface times the transmittance, plus the path radiance.
+Both are marched along the segment, never the difference of two look-ups.
 """
 
 from __future__ import annotations
@@ -22,10 +21,10 @@ from airlight.composition.relight import Relight
 from airlight.composition.surface_light import SurfaceLight
 from airlight.errors import Cancelled, ConflictError, ParameterError, warn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers import Solution
@@ -57,18 +56,18 @@ class Composed:
     Attributes
     ----------
     rgb : array, shape (h, w, 3), float32
-        Linear sRGB, on the scale of the given colours.
+        Linear sRGB, on the scale of the input.
     scale : array, shape (3,)
-        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+        Radiance of value 1 in each channel. [W m⁻² sr⁻¹]
     scene : Scene
-        Scene whose observer and light the picture has; its camera covers the picture.
+        Scene with the observer, light and field of view of the image.
     star_radius : float
         Angular radius of the star. [rad]
     marched : float
-        Fraction of the pixels with a surface whose air was marched instead of read from froxels.
+        Fraction of surface pixels that were marched instead of interpolated in froxels.
     error : float
-        Largest error of the froxels that were used, of one pixel in each cell, over the light of a
-        grey surface behind its air; 0 without froxels.
+        Largest froxel error, sampled at one pixel per cell, over the radiance of a grey surface
+        behind the air; 0 without froxels.
     """
 
     rgb: Float32Array
@@ -80,7 +79,7 @@ class Composed:
 
     @property
     def frame(self) -> Frame:
-        """Picture in radiance, to be exposed and written as ``render``'s. [W m⁻² sr⁻¹]"""
+        """Frame of radiance, as from ``render``. [W m⁻² sr⁻¹]"""
         return Frame(
             rgb=(self.rgb * self.scale).astype(np.float32),
             pixel_angle=self.scene.camera.glare_angle,
@@ -106,15 +105,15 @@ def compose(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Composed:
-    """Lay a planet's air over a picture, and its sky behind.
+    """Composite an image with the atmosphere in front and the sky behind.
 
     Parameters
     ----------
     rgb : array, shape (h, w, 3)
-        Picture without air, linear sRGB; premultiplied where there is an alpha.
+        Image without atmosphere, linear sRGB; premultiplied by ``alpha``.
     depth : array, shape (h, w) or (h, w, 3)
-        Depth of the surfaces, see ``depth_kind``. No surface: 0 or less, not a number, 1e9 and
-        more; a position of exactly 0, 0, 0. [scene units]
+        Depth of the surfaces, see ``depth_kind``. No surface: 0 or less, NaN, 1e9 or more, or the
+        position 0, 0, 0. [scene units]
     camera : Pinhole
         Camera.
     solution : MomentsSolution, Planet, str or Path
@@ -123,40 +122,39 @@ def compose(
     place : Placement
         Place of the scene's origin on the planet, and direction of the sun.
     alpha : array, shape (h, w), optional
-        Part of each pixel that surfaces cover: behind the rest is the sky. By default 1 where there
-        is depth. A pixel partly covered whose depth missed the surface takes that of the nearest.
+        Coverage by surfaces, with sky behind; by default 1 where there is depth. Partly covered
+        pixels without depth take that of the nearest surface.
     albedo, normals : array, shape (h, w, 3), optional
-        Lambert albedo of the surfaces in linear sRGB, premultiplied [1], and their normals in the
-        scene's coordinates. Given both, surfaces are lit by the planet's star, sky and ground, and
-        ``rgb`` is not used.
+        Lambert albedo in linear sRGB, premultiplied [1], and normals in scene coordinates. With
+        both, surfaces are relit by star, sky and ground, and ``rgb`` is ignored.
     shadow : array, shape (h, w), optional
-        Part of the star that is visible from each of these surfaces; 1 everywhere by default. [1]
+        Visible fraction of the star for relighting; 1 by default. [1]
     depth_kind : str
-        ``planar`` along the camera's axis, ``distance`` along the pixel's line, ``position`` in the
-        scene, ``inverse`` for 1 over planar; ``auto`` is ``position`` for three channels, else
+        ``planar`` along the optical axis, ``distance`` along the ray, ``position`` in the scene,
+        ``inverse`` for 1 over planar; ``auto`` is ``position`` for three channels, otherwise
         ``planar``.
     white : float, optional
-        Value of ``rgb`` of a white Lambert surface that faces the star without air, in each
-        channel: the picture is balanced to the star. None: ``rgb`` is radiance in linear sRGB, as
-        ``render`` gives it. [W m⁻² sr⁻¹]
+        Value of ``rgb`` of a white Lambert surface facing the star without atmosphere, in each
+        channel: the image is white-balanced to the star. None: ``rgb`` is radiance in linear sRGB,
+        as from ``render``. [W m⁻² sr⁻¹]
     exact : bool
-        Whether the air is marched for each pixel, instead of read from froxels where these err by
-        less than 0.2 %.
+        Whether every pixel is marched; otherwise froxels are used where their error is below
+        0.2 %.
     disc : bool
-        Whether the star's own disc is drawn in the sky.
+        Whether the star's disc is rendered in the sky.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     Composed
-        Picture on the scale of ``rgb``.
+        Composite on the scale of ``rgb``.
 
     Raises
     ------
     ParameterError
-        If arrays, camera and depth do not fit each other, a value is out of range, or the camera is
-        below the ground.
+        If arrays and camera have different sizes, a value is out of range, or the camera is below
+        the ground.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -169,8 +167,8 @@ def compose(
         raise ParameterError("solution", type(solution).__name__, "a solution by moments")
     view = pinhole_view(camera, place, solution.medium.bottom_radius)
     pictures = [
-        _LightLayer(seen, lit, view, exact, disc)
-        for seen, lit, _, _ in lit_scenes(view.scene, solution)
+        _LightRenderer(seen, lit, view, exact, disc)
+        for seen, lit, _, _ in scenes_by_light(view.scene, solution)
     ]
     surface = SurfaceLight(solution, white)
     out = np.empty((camera.height, camera.width, 3), np.float32)
@@ -193,15 +191,15 @@ def compose(
         total = np.zeros_like(light)
         solid = covers > 0.0
         for number, picture in enumerate(pictures):
-            air, through, told = picture.air(camera, rows, away, solid)
+            air, through, statistics = picture.air(camera, rows, away, solid)
             if relit is not None:
                 parts = [one[rows][solid] for one in relit]
                 total[solid] += picture.relit(camera, rows, away, solid, parts, through)
             elif number == 0:
                 total[solid] = surface.through(light[solid], through)
             if number == 0:
-                counts += told[:2]
-            error = max(error, told[2])
+                counts += statistics[:2]
+            error = max(error, statistics[2])
             total[solid] += covers[solid][:, None] * (air @ picture.colors)
             open_ = covers < 1.0
             total[open_] += (1.0 - covers[open_])[:, None] * picture.sky(rows, open_)
@@ -218,7 +216,7 @@ def compose(
 def _checked(
     rgb: ArrayLike, alpha: ArrayLike | None, depth: ArrayLike, kind: str, camera: Pinhole
 ) -> tuple[NDArray[Any], NDArray[Any] | None, NDArray[Any], str]:
-    """Colours, cover and depth as arrays of the camera's shape, and the kind of the depth."""
+    """Validated colours, alpha and depth of the camera's size, and the kind of depth."""
     for name, one in (("rgb", rgb), ("depth", depth), ("alpha", alpha)):
         without_unit(one, name)
     colors, passes = np.asarray(rgb), np.asarray(depth)
@@ -248,7 +246,7 @@ def _relit(
     normals: ArrayLike | None,
     shadow: ArrayLike | None,
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None:
-    """Albedo, normals and visible part of the star as arrays; None if surfaces keep their light."""
+    """Validated albedo, normals and shadow for relighting; None without relighting."""
     if albedo is None or normals is None:
         for name, one in (("albedo", albedo), ("normals", normals), ("shadow", shadow)):
             if one is not None:
@@ -266,7 +264,7 @@ def _relit(
 
 
 def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> None:
-    """Refuse values that are not finite or out of range, with their number."""
+    """Raise for values that are not finite or out of range, with their count."""
     wrong = ~(np.isfinite(values) & (values >= low) & (values <= high))
     if wrong.any():
         allowed = "finite numbers" if high == np.inf else "0 to 1"
@@ -275,8 +273,8 @@ def _check_range(name: str, values: NDArray[Any], low: float, high: float) -> No
         raise ParameterError(name, float(values[wrong][0]), allowed + others)
 
 
-class _LightLayer:
-    """Air and sky of a picture by one light."""
+class _LightRenderer:
+    """Atmosphere and sky of an image under one light."""
 
     def __init__(
         self, scene: Scene, solution: MomentsSolution, view: PinholeView, exact: bool, disc: bool
@@ -285,14 +283,14 @@ class _LightLayer:
         self._axes = scene.camera.axes
         self.colors = solution.lights[0].colors()
         self._air = PathRadiance(solution, scene)
-        self._drawing = Drawing(solution, scene, exact=exact, disc=disc)
+        self._renderer = CpuRenderer(solution, scene, exact=exact, disc=disc)
         self._filled = False
         r = solution.medium.bottom_radius + scene.altitude
         self._relight = Relight(solution, r, scene.sun_direction)
         self._grey = self._grey_light(solution, scene)
 
     def _grey_light(self, solution: MomentsSolution, scene: Scene) -> FloatArray:
-        """Light of a level grey surface at the observer, per irradiance, shape (nl,). [sr⁻¹]"""
+        """Radiance of a horizontal grey surface at the observer, per irradiance, (nl,). [sr⁻¹]"""
         medium = solution.medium
         r = np.array([min(medium.bottom_radius + scene.altitude, medium.top_radius)])
         mu_s = np.array([scene.sun_direction[2]])
@@ -305,9 +303,9 @@ class _LightLayer:
         return np.asarray(unit @ self._axes)
 
     def sky(self, rows: slice, pixels: NDArray[np.bool_]) -> Float32Array:
-        """Linear sRGB of what is behind some pixels of a band: sky or the planet's ground."""
+        """Linear sRGB of sky or ground behind pixels of a band. [W m⁻² sr⁻¹]"""
         if not self._filled:
-            self._drawing.fill_sky()
+            self._renderer.fill_sky_view()
             self._filled = True
         j, i = np.nonzero(pixels)
         px = np.asarray(self._view.left + 0.5 + i, np.float64)
@@ -316,7 +314,7 @@ class _LightLayer:
 
         def run(index: int) -> None:
             part = slice(index * _BLOCK, (index + 1) * _BLOCK)
-            self._drawing.draw_pixels(px[part], py[part], out[part])
+            self._renderer.render_pixels(px[part], py[part], out[part])
 
         run_blocks(run, -(-px.size // _BLOCK))
         return out
@@ -324,14 +322,14 @@ class _LightLayer:
     def air(
         self, camera: Pinhole, rows: slice, away: FloatArray, solid: NDArray[np.bool_]
     ) -> tuple[FloatArray, FloatArray, tuple[float, float, float]]:
-        """Air before the surfaces of a band.
+        """Path radiance and transmittance to the surfaces of a band.
 
         Returns
         -------
         radiance, transmittance : array, shape (n, nl)
             As from ``PathRadiance.before``.
-        told : (float, float, float)
-            Numbers of surfaces and of those that were marched, and the froxels' largest error.
+        statistics : (float, float, float)
+            Numbers of surfaces and of marched surfaces, and the largest froxel error.
         """
         rays = camera.rays(rows)
         directions = self._directions(rays[solid])
@@ -355,7 +353,7 @@ class _LightLayer:
         parts: list[NDArray[Any]],
         transmittance: FloatArray,
     ) -> FloatArray:
-        """Linear sRGB of surfaces lit by the planet's light, behind the air. [W m⁻² sr⁻¹]
+        """Linear sRGB of relit surfaces, attenuated by the air. [W m⁻² sr⁻¹]
 
         Parameters
         ----------

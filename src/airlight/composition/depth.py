@@ -1,4 +1,4 @@
-"""Depth passes of renderers as distances from the camera along each pixel's line."""
+"""Conversion of depth passes to distances along each ray."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FAR: Final = 1e9
 
 
 def kind_of(depth: NDArray[np.floating], kind: str) -> str:
-    """Kind of a depth pass: positions where ``auto`` has three channels, else planar.
+    """Kind of a depth pass; ``auto`` means positions with three channels, otherwise planar.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def kind_of(depth: NDArray[np.floating], kind: str) -> str:
 def distances(
     depth: NDArray[np.floating], kind: str, camera: Pinhole, rows: slice, metres_per_unit: float
 ) -> FloatArray:
-    """Distances along the pixels' lines of some rows.
+    """Distances along the rays of rows of pixels.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def distances(
 
 
 def filled(away: FloatArray, partial: NDArray[np.bool_], reach: int) -> FloatArray:
-    """Distances with those of the nearest surface in pixels that one covers in part.
+    """Distances with that of the nearest surface in partially covered pixels.
 
     A depth pass has one sample a pixel, which on a silhouette may have missed what the colour has.
 

@@ -1,10 +1,9 @@
-"""Froxels: the air before a picture, in cells of the screen and steps of distance.
+"""Froxels: path radiance and transmittance on a grid of screen cells and distances.
 
-A node of the table holds, per wavelength, the air's radiance and optical depth over the distance:
-both are smooth, from nothing to saturated air. Between nodes they are linear across the screen and
-cubic in the logarithm of the distance. One pixel of each cell is marched, which measures the error
-there; cells above the bar, and pixels whose nodes lie at the ground or at the top of the air, are
-marched pixel by pixel.
+Nodes hold, per wavelength, path radiance and optical depth over distance, which are smooth in thin
+and saturated air. Interpolation is linear across the screen and cubic in the logarithm of distance.
+One pixel of each cell is marched to measure the error; cells above the tolerance, and pixels with
+nodes at the ground or the top of the atmosphere, are marched completely.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ _BLOCK: Final = 1 << 14
 
 @dataclass(frozen=True, eq=False)
 class Froxels:
-    """Table of the air before a band of a picture.
+    """Froxel grid of a band of rows.
 
     Attributes
     ----------
@@ -46,7 +45,7 @@ class Froxels:
     values : array, shape (rows, columns, distances, 2·nl), float32
         Radiance over distance [sr⁻¹ m⁻¹] and optical depth over distance [m⁻¹].
     usable : array of bool, shape (rows, columns, distances)
-        Whether a node's stretch ends in the air.
+        Whether the segment of a node ends inside the atmosphere.
     """
 
     nearest: float
@@ -57,7 +56,7 @@ class Froxels:
     def fill(
         cls, air: PathRadiance, directions: FloatArray, nearest: float, farthest: float
     ) -> Froxels:
-        """March to every node.
+        """Fill all nodes by marching.
 
         Parameters
         ----------
@@ -89,12 +88,12 @@ class Froxels:
     def read(
         self, x: FloatArray, y: FloatArray, distances: FloatArray
     ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-        """Read the table.
+        """Interpolate the grid.
 
         Parameters
         ----------
         x, y : array, shape (n,)
-            Positions on the screen, from the table's left upper node. [nodes]
+            Screen positions from the upper left node. [nodes]
         distances : array, shape (n,)
             Distances. [m]
 
@@ -120,7 +119,7 @@ class Froxels:
 
 @compiled_loop
 def _read(x, y, z, values, usable, out, good):
-    """Values between nodes: linear in x and y, Catmull and Rom's cubic in z."""
+    """Interpolation: linear in x and y, Catmull-Rom in z."""
     rows, columns, steps, lanes = values.shape
     for k in range(x.size):
         i = min(max(int(x[k]), 0), columns - 2)

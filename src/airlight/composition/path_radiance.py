@@ -1,4 +1,4 @@
-"""Air between a camera and what it sees: one stretch of each pixel's line, marched."""
+"""Path radiance and transmittance between the camera and surfaces, by marching."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.pixels.march_points import march_points
-from airlight.pixels.shown import shown_solution
+from airlight.pixels.render_tables import render_tables
 from airlight.scene import Scene
 from airlight.solvers.lines_of_sight import enter_shell
 from airlight.solvers.moments.solution import MomentsSolution
@@ -20,7 +20,7 @@ _BELOW = 2.5
 
 
 class PathRadiance:
-    """Air in front of an observer, lit by one light.
+    """Atmosphere in front of an observer under one light.
 
     Parameters
     ----------
@@ -36,19 +36,19 @@ class PathRadiance:
         self._bottom, self._top = medium.bottom_radius, medium.top_radius
         self._r, self._sun = medium.bottom_radius + scene.altitude, scene.sun_direction
         points = march_points(solution)
-        self._tables = shown_solution(
+        self._tables = render_tables(
             solution, peaks=False, points=points.points, panels=points.panels
         )
 
     @property
     def inside(self) -> bool:
-        """Whether the observer is in the air."""
+        """Whether the observer is inside the atmosphere."""
         return self._r < self._top
 
     def before(
         self, directions: FloatArray, distances: FloatArray, *, below: bool = False
     ) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
-        """Light and transmittance of the air before points at some distances.
+        """Path radiance and transmittance to points.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Pinhole camera of another renderer's picture, from the files in which cameras are kept."""
+"""Pinhole camera of another renderer's image, and readers of camera files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FloatArray = NDArray[np.float64]
 
 #: Models of a lens in a file that are a pinhole.
 _MODELS: Final = ("OPENCV", "PINHOLE", "SIMPLE_PINHOLE")
-#: Keys of a lens's distortion, which is not drawn.
+#: Keys of a lens's distortion, which is not rendered.
 _DISTORTION: Final = ("k1", "k2", "k3", "k4", "p1", "p2")
 #: Largest difference of a camera's axes from perpendicular ones. [1]
 _SKEW: Final = 1e-3
@@ -31,12 +31,12 @@ _MATRIX: Final = "a 4 x 4 matrix of finite numbers"
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Pinhole:
-    """Camera of a picture, in the coordinates of the scene that it shows.
+    """Pinhole camera in scene coordinates.
 
     Parameters
     ----------
     width, height : int
-        Size of the picture. [pixel]
+        Size of the image. [pixel]
     focal_x, focal_y : float
         Focal lengths. [pixel]
     centre_x, centre_y : float, optional
@@ -104,7 +104,7 @@ class Pinhole:
         return np.asarray(self.to_world[:3, 3])
 
     def rays(self, rows: slice) -> FloatArray:
-        """Rays of some rows of pixels with a forward part of 1.
+        """Rays of rows of pixels, with forward component 1.
 
         Parameters
         ----------
@@ -120,7 +120,7 @@ class Pinhole:
         return self.rays_at(np.add(x, 0.5), np.add(y, 0.5))
 
     def rays_at(self, x: FloatArray, y: FloatArray) -> FloatArray:
-        """Rays of a grid of points, as ``rays``, shape (ny, nx, 3). [1]
+        """Rays of a grid of image positions, shape (ny, nx, 3). [1]
 
         Parameters
         ----------
@@ -140,12 +140,12 @@ class Pinhole:
         return x, 0.5 * self.height if self.centre_y is None else self.centre_y
 
     def sized(self, width: int, height: int) -> Pinhole:
-        """Same view as a picture of another size.
+        """Camera with another image size and the same view.
 
         Parameters
         ----------
         width, height : int
-            Size of the picture. [pixel]
+            Size of the image. [pixel]
 
         Raises
         ------
@@ -168,7 +168,7 @@ class Pinhole:
 def camera_from_json(
     path: str | Path, picture: str = "", *, size: tuple[int, int] | None = None
 ) -> tuple[Pinhole, dict[str, Any]]:
-    """Read a camera as radiance-field tools keep it (``transforms.json``).
+    """Camera from ``transforms.json`` of radiance-field tools.
 
     Parameters
     ----------
@@ -231,7 +231,7 @@ def _camera(data: Mapping[str, Any], size: tuple[int, int] | None) -> Pinhole:
         raise ParameterError("camera_model", model, ", ".join(_MODELS))
     for key in _DISTORTION:
         if data.get(key, 0.0) != 0.0:
-            raise ParameterError(key, data[key], "0: lens distortion is not supported")
+            raise ParameterError(key, data[key], "0: lenses that distort are not rendered")
     width, height = (
         _number(data, key, None if size is None else size[i]) for i, key in enumerate(("w", "h"))
     )
@@ -278,7 +278,7 @@ def camera_from_matrices(
         ``worldToCamera``, whose camera looks along +Z with X to the right and Y up, and
         ``worldToNDC``, 0 to 1 across the picture from its left upper corner; both multiply rows.
     width, height : int
-        Size of the picture. [pixel]
+        Size of the image. [pixel]
 
     Raises
     ------

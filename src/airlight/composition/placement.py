@@ -1,4 +1,4 @@
-"""Placement: where a scene's origin stands on a planet, how it is turned, and its sun."""
+"""Placement of a scene on a planet: origin, orientation and sun."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _BELOW: Final = -1e-3
 
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """Place of a scene's origin on a planet, and direction of the sun there.
+    """Position and orientation of a scene on a planet, with the direction of the sun.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ class Placement:
 
     @classmethod
     def from_block(cls, block: dict[str, Any], **given: Measure | None) -> Placement:
-        """Make a placement from the block ``airlight`` of a camera's file.
+        """Placement from the block ``airlight`` of a camera file.
 
         Parameters
         ----------
@@ -123,7 +123,7 @@ class Placement:
 
     @property
     def to_east_north_up(self) -> FloatArray:
-        """Rotation from the scene's axes to east, north and up at its origin, shape (3, 3). [1]"""
+        """Rotation from scene axes to east, north, up at the origin, shape (3, 3). [1]"""
         turn = math.radians(self.heading)
         cosine, sine = math.cos(turn), math.sin(turn)
         level = np.array([[cosine, sine, 0.0], [-sine, cosine, 0.0], [0.0, 0.0, 1.0]])
@@ -134,7 +134,7 @@ class Placement:
 
     @property
     def sun(self) -> FloatArray:
-        """Unit vector towards the sun: east, north and up at the origin, shape (3,). [1]"""
+        """Unit vector towards the sun in ENU at the origin, shape (3,). [1]"""
         flat, turn = math.sin(math.radians(self.sun_zenith)), math.radians(self.sun_azimuth)
         up = math.cos(math.radians(self.sun_zenith))
         return np.array([flat * math.sin(turn), flat * math.cos(turn), up])
@@ -142,14 +142,14 @@ class Placement:
 
 @dataclass(frozen=True, eq=False)
 class PinholeView:
-    """View of a pinhole camera on a planet.
+    """Pinhole camera on a planet.
 
     Attributes
     ----------
     scene : Scene
-        Scene whose camera covers the picture, with square pixels of width ``1 / focal_x``.
+        Scene with a camera that covers the image, with square pixels of width ``1 / focal_x``.
     left, top, stretch : float
-        Position of the picture in it: column x and row y of the picture lie at ``left + x`` and
+        Position of the image in the frame: column x and row y of the image are at ``left + x`` and
         ``top + stretch·y``. [pixel]
     axes : array, shape (3, 3)
         Right, up and forward of the camera in the observer's local frame, as rows. [1]
@@ -163,9 +163,9 @@ class PinholeView:
 
 
 def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> PinholeView:
-    """View of a camera whose scene is placed on a planet.
+    """Pinhole camera of a scene placed on a planet.
 
-    Positions are float64 and relative to the ground below the origin, so that millimetres are kept.
+    Positions are float64, relative to the ground below the origin, which preserves millimetres.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
     Returns
     -------
     PinholeView
-        View, with the sun as it stands at the camera.
+        View, with the direction of the sun at the camera.
 
     Raises
     ------
@@ -229,7 +229,7 @@ def pinhole_view(camera: Pinhole, place: Placement, bottom_radius: float) -> Pin
 
 
 def _coordinates(place: Placement, up: FloatArray, sun: FloatArray) -> tuple[float, float, float]:
-    """Latitude and longitude below the camera, and the sun's bearing there. [deg]"""
+    """Latitude and longitude of the camera, and bearing of the sun there. [deg]"""
 
     def turned(vector: FloatArray) -> FloatArray:
         # local frames of a star in the north have x to the north and y to the west
@@ -244,7 +244,7 @@ def _coordinates(place: Placement, up: FloatArray, sun: FloatArray) -> tuple[flo
 
 
 def _angles(axes: FloatArray) -> tuple[float, float, float]:
-    """Zenith angle, azimuth and roll of a camera with these axes. [deg]"""
+    """Zenith angle, azimuth and roll of a camera from its axes. [deg]"""
     right, _, (x, y, z) = axes
     zenith, azimuth = math.degrees(math.atan2(math.hypot(x, y), z)), math.degrees(math.atan2(-y, x))
     level, upright, _ = camera_axes(zenith, azimuth, 0.0)

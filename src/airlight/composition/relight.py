@@ -1,9 +1,8 @@
-"""Light on surfaces: the star's through the air, and that of sky and ground from all sides.
+"""Relighting of surfaces by direct sunlight and by spherical harmonics of sky and ground.
 
-The star is seen from each point through the air above it. The light from all sides is that of the
-planet without the scene, at the point's altitude and under its sun: its radiance in directions all
-over the sphere becomes harmonics, of which a surface of any slope receives a sum. Both follow
-the surface's normal; what the scene itself shades is the caller's.
+Sunlight is attenuated from space to each point. Radiance of sky and ground, without the scene, is
+projected on spherical harmonics at the point's altitude and star-zenith angle, and convolved with
+the clamped cosine of the normal. Shadowing by the scene itself is left to the caller.
 """
 
 from __future__ import annotations
@@ -34,7 +33,7 @@ _DEGREES: Final = (0, 1, 2, 4, 6, 8)
 
 
 def _half_sphere(degree: int) -> float:
-    """Factor by which a half-sphere, weighted by the cosine, receives a degree.
+    """Zonal harmonic coefficient of the clamped cosine for a degree.
 
     Ramamoorthi & Hanrahan (2001), JOSA A 18, 2448, eq. 19.
     """
@@ -51,7 +50,7 @@ _RECEIVED: Final = np.array([_half_sphere(l) for l in _DEGREES for m in range(l 
 
 
 class SurroundingLight:
-    """Light that falls on surfaces at points of the air.
+    """Irradiance of surfaces at points of the air.
 
     Parameters
     ----------
@@ -64,7 +63,7 @@ class SurroundingLight:
         self._nodes: dict[tuple[int, int], FloatArray] = {}
 
     def _fill(self, nodes: list[tuple[int, int]]) -> None:
-        """Find harmonics of the light per irradiance at nodes, each shape (27, nl). [sr⁻¹]"""
+        """Fill radiance harmonics per irradiance at nodes, each shape (27, nl). [sr⁻¹]"""
         rule = gauss_legendre(_ZENITHS)
         # x² puts the directions densely at the horizon, where the sky is steep
         up, weight = rule.nodes**2, 2.0 * rule.nodes * rule.weights
@@ -92,7 +91,7 @@ class SurroundingLight:
     def irradiance(
         self, r: FloatArray, mu_s: FloatArray, normals: FloatArray, lit: FloatArray
     ) -> FloatArray:
-        """Irradiance of surfaces by star, sky and ground, per irradiance of the star, (n, nl). [1]
+        """Irradiance of surfaces over irradiance of the star, (n, nl). [1]
 
         Parameters
         ----------
@@ -123,7 +122,7 @@ class SurroundingLight:
     def _add(
         self, rise: NDArray[np.int_], turn: NDArray[np.int_], share: FloatArray, out: FloatArray
     ) -> None:
-        """Add what surfaces receive of the harmonics at one node each."""
+        """Add the irradiance from the harmonics at one node per surface."""
         pairs = np.stack([rise, turn], axis=-1)
         found, where = np.unique(pairs, axis=0, return_inverse=True)
         nodes = [(int(i), int(j)) for i, j in found]
@@ -138,7 +137,7 @@ class SurroundingLight:
 
 
 def _harmonics(v: FloatArray) -> FloatArray:
-    """Real harmonics that are even in y of the degrees used, shape (n, 27).
+    """Real spherical harmonics even in y, of the degrees used, shape (n, 27).
 
     The light of a sky is symmetric about the plane of the star, so that odd ones vanish.
     """
@@ -159,7 +158,7 @@ def _harmonics(v: FloatArray) -> FloatArray:
 
 
 class Relight:
-    """Light of surfaces of known albedo and slope, on the planet.
+    """Relighting of surfaces with albedo and normals.
 
     Parameters
     ----------
@@ -177,7 +176,7 @@ class Relight:
     def radiance(
         self, points: FloatArray, normals: FloatArray, albedo: FloatArray, lit: FloatArray
     ) -> FloatArray:
-        """Radiance of surfaces without the air before them, per irradiance, (n, nl). [sr⁻¹]
+        """Reflected radiance per irradiance, without attenuation to the camera, (n, nl). [sr⁻¹]
 
         Parameters
         ----------

@@ -1,9 +1,8 @@
-"""Colours of surfaces behind air: their spectra, and what of them is transmitted.
+"""Spectral upsampling of surface colours, and their attenuation.
 
-A surface's colour is three numbers, the air's transmittance a spectrum. So a colour is taken for
-that of the smoothest reflectance that has it under the star (``color.upsampling``), and what comes
-through is its spectrum times the transmittance, in colour again: a matrix of 3 x 3 per pixel, the
-identity without air. White under the star is exact.
+A colour is upsampled to the smoothest reflectance spectrum with that colour under the star
+(``color.upsampling``), multiplied by the spectral transmittance and converted back: a 3 x 3 matrix
+per pixel, the identity without atmosphere. White under the star is exact.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ FloatArray = NDArray[np.float64]
 
 
 class SurfaceLight:
-    """Conversion of surfaces' colours through air.
+    """Attenuation of surface colours by spectral transmittance.
 
     Parameters
     ----------
@@ -47,7 +46,7 @@ class SurfaceLight:
         self._shares = self.colors[:, :, None] * spectra[:, None, :]
 
     def through(self, colors: FloatArray, transmittance: FloatArray) -> FloatArray:
-        """Colours after the air, shape (n, 3).
+        """Attenuated colours, shape (n, 3).
 
         Parameters
         ----------

@@ -1,1 +1,1 @@
-"""Environment maps for other renderers: the sky as they expect it, and its sun as a light."""
+"""Environment maps for other renderers, with the sun as a separate light."""

@@ -1,9 +1,8 @@
-"""Programs that read environment maps: where each looks for the east, the north and the zenith.
+"""Programs that read environment maps, with their axis conventions.
 
-The sky is one map in the frame x east, y north, z up (ENU). A program has axes of its own, on which
-that frame is laid, and a formula by which it looks a direction up in the picture. For latitude and
-longitude all of these formulas show the sky as seen from inside; they differ in the bearing in the
-middle of the picture alone.
+Maps are defined in ENU: x east, y north, z up. A program has its own axes and its own mapping from
+directions to image coordinates. All latitude-longitude mappings show the sky from inside and differ
+only in the bearing of the image centre.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ Y_UP_LEFT_HANDED: Final[Axes] = (_EAST, _UP, _NORTH)
 
 @dataclass(frozen=True, kw_only=True)
 class Consumer:
-    """Program that reads an environment map.
+    """Program that reads an environment map, with its axis convention.
 
     Attributes
     ----------
@@ -70,21 +69,21 @@ class Consumer:
     rows_reach_poles: bool = False
 
     def direction(self, enu: FloatArray) -> FloatArray:
-        """Directions in the program's axes, of directions in ENU, shape (..., 3). [1]"""
+        """Directions in the program's axes from ENU, shape (..., 3). [1]"""
         return np.asarray(enu @ np.array(self.axes).T)
 
     @property
     def handedness(self) -> str:
-        """Handedness of its axes: ``right`` or ``left``."""
+        """Handedness of the axes: ``right`` or ``left``."""
         return "right" if np.linalg.det(np.array(self.axes)) > 0.0 else "left"
 
     @property
     def look_zenith(self) -> float:
-        """Zenith angle of the camera that draws its map. [deg]"""
+        """Zenith angle of the camera that renders its map. [deg]"""
         return 90.0 if self.tilt is None else self.tilt
 
     def with_up(self, up: str) -> Consumer:
-        """USD with another axis up, in its layer and in the directions of the JSON.
+        """USD convention with another up axis.
 
         Parameters
         ----------
@@ -103,7 +102,7 @@ class Consumer:
         return replace(self, axes=Y_UP if up == "y" else Z_UP)
 
     def facing(self, front: float, tilt: float) -> Consumer:
-        """Dome with another front.
+        """Dome convention with another front bearing.
 
         Parameters
         ----------
@@ -166,7 +165,7 @@ CONSUMERS: Final[dict[str, Consumer]] = {
 
 
 def consumer_named(name: str) -> Consumer:
-    """Consumer by its word.
+    """Convention by name.
 
     Raises
     ------

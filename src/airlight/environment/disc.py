@@ -1,9 +1,8 @@
-"""Disc of a light: drawn by itself, finely, as a light of its own or as texels of a map.
+"""Disc of a light, rendered at high resolution, as a separate light or as part of a map.
 
-A map's texel is often larger than the sun. The disc is therefore drawn through the air by the
-renderer, in a small picture of its own with many pixels across it, whose every pixel is put into
-the texel in which it lies: what a texel covers of the disc counts by its area, and the irradiance
-is that of the small picture however few texels there are.
+As map texels are often larger than the sun, the disc is rendered in a separate small frame with
+many pixels across it, which are then accumulated in the texels of the map. This conserves the
+irradiance at any map resolution.
 """
 
 from __future__ import annotations
@@ -19,8 +18,8 @@ from airlight.constants import LUMINOUS_EFFICACY
 from airlight.environment.gamut import grey_of, without_negatives
 from airlight.environment.ground import horizon_cosine
 from airlight.environment.texels import texel_solid_angles, texels_of
-from airlight.pixels.lit_scenes import LitScene
-from airlight.render.drawing import Drawing
+from airlight.pixels.scenes_by_light import SceneForLight
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene.apparent_sun import apparent_altitude
 from airlight.scene.camera import Camera
 
@@ -45,23 +44,23 @@ _WIDEST: Final = math.radians(30.0)
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Disc:
-    """Disc of a light, as it is seen through the air.
+    """Disc of a light as attenuated and refracted by the atmosphere.
 
     Attributes
     ----------
     name : str
-        Name of the light's source.
+        Name of the light source.
     directions : array, shape (n, 3)
-        Directions of the pixels of its small picture in ENU: x east, y north, z up. [1]
+        Directions of the pixels of the disc's frame in ENU: x east, y north, z up. [1]
     light : array, shape (n, 3)
-        Irradiance by each of them on a plane that faces it: linear sRGB, not negative. [W m⁻²]
+        Normal irradiance of each pixel: linear sRGB, not negative. [W m⁻²]
     angular_diameter : float
-        Angular diameter outside the air. [deg]
+        Angular diameter without refraction. [deg]
     darkening : array, shape (3, 6)
-        Coefficients of the radiance over its mean by powers of the cosine of emergence, of red,
-        green and blue light at the ground. [1]
+        Limb darkening at the ground of red, green and blue: coefficients of powers of the cosine of
+        emergence, of the radiance relative to its mean. [1]
     moved : array, shape (3,)
-        Change of the irradiance by the mapping into the gamut. [W m⁻²]
+        Change of the irradiance by gamut mapping. [W m⁻²]
     """
 
     name: str
@@ -73,32 +72,32 @@ class Disc:
 
     @property
     def direction(self) -> FloatArray:
-        """Unit vector to the middle of its light in ENU, shape (3,). [1]"""
+        """Unit vector to the centroid of its radiance in ENU, shape (3,). [1]"""
         total = grey_of(self.light) @ self.directions
         return np.asarray(total / np.linalg.norm(total))
 
     @property
     def irradiance(self) -> FloatArray:
-        """Irradiance on a plane that faces it: linear sRGB, shape (3,). [W m⁻²]"""
+        """Normal irradiance, linear sRGB, shape (3,). [W m⁻²]"""
         return np.asarray(self.light.sum(axis=0))
 
     @property
     def illuminance(self) -> float:
-        """Illuminance on that plane. [lx]"""
+        """Normal illuminance. [lx]"""
         return LUMINOUS_EFFICACY * float(grey_of(self.irradiance))
 
     @property
     def gamut_change(self) -> float:
-        """Largest change of a channel by the mapping into the gamut, over the luminance. [1]"""
+        """Largest change of a channel by gamut mapping, over the luminance. [1]"""
         return float(np.abs(self.moved).max() / grey_of(self.irradiance))
 
     def put_into(self, rgb: NDArray[np.float32], camera: Camera, to_local: FloatArray) -> None:
-        """Add its radiance to a map.
+        """Add the radiance of the disc to a map.
 
         Parameters
         ----------
         rgb : array, shape (height, width, 3)
-            Linear sRGB radiance, which receives it. [W m⁻² sr⁻¹]
+            Linear sRGB radiance, modified in place. [W m⁻² sr⁻¹]
         camera : Camera
             Camera of the map.
         to_local : array, shape (3, 3)
@@ -116,7 +115,7 @@ class Disc:
 
 
 def enu_from_local(sun_azimuth: float) -> FloatArray:
-    """Rotation from the frame whose x is on the sun's side to ENU, shape (3, 3). [1]
+    """Rotation from the local frame to ENU, shape (3, 3). [1]
 
     Parameters
     ----------
@@ -133,12 +132,12 @@ def enu_from_local(sun_azimuth: float) -> FloatArray:
     return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])
 
 
-def seen_disc(lit: LitScene) -> Disc | None:
-    """Disc of a light through the air; None where nothing of it is seen.
+def seen_disc(lit: SceneForLight) -> Disc | None:
+    """Disc of a light through the atmosphere; None if it is not visible.
 
     Parameters
     ----------
-    lit : LitScene
+    lit : SceneForLight
         Scene by this light, with the camera of the map.
     """
     scene, solution = lit.scene, lit.solution
@@ -146,9 +145,9 @@ def seen_disc(lit: LitScene) -> Disc | None:
     camera = _close_camera(lit)
     if camera is None:
         return None
-    drawing = Drawing(solution, replace(scene, camera=camera), exact=True, air=False)
+    renderer = CpuRenderer(solution, replace(scene, camera=camera), exact=True, air=False)
     rgb = np.zeros((camera.height, camera.width, 3), np.float32)
-    drawing.draw(0, camera.height, rgb)
+    renderer.render_rows(0, camera.height, rgb)
     lit_pixels = np.any(rgb != 0.0, axis=-1)
     if not lit_pixels.any():
         return None
@@ -177,8 +176,8 @@ def seen_disc(lit: LitScene) -> Disc | None:
     )
 
 
-def _close_camera(lit: LitScene) -> Camera | None:
-    """Camera of the small picture; None where the light is below the horizon."""
+def _close_camera(lit: SceneForLight) -> Camera | None:
+    """Camera of the high-resolution frame; None for a light below the horizon."""
     scene, solution = lit.scene, lit.solution
     radius = solution.lights[0].angular_radius
     zenith, width = scene.sun_zenith, _HALF_WIDTH

@@ -1,4 +1,4 @@
-"""Environment map: a planet's sky as another renderer reads it, with its lights apart."""
+"""Environment map of a planet's sky for another renderer, with separate lights."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from airlight.environment.gamut import GamutChange, bring_into_gamut
 from airlight.environment.ground import GROUNDS, blacken_ground, grey_ground
 from airlight.environment.texels import texel_solid_angles
 from airlight.errors import ConflictError, ParameterError
-from airlight.paint.paint_scene import paint_solved
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.paint.render_scene import render_with_solution
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.planets.reading.reader import PlanetLike, load_planet
 from airlight.scene.basin import on_basin_floor
 from airlight.scene.camera import Camera
@@ -26,38 +26,38 @@ from airlight.scene.local_ground import local_ground
 
 if TYPE_CHECKING:
     from airlight.kernel.threads import Cancel, Progress
-    from airlight.paint.drawing_device import Choice
+    from airlight.paint.rendering_gpu import Choice
     from airlight.scene import Scene
     from airlight.units import Measures
 
 FloatArray = NDArray[np.float64]
 
-#: Where the discs of sun and moon are: in the map, nowhere, or lights of their own.
+#: Treatment of the discs of sun and moon: in the map, omitted, or as separate lights.
 SUNS: Final = ("include", "exclude", "light")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class EnvironmentMap:
-    """Map of the light around an observer.
+    """Radiance map around an observer, with separate lights.
 
     Attributes
     ----------
     consumer : Consumer
-        Program that it is for.
+        Target program.
     frame : Frame
-        Linear sRGB radiance, not negative, and what its metadata say. [W m⁻² sr⁻¹]
+        Linear sRGB radiance, not negative, with metadata. [W m⁻² sr⁻¹]
     scene : Scene
-        Observer, lights, and the camera that draws the map.
+        Observer, lights, and the camera that renders the map.
     sun : str
         Name from ``SUNS``.
     ground : str
         Name from ``GROUNDS``.
     discs : tuple of Disc
-        Discs of the lights that are seen, in the map or not.
+        Discs of the visible lights, whether rendered into the map or not.
     gamut : GamutChange
-        Difference that the mapping into the gamut of sRGB made to the map.
+        Change of the map by gamut mapping to sRGB.
     placed : bool
-        Whether latitude and longitude of the scene are a place that somebody named.
+        Whether latitude and longitude of the scene were given by the user.
     planet : str
         Name of the planet.
     """
@@ -78,7 +78,7 @@ class EnvironmentMap:
         return self.frame.rgb
 
     def irradiance(self, normal: FloatArray) -> FloatArray:
-        """Irradiance by the map of a plane: linear sRGB, shape (3,). [W m⁻²]
+        """Irradiance of a plane by the map, linear sRGB, shape (3,). [W m⁻²]
 
         Parameters
         ----------
@@ -97,12 +97,12 @@ class EnvironmentMap:
 
 
 def map_camera(consumer: Consumer, width: int, height: int, sun_azimuth: float) -> Camera:
-    """Camera that draws the map of a program.
+    """Camera for the map of a program.
 
     Parameters
     ----------
     consumer : Consumer
-        Program.
+        Target program.
     width, height : int
         Size of the map. [pixel]
     sun_azimuth : float
@@ -137,7 +137,7 @@ def environment_map(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> EnvironmentMap:
-    """Solve a planet and draw the map of an observer's sky.
+    """Solve a planet and render the environment map of an observer.
 
     Parameters
     ----------
@@ -157,9 +157,9 @@ def environment_map(
         Whether the scene's latitude and longitude are meant: otherwise the air is lit by the mean
         of the planet's ground.
     local : bool
-        Whether the planet is solved for the ground around a meant place, as by ``paint_scene``.
+        Whether the planet is solved for the ground around a meant place, as by ``render_scene``.
     wavelengths, quality, polarisation, device, exact, stars, cache, refused, progress, cancel :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
 
     Returns
     -------
@@ -168,7 +168,7 @@ def environment_map(
     Raises
     ------
     ParameterError, ConvergenceError, Cancelled
-        As ``paint_scene``; for an unknown ``sun`` or ``ground``, or a camera with a polarising
+        As ``render_scene``; for an unknown ``sun`` or ``ground``, or a camera with a polarising
         filter.
     """
     for name, value, allowed in (("sun", sun, SUNS), ("ground", ground, GROUNDS)):
@@ -185,7 +185,7 @@ def environment_map(
         )
     if ground == "neutral":
         planet = grey_ground(planet)
-    frame, solution = paint_solved(
+    frame, solution = render_with_solution(
         planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
         device=device, exact=exact, disc=False, cache=cache, local=False, stars=stars,
         refused=refused, progress=progress, cancel=cancel,
@@ -193,7 +193,7 @@ def environment_map(
     light = frame.rgb
     if ground == "black":
         blacken_ground(light, solution, scene)
-    found = (seen_disc(one) for one in lit_scenes(scene, solution))
+    found = (seen_disc(one) for one in scenes_by_light(scene, solution))
     discs = tuple(one for one in found if one is not None)
     gamut = bring_into_gamut(light)
     if sun == "include":

@@ -1,4 +1,4 @@
-"""Files of an environment map: the picture, its JSON, and a scene for programs that have one."""
+"""Files of an environment map: image, JSON sidecar, and scene file where supported."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class WrittenMap:
 def check_beside(
     path: Path, consumer: Consumer, *, overwrite: bool = False
 ) -> tuple[tuple[Path, ...], tuple[Path, ...]]:
-    """Paths of the files beside a map, after checking that all can be written, before long work.
+    """Paths of the accompanying files of a map, checked to be writable.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def write_map(
     display: Mapping[str, Any] | None = None,
     overwrite: bool = False,
 ) -> WrittenMap:
-    """Write a map and what belongs to it.
+    """Write a map with its accompanying files.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ def write_map(
 
 
 def _facts(made: EnvironmentMap) -> dict[str, str]:
-    """Texts for the header: what the numbers and the directions mean."""
+    """Header metadata: units and axes."""
     consumer, bearing = made.consumer, f"{made.consumer.centre % 360.0:.10g} deg"
     where = "middle" if consumer.projection == "equirectangular" else "bottom"
     axes = {

@@ -1,9 +1,8 @@
-"""Colours without negative channels, for renderers that take light to be positive.
+"""Gamut mapping to non-negative linear sRGB, for renderers that require it.
 
-A spectral colour may lie outside the triangle of sRGB: the disc of a setting sun has negative blue.
-In linear light the nearest colour of the same luminance on the way to grey has the lowest channel
-at 0. Luminance, and so every sum of luminances, stays; the display's gamut (``color.gamut``) keeps
-the lightness of a perceptual space instead, which light has no use for.
+Spectral colours can be outside the sRGB gamut: the disc of a setting sun has negative blue. Colours
+are desaturated towards grey in linear light until the lowest channel is 0, which preserves
+luminance and its sums. The display's gamut mapping (``color.gamut``) is perceptual instead.
 """
 
 from __future__ import annotations
@@ -22,12 +21,12 @@ _BLOCK: Final = 1 << 18
 
 @dataclass(frozen=True, kw_only=True)
 class GamutChange:
-    """Difference that the mapping into the gamut made.
+    """Effect of gamut mapping.
 
     Attributes
     ----------
     share : float
-        Share of the texels that had a negative channel. [1]
+        Fraction of the texels that had a negative channel. [1]
     largest : float
         Largest change of a channel over the luminance of its texel. [1]
     """
@@ -37,14 +36,14 @@ class GamutChange:
 
 
 def grey_of(rgb: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Luminance of linear sRGB as grey: the value of three equal channels, shape (...,)."""
+    """Luminance of linear sRGB as the value of a grey, shape (...,)."""
     return np.asarray(np.asarray(rgb, np.float64) @ RGB_TO_XYZ[1])
 
 
 def without_negatives(
     rgb: NDArray[np.floating],
 ) -> tuple[NDArray[np.float64], GamutChange]:
-    """Bring colours into the gamut of linear sRGB at their luminance.
+    """Map colours into the sRGB gamut at constant luminance.
 
     Parameters
     ----------
@@ -54,7 +53,7 @@ def without_negatives(
     Returns
     -------
     (array, GamutChange)
-        Colours of the same luminance without negative channels; black where that is not positive.
+        Colours of the same luminance without negative channels; black if it is not positive.
 
     Examples
     --------
@@ -78,12 +77,12 @@ def without_negatives(
 
 
 def bring_into_gamut(rgb: NDArray[np.float32]) -> GamutChange:
-    """Map a picture into the gamut where it stands, block by block; see ``without_negatives``.
+    """In-place ``without_negatives`` of a frame.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Linear sRGB, which is changed.
+        Linear sRGB, modified in place.
     """
     share, largest = 0.0, 0.0
     step = max(1, _BLOCK // max(rgb.shape[1], 1))

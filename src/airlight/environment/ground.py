@@ -1,4 +1,4 @@
-"""Lower half of a map: a neutral ground, the planet's map, or nothing."""
+"""Lower hemisphere of an environment map: grey ground, ground map, or black."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _BISECTIONS: Final = 40
 
 
 def grey_ground(planet: Planet) -> Planet:
-    """Planet with an even, grey ground of the albedo that its own has for the eye.
+    """Planet with a uniform grey ground of the same luminous albedo.
 
     Parameters
     ----------
@@ -37,8 +37,8 @@ def grey_ground(planet: Planet) -> Planet:
     Returns
     -------
     Planet
-        Planet without map, lamps and clouds; its albedo is the mean over the star's light, weighted
-        by the luminous efficiency.
+        Planet without map, lamps and clouds; its albedo is the mean over the star's spectrum,
+        weighted by luminous efficiency.
 
     Examples
     --------
@@ -61,14 +61,14 @@ def grey_ground(planet: Planet) -> Planet:
 
 
 def blacken_ground(rgb: NDArray[np.float32], solution: MomentsSolution, scene: Scene) -> None:
-    """Leave of each texel the share that lies above the ground.
+    """Scale each texel by its fraction above the horizon.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Map, which is changed.
+        Map, modified in place.
     solution : MomentsSolution
-        Solution of the planet, which bends lines of sight or does not.
+        Solution of the planet.
     scene : Scene
         Observer and camera.
     """
@@ -89,7 +89,7 @@ def blacken_ground(rgb: NDArray[np.float32], solution: MomentsSolution, scene: S
 
 
 def horizon_cosine(solution: MomentsSolution, altitude: float) -> float:
-    """Cosine of the zenith angle at which lines of sight begin to meet the ground. [1]
+    """Cosine of the zenith angle of the apparent horizon. [1]
 
     Parameters
     ----------

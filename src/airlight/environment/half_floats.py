@@ -1,4 +1,4 @@
-"""Scale at which a map fits into half floats."""
+"""Scale of a map for half-precision floats."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _SAMPLED: Final = 1 << 20
 
 
 def half_scale(rgb: NDArray[np.floating]) -> float:
-    """Power of two by which a map is multiplied so that halves hold it.
+    """Power of two that scales a map into the range of half floats.
 
     Below 1 where a texel, such as one with the sun's disc, would be infinite; above 1 where more
     than a twentieth of the lit texels would lose digits, as at night, and the brightest has room.

@@ -1,4 +1,4 @@
-"""OpenEXR's own attributes of an environment map."""
+"""Standard OpenEXR attributes of an environment map."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def standard_attributes(made: EnvironmentMap, scale: float) -> dict[str, Any]:
-    """Standard attributes: the map's form, where and when it is, and the unit of its numbers.
+    """Standard attributes: projection, place, time and unit.
 
     Place and time are written where they are known: ``latitude`` and ``longitude`` north and east
     positive [deg], ``altitude`` [m], ``capDate`` in universal time with ``utcOffset`` 0 [s].

@@ -1,4 +1,4 @@
-"""Mitsuba scene with the map and each light beside it."""
+"""Mitsuba scene with the map and its separate lights."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _LIGHT: Final = """    <emitter type="directional">
 
 
 def mitsuba_scene(made: EnvironmentMap, name: str, scale: float) -> str:
-    """Text of an ``.xml`` to be loaded, or included in a scene: y up, x east, z south.
+    """Text of an ``.xml`` scene to load or include: y up, x east, z south.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""JSON beside a map: its frame, its scale, and its lights with their directions."""
+"""JSON sidecar of a map: axes, scale, and lights with their directions."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _DIGITS: Final = 9
 
 
 def described(made: EnvironmentMap, name: str, scale: float) -> dict[str, Any]:
-    """Contents of the JSON.
+    """Contents of the sidecar.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def described(made: EnvironmentMap, name: str, scale: float) -> dict[str, Any]:
     name : str
         Name of its file.
     scale : float
-        Factor of the file's numbers over radiances. [1]
+        Ratio of the file's numbers to radiances. [1]
 
     Returns
     -------
@@ -88,7 +88,7 @@ def described(made: EnvironmentMap, name: str, scale: float) -> dict[str, Any]:
 
 
 def as_json(contents: dict[str, Any]) -> str:
-    """Text of the JSON, a vector on each line.
+    """JSON text with one vector per line.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def _rounded(value: float) -> float:
 
 
 def _numbers(values: ArrayLike) -> list[float]:
-    """Numbers, of which those that are rounding beside the largest are 0."""
+    """Numbers with rounding noise, relative to the largest, set to 0."""
     array = np.asarray(values, np.float64)
     array = np.where(np.abs(array) < 10.0**-_DIGITS * np.abs(array).max(), 0.0, array)
     return [_rounded(float(value)) for value in array]

@@ -1,4 +1,4 @@
-"""Texels of a map: the solid angle of each, and the one in which a direction lies."""
+"""Texels of a map: solid angles, and lookup by direction."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MAPS: Final = ("equirectangular", "octahedral", "fisheye")
 
 
 def check_map(camera: Camera) -> None:
-    """Refuse a projection whose texels are not known here.
+    """Raise for an unsupported projection.
 
     Raises
     ------
@@ -32,13 +32,13 @@ def check_map(camera: Camera) -> None:
 def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     """Solid angles of the texels of a panorama, an octahedral map or a fisheye.
 
-    Exact for the first two; of a fisheye by the radius of each texel's centre, which errs by less
-    than the square of a texel's angle, and 0 outside its circle.
+    Exact for the first two; for a fisheye by the midpoint rule, with an error below the square of
+    the texel angle, and 0 outside the image circle.
 
     Parameters
     ----------
     camera : Camera
-        Camera that draws the map.
+        Camera that renders the map.
     rows : slice, optional
         Rows from the top; all if left out.
 
@@ -50,7 +50,7 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     Raises
     ------
     ParameterError
-        If the camera draws no such map.
+        If the camera renders no such map.
 
     Examples
     --------
@@ -74,12 +74,12 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
 
 
 def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Places of directions in the picture: the inverse of the camera's projection.
+    """Image positions of directions: the inverse projection.
 
     Parameters
     ----------
     camera : Camera
-        Camera that draws the map: a panorama, an octahedral map or a fisheye.
+        Camera that renders the map: a panorama, an octahedral map or a fisheye.
     directions : array, shape (n, 3)
         Unit vectors in the observer's local frame.
 
@@ -92,7 +92,7 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
     Raises
     ------
     ParameterError
-        If the camera draws no such map.
+        If the camera renders no such map.
 
     Examples
     --------
@@ -121,7 +121,7 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
 
 
 def texels_of(camera: Camera, directions: FloatArray) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Row and column of the texel in which each direction lies, -1 outside the picture."""
+    """Row and column of the texel of each direction; -1 outside the map."""
     x, y = texel_positions(camera, directions)
     shown = np.isfinite(x)
     column = np.where(shown, np.clip(np.floor(np.where(shown, x, 0.0)), 0, camera.width - 1), -1)
@@ -130,22 +130,21 @@ def texels_of(camera: Camera, directions: FloatArray) -> tuple[NDArray[np.intp],
 
 
 def reaching_poles(rgb: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Rows of a panorama for a program that takes the first and the last for the poles themselves.
+    """Resampled rows of a panorama whose first and last rows are exactly the poles.
 
-    Such a program looks a zenith angle up at (height - 1)/180° of it, not at height/180° less
-    half a row: by a half row too near to the pole, at the poles. Rows are interpolated linearly,
-    which keeps the light of each to second order in its height, and leaves those beside the
-    horizon as they are to 0.5/height of a row.
+    For programs that map the zenith angle θ to row θ (height - 1)/180° instead of θ height/180° -
+    ½, which is half a row off at the poles. Linear interpolation conserves the radiance to second
+    order in the row height and shifts rows near the horizon by less than 0.5/height.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Radiance at the middles of the rows; ``height`` is 2 or more.
+        Radiance at the row centres; ``height`` is 2 or more.
 
     Returns
     -------
     array, shape (height, width, 3)
-        Radiance at zenith angles even from 0 to 180°.
+        Radiance at equidistant zenith angles from 0 to 180°.
 
     Examples
     --------

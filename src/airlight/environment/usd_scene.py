@@ -1,4 +1,4 @@
-"""USD layer with the map on a dome and each light beside it."""
+"""USD layer with the map on a dome light and its separate lights."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def _text(text: str) -> str:
 
 
 def axes_towards(direction: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Right-handed axes as rows, of which the third has a direction, shape (3, 3). [1]
+    """Right-handed axes as rows, the third along a direction, shape (3, 3). [1]
 
     A light that shines along its -z then comes from there.
 

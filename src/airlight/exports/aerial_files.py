@@ -1,6 +1,6 @@
 """Aerial perspective on disk: textures of half floats, shader functions, and a JSON manifest.
 
-Every texture is a file of RGBA half floats, little-endian, row by row, as a graphics device takes
+Every texture is a file of RGBA half floats, little-endian, row by row, as a GPU takes
 it: format ``rgba16float`` of WebGPU, ``RGBA16F`` of WebGL2. ``air.wgsl`` and ``air.glsl`` read them
 texel by texel.
 """

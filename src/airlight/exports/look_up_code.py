@@ -19,7 +19,16 @@ from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.hlsl import HLSL
-from airlight.gpu.emit.shader_types import BOOL, F32, I32, VEC4, Bundle, Constant, Table, Value
+from airlight.gpu.emit.shader_types import (
+    BOOL,
+    F32,
+    I32,
+    VEC4,
+    Constant,
+    ShaderTable,
+    StructValue,
+    Value,
+)
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.tables.bruneton import BrunetonLayout
 from airlight.tables.layout import Positions
@@ -86,14 +95,14 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
     """
     emitter = Emitter(dialect)
     shape = _shape(baked)
-    bundle = Bundle({name: Constant(value) for name, value in shape._asdict().items()})
-    phases = Table(PHASES, spectral=True)
+    bundle = StructValue({name: Constant(value) for name, value in shape._asdict().items()})
+    phases = ShaderTable(PHASES, spectral=True)
     ray: tuple[Value, ...] = (F32, F32, F32, F32, BOOL)
     given = ", ".join((*_SIGHT, "to_ground"))
     emitter.add(ends_on_ground, F32, F32, bundle, name="ends_on_ground")
     parts: list[str] = []
     for row, name in enumerate(_of_light(baked)):
-        table = Table(texture_name(name), spectral=True)
+        table = ShaderTable(texture_name(name), spectral=True)
         scale = Constant(baked.tables[name].scale)
         if baked.light.packing == "combined":
             found = emitter.add(scattering_at, table, *ray, bundle, name="stored_light")
@@ -108,7 +117,7 @@ def look_up_code(baked: Baked, dialect: ShaderDialect) -> str:
         ("transmittance", transmittance_at),
         ("irradiance", irradiance_at),
     ):
-        table = Table(name, spectral=True)
+        table = ShaderTable(name, spectral=True)
         wanted = {"transmittance": "transmittance_to_top", "irradiance": "sky_irradiance"}[name]
         emitter.add(
             function, table, F32, F32, Constant(baked.tables[name].scale), bundle, name=wanted
@@ -199,10 +208,10 @@ def _readers(baked: Baked, shape: TextureShape, dialect: ShaderDialect) -> list[
     for name in _of_light(baked):
         width, height = shape.angles * shape.suns, shape.views
         lines = [
-            dialect.kept("x", I32, f"index % {width}"),
-            dialect.kept("y", I32, f"(index / {width}) % {height}"),
-            dialect.kept("z", I32, f"index / {width * height}"),
-            dialect.volume_fetched(texture_name(name), "x", "y", "z"),
+            dialect.let("x", I32, f"index % {width}"),
+            dialect.let("y", I32, f"(index / {width}) % {height}"),
+            dialect.let("z", I32, f"index / {width * height}"),
+            dialect.fetch_volume(texture_name(name), "x", "y", "z"),
         ]
         readers.append(
             dialect.function(f"read_{texture_name(name)}", [("index", I32)], VEC4, lines)
@@ -211,16 +220,16 @@ def _readers(baked: Baked, shape: TextureShape, dialect: ShaderDialect) -> list[
         ("transmittance", shape.columns), ("irradiance", shape.heights), (PHASES, shape.nodes)
     ):  # fmt: skip
         lines = [
-            dialect.kept("x", I32, f"index % {width}"),
-            dialect.kept("y", I32, f"index / {width}"),
-            dialect.image_fetched(name, "y", "x"),
+            dialect.let("x", I32, f"index % {width}"),
+            dialect.let("y", I32, f"index / {width}"),
+            dialect.fetch_image(name, "y", "x"),
         ]
         readers.append(dialect.function(f"read_{name}", [("index", I32)], VEC4, lines))
     return readers
 
 
 def _combined(
-    baked: Baked, emitter: Emitter, phases: Table, bundle: Bundle, stored: str
+    baked: Baked, emitter: Emitter, phases: ShaderTable, bundle: StructValue, stored: str
 ) -> list[str]:
     """Lines of ``air_radiance`` for particles in alpha, whose colours are restored."""
     dialect = emitter.dialect
@@ -231,15 +240,15 @@ def _combined(
     )
     vector, ref = dialect.type_name(VEC4), "xyz"[baked.light.reference]
     scale = f"{np.float32(baked.tables['scattering'].scale):.9e}"
-    lines = [dialect.kept("both", VEC4, f"{stored} * {scale}")]
+    lines = [dialect.let("both", VEC4, f"{stored} * {scale}")]
     if not particles:
         return [*lines, f"both * {smooth}(nu)"]
     colours = ", ".join(f"{np.float32(one):.9e}" for one in (*baked.light.colours, 0.0))
     ratio = [f"restored.{one}" if one != ref else "1.0" for one in "xyz"]
     return [
         *lines,
-        dialect.kept("restored", VEC4, f"both / max(both.{ref}, 1e-30) * {vector}({colours})"),
-        dialect.kept("ratio", VEC4, f"{vector}({', '.join(ratio)}, 0.0)"),
+        dialect.let("restored", VEC4, f"both / max(both.{ref}, 1e-30) * {vector}({colours})"),
+        dialect.let("ratio", VEC4, f"{vector}({', '.join(ratio)}, 0.0)"),
         f"both * {smooth}(nu) + ratio * both.w * {particles[0]}(nu)",
     ]
 

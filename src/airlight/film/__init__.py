@@ -1,11 +1,11 @@
-"""Films: key frames, exposure and frames of a planet or a scene, drawn by many processes."""
+"""Films: key frames, exposure curve and parallel rendering of frames."""
 
 from __future__ import annotations
 
 from airlight.film.animate import Animated, animate
 from airlight.film.film import Film
 from airlight.film.finish import Finish
+from airlight.film.frame_spec import Quality
 from airlight.film.reading import load_film
-from airlight.film.still import Quality
 
 __all__ = ["Animated", "Film", "Finish", "Quality", "animate", "load_film"]

@@ -1,4 +1,4 @@
-"""``animate``: a film becomes a folder of frames, drawn by many processes, only what is missing."""
+"""``animate``: parallel, resumable rendering of a film to a folder of frames."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from airlight.film.exposure_curve import ExposureCurve, metered_numbers
 from airlight.film.film import Film
 from airlight.film.finish import Finish, finished
 from airlight.film.frame_checksum import BLANK, CHECKSUM, with_checksum
+from airlight.film.frame_spec import FrameSpec, Quality, distinct_solutions
 from airlight.film.frames_folder import FINGERPRINT, FramesFolder
 from airlight.film.movie import check_movie, write_movie
-from airlight.film.still import Quality, Still, distinct_solutions
 from airlight.kernel import disk
 from airlight.kernel.cost import announce_all
 from airlight.scene.metering import METERED
@@ -26,15 +26,15 @@ from airlight.scene.metering import METERED
 if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
 
-#: Exposure of a film: a smooth curve, that of the first frame for all, or a number. [EV]
+#: Exposure of a film: smoothed metering, metering of the first frame for all frames, or a value.
+#: [EV]
 FilmExposure = float | Literal["auto", "locked"]
-#: Frames that are prepared before another one has to be read: of a film whose planet changes, each
-#: has its own.
+#: Maximum number of cached frame specifications; if the planet changes, each holds its own planet.
 _CACHE_SIZE: Final = 512
-#: Frames by which the number of a film's solutions is estimated.
+#: Number of frames from which the number of a film's solutions is estimated.
 _SAMPLED: Final = 32
-#: Source that draws frames.
-_SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("still.py", "finish.py"))
+#: Modules whose source is part of a frame's fingerprint.
+_SOURCES: Final = tuple(Path(__file__).with_name(name) for name in ("frame_spec.py", "finish.py"))
 
 
 def _code() -> str:
@@ -43,22 +43,22 @@ def _code() -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Animated:
-    """Film that was written.
+    """Result of ``animate``.
 
     Attributes
     ----------
     frames : FramesFolder
         Folder of its frames.
-    drawn, kept : int
-        Number of frames that were drawn, and that were there already.
+    rendered, kept : int
+        Number of frames rendered, and of existing frames.
     damaged : int
-        Number of the drawn frames that were there, and damaged.
+        Number of rendered frames that replaced damaged ones.
     exposures : (float, float) or None
         Lowest and highest exposure of a PNG. [EV]
     """
 
     frames: FramesFolder
-    drawn: int
+    rendered: int
     kept: int
     damaged: int
     exposures: tuple[float, float] | None
@@ -77,14 +77,14 @@ def animate(
     name: str | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
-    told: Callable[[str], None] | None = None,
+    on_message: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Animated:
-    """Draw the frames of a film that are missing, damaged or have changed.
+    """Render the missing, damaged and changed frames of a film.
 
-    Each frame's file names in its header the fingerprint of all that defines it, and its checksum,
-    with which all its bytes are compared. A frame is written whole; a run that was interrupted, or
-    killed, loses only the frames that were being drawn.
+    The header of each frame's file holds a fingerprint of all inputs and a checksum of the file.
+    Files are written atomically: a run that is interrupted or killed loses only the frames in
+    progress.
 
     Parameters
     ----------
@@ -95,20 +95,20 @@ def animate(
     width, height : int
         Size of the frames. [pixel]
     how : Quality, optional
-        How their light is computed.
+        Accuracy of the solution and the rendering.
     finish : Finish, optional
         Format and display.
     exposure : float, "auto" or "locked"
-        ``auto`` meters three frames a second and follows them smoothly; ``locked`` is the first
-        frame's, of all. [EV]
+        ``auto`` meters three frames per second and smooths the result; ``locked`` applies the
+        metering of the first frame to all frames. [EV]
     movie : str or Path, optional
         Path of an MP4.
     name : str, optional
-        Name in those of the frames; the film's by default.
+        Prefix of the frames' file names; the film's name by default.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``.
-    told : callable, optional
-        Receives lines about the course.
+    on_message : callable, optional
+        Receives progress messages.
     progress : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -119,26 +119,26 @@ def animate(
     Raises
     ------
     ParameterError
-        If a key of the film is wrong, or an option.
+        If a key of the film or an option is invalid.
     FileError
-        If the folder or the MP4 cannot be written to, the disk becomes full, another film is being
-        written to the folder, or it holds a file of a frame's name that is not a frame.
+        If the folder or the MP4 cannot be written, the disk is full, another film is being written
+        to the folder, or a file with the name of a frame is not a frame.
     WorkerError
-        If workers or their scheduler are lost.
+        If the connection to workers or their scheduler is lost.
     """
     how, finish = how or Quality(), finish or Finish()
     job = _Job(film, width, height, how, finish, exposure, progress)
     frames = FramesFolder(Path(folder), name or film.name, finish.suffix, film.plan.count)
-    say = told or (lambda line: None)
+    say = on_message or (lambda line: None)
     for number in {0, film.plan.count // 2, film.plan.count - 1}:
-        job.still(number)  # refuse here what a worker would refuse after some time
+        job.frame_spec(number)  # refuse here what a worker would refuse after some time
     if movie is not None:
         check_movie(Path(movie), "movie")
     with frames.claimed(), contextlib.ExitStack() as stack:
         present = frames.present(progress)
         if present.damaged:
             count = len(present.damaged)
-            say(f"{count} of {frames.count} frames are damaged and will be rendered again")
+            say(f"{count} of {frames.count} frames were damaged and are rendered again")
         runner: Runner | None = None
 
         def opened(tasks: int) -> Runner:
@@ -156,8 +156,8 @@ def animate(
         whole = present.fingerprints
         missing = [n for n in range(frames.count) if whole.get(n) != job.fingerprint(n)]
         if missing:
-            say_drawn = opened(len(missing)).run(drawn_frame, job.tasks(missing))
-            for done, (number, content) in enumerate(say_drawn):
+            say_rendered = opened(len(missing)).run(rendered_frame, job.tasks(missing))
+            for done, (number, content) in enumerate(say_rendered):
                 frames.write(number, content)
                 if progress is not None:
                     progress(done + 1, len(missing), "frames")
@@ -171,13 +171,13 @@ def animate(
         values = [curve(number) for number in range(frames.count)]
         span = min(values), max(values)
     return Animated(
-        frames=frames, drawn=len(missing), kept=frames.count - len(missing),
+        frames=frames, rendered=len(missing), kept=frames.count - len(missing),
         damaged=len(present.damaged), exposures=span,
     )  # fmt: skip
 
 
 class _Job:
-    """One film at one size, with one finish."""
+    """Film at a given size and finish."""
 
     def __init__(
         self, film: Film, width: int, height: int, how: Quality, finish: Finish,
@@ -185,28 +185,28 @@ class _Job:
     ) -> None:  # fmt: skip
         self._film, self._size, self._how = film, (width, height), how
         self._finish, self._exposure, self._progress = finish, exposure, progress
-        self._stills: dict[int, Still] = {}
+        self._specs: dict[int, FrameSpec] = {}
         self._digests: dict[int, str] = {}
         self._curve: Callable[[int], float] | None = None
 
-    def still(self, number: int) -> Still:
-        if number not in self._stills:
-            if len(self._stills) >= _CACHE_SIZE:
-                self._stills.clear()
-            self._stills[number] = self._film.still(number, *self._size, self._how)
-        return self._stills[number]
+    def frame_spec(self, number: int) -> FrameSpec:
+        if number not in self._specs:
+            if len(self._specs) >= _CACHE_SIZE:
+                self._specs.clear()
+            self._specs[number] = self._film.frame_spec(number, *self._size, self._how)
+        return self._specs[number]
 
     def _digest(self, number: int) -> str:
-        """Fingerprint of a frame's light."""
+        """Fingerprint of a frame's radiance."""
         if number not in self._digests:
-            still = self.still(number)
-            self._digests[number] = digest((still.defined_by, _code()), still.files)
+            spec = self.frame_spec(number)
+            self._digests[number] = digest((spec.defined_by, _code()), spec.files)
         return self._digests[number]
 
     # --- exposure -----------------------------------------------------------------------------
 
     def curve(self, opened: Callable[[], Runner]) -> Callable[[int], float] | None:
-        """Exposure of each frame, metered where that is not known; None of linear files."""
+        """Exposure curve of the film; None for linear files."""
         if self._finish.suffix == ".exr":
             return None
         if isinstance(self._exposure, (int, float)):
@@ -217,7 +217,7 @@ class _Job:
         found = {number: self._kept_exposure(number) for number in numbers}
         unknown = [number for number, value in found.items() if value is None]
         if unknown:
-            tasks = ((number, (self.still(number), _code())) for number in unknown)
+            tasks = ((number, (self.frame_spec(number), _code())) for number in unknown)
             for done, (number, value) in enumerate(opened().run(metered_exposure, tasks)):
                 disk.save(self._key(number), {"exposure": np.array(value)})
                 found[number] = value
@@ -241,7 +241,7 @@ class _Job:
 
     @property
     def _eye(self) -> bool:
-        """Whether faint light is seen as by an eye: not where the exposure is a number."""
+        """Whether the eye model is applied: only with automatic exposure."""
         return isinstance(self._exposure, str)
 
     def fingerprint(self, number: int) -> str:
@@ -250,18 +250,18 @@ class _Job:
         return digest((light, self._finish, value, self._eye))
 
     def tasks(self, numbers: Sequence[int]) -> Iterator[tuple[int, tuple[Any, ...]]]:
-        """Tasks of ``drawn_frame``."""
+        """Tasks of ``rendered_frame``."""
         for number in numbers:
             yield number, (
-                self.still(number), self._finish, self._exposure_of(number), self._eye,
+                self.frame_spec(number), self._finish, self._exposure_of(number), self._eye,
                 self.fingerprint(number), _code(),
             )  # fmt: skip
 
     def announce(self, frames: int) -> None:
-        """Announce frames that take long together, and solutions if they have several."""
+        """Announce long rendering, and the number of solutions."""
         count = self._film.plan.count
         sampled = min(count, _SAMPLED)
-        some = [self.still(count * k // sampled) for k in range(sampled)]
+        some = [self.frame_spec(count * k // sampled) for k in range(sampled)]
         changes = distinct_solutions(some)
         cost = some[0].cost()
         # A single solution announces itself, if it is not on disk.
@@ -274,9 +274,9 @@ class _Job:
         )
 
     def prepare(self, runner: Runner) -> None:
-        """Solve once, here and on each other machine, what all frames share."""
+        """Solve the common solution once on each machine."""
         count = self._film.plan.count
-        some = [self.still(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
+        some = [self.frame_spec(n) for n in sorted({0, count // 3, 2 * count // 3, count - 1})]
         if distinct_solutions(some) == 1:
             some[0].prepare(self._progress)
             runner.once_per_machine(prepared, some[0], _code())
@@ -285,26 +285,26 @@ class _Job:
 # --- on a worker ------------------------------------------------------------------------------
 
 
-def prepared(still: Still, code: str) -> None:
-    """Solve what a still needs, and keep it on the disk of this machine."""
+def prepared(spec: FrameSpec, code: str) -> None:
+    """Solve for a frame and store the solution on this machine."""
     check_code(code, *_SOURCES)
-    still.prepare()
+    spec.prepare()
 
 
-def metered_exposure(still: Still, code: str) -> float:
-    """Exposure of a still by a small picture of it. [EV]"""
+def metered_exposure(spec: FrameSpec, code: str) -> float:
+    """Exposure metered from a small frame. [EV]"""
     check_code(code, *_SOURCES)
-    return float(still.frame(METERED).exposure)
+    return float(spec.render(METERED).exposure)
 
 
-def drawn_frame(
-    still: Still, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
+def rendered_frame(
+    spec: FrameSpec, finish: Finish, exposure: float, eye: bool, fingerprint: str, code: str
 ) -> bytes:
-    """Contents of a frame's file, with its fingerprint and its checksum in the header.
+    """Bytes of a frame's file, with fingerprint and checksum in the header.
 
     Parameters
     ----------
-    still : Still
+    spec : FrameSpec
         Frame.
     finish : Finish
         Format and display.
@@ -323,5 +323,5 @@ def drawn_frame(
         If the source of this machine is another.
     """
     check_code(code, *_SOURCES)
-    told = {**still.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
-    return with_checksum(finished(still.frame(), finish, exposure, eye, told))
+    metadata = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}
+    return with_checksum(finished(spec.render(), finish, exposure, eye, metadata))

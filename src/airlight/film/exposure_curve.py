@@ -1,4 +1,4 @@
-"""Exposure over a film: metered at some frames, smoothed, and a smooth curve between them."""
+"""Exposure curve of a film: metered at some frames, smoothed and interpolated."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _FEWEST: Final = 7
 
 
 def smoothed(values: FloatArray) -> FloatArray:
-    """Means of neighbours with the weights 1, 4, 6, 4, 1, of evenly spaced values.
+    """Binomial smoothing with weights 1, 4, 6, 4, 1.
 
     Straight lines stay as they are, also at the ends, beyond which they are continued.
 
@@ -39,7 +39,7 @@ def smoothed(values: FloatArray) -> FloatArray:
 
 
 class ExposureCurve:
-    """Exposure of every frame of a film, without a jump of its value or of its slope.
+    """Exposure of every frame, with a continuous first derivative.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ class ExposureCurve:
 
 
 def metered_numbers(plan: FilmPlan) -> list[int]:
-    """Numbers of the frames that are metered: about three a second, the first and the last.
+    """Indices of metered frames: about three per second, with the first and the last.
 
     A film has seven at least, or all of its frames: a short one may hold a whole sunset.
     """

@@ -1,4 +1,4 @@
-"""``Film``: a planet or a scene with a plan, which becomes stills."""
+"""``Film``: a planet or scene with key frames, and the specification of each frame."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import ParameterError
+from airlight.film.frame_spec import FrameSpec, PlanetFrameSpec, Quality, SystemFrameSpec
 from airlight.film.plan import FilmPlan
-from airlight.film.still import PlanetStill, Quality, Still, SystemStill
 from airlight.film.view import PlanetView
 from airlight.planets.planet import Planet
 from airlight.planets.reading.overrides import FIELD
@@ -27,20 +27,20 @@ Tables = Mapping[str, Any]
 
 @dataclass(frozen=True, kw_only=True)
 class Film:
-    """Film of one planet, or of a scene of several bodies.
+    """Film of a planet or of a scene of several bodies.
 
     Parameters
     ----------
     name : str
-        Name of the film, in the names of its frames.
+        Name of the film, the prefix of its frames' file names.
     plan : FilmPlan
         Frames, clock and key frames.
     tables : mapping
         Nested tables of the planet file, or of the scene file.
     file : str
-        Name of that file, in errors.
+        Name of that file, for error messages.
     folder : Path, optional
-        Folder of the files that it names.
+        Folder that relative paths in it refer to.
     view : mapping, optional
         Table of a ``PlanetView``, for a film of one planet; None for a scene.
     """
@@ -52,22 +52,22 @@ class Film:
     folder: Path | None = None
     view: Tables | None = field(default=None)
 
-    def still(self, number: int, width: int, height: int, how: Quality) -> Still:
-        """Frame of the film before it is drawn.
+    def frame_spec(self, number: int, width: int, height: int, how: Quality) -> FrameSpec:
+        """Specification of a frame.
 
         Parameters
         ----------
         number : int
             Number of the frame, from 0.
         width, height : int
-            Size of the picture. [pixel]
+            Size of the frame. [pixel]
         how : Quality
-            How its light is computed.
+            Accuracy of the solution and the rendering.
 
         Raises
         ------
         ParameterError
-            If a key's path leads nowhere, or its value is out of range there.
+            If the path of a key does not exist, or a value is out of range.
         """
         changes = self.plan.changes(number)
         if self.view is not None:
@@ -75,10 +75,10 @@ class Film:
             time = self._time(number, view, planet)
             scene = view.scene(planet, time, width, height)
             planet, scene = on_basin_floor(planet, scene)
-            return PlanetStill(planet=planet, scene=scene, how=how, stars=view.stars)
+            return PlanetFrameSpec(planet=planet, scene=scene, how=how, stars=view.stars)
         system = self._system_at(changes, self._time(number))
         system.check_distances()
-        return SystemStill(system=system, width=width, height=height, how=how)
+        return SystemFrameSpec(system=system, width=width, height=height, how=how)
 
     @property
     def projection(self) -> str:
@@ -89,7 +89,7 @@ class Film:
 
     @property
     def planets(self) -> tuple[Planet, ...]:
-        """Planets with air at the first frame."""
+        """Planets of the first frame."""
         if self.view is not None:
             return (self._planet_at(self.plan.changes(0))[1],)
         system = self._system_at(self.plan.changes(0), self._time(0))
@@ -140,11 +140,11 @@ class Film:
         else:
             start, end = (_instant(text, name) for text, name in
                           ((plan.start, "start"), (plan.end, "end")))  # fmt: skip
-        return start + plan.share(number) * (end - start)
+        return start + plan.normalised_time(number) * (end - start)
 
     @cached_property
     def _span(self) -> tuple[datetime, datetime]:
-        """Instants of the first and the last frame, at the places of their observers."""
+        """Times of the first and the last frame."""
         from airlight.ephemeris.sky import Place
         from airlight.ephemeris.time_text import read_time
 
@@ -172,7 +172,7 @@ def _instant(text: str, name: str) -> datetime:
 
 
 def _of_a_key(error: ParameterError) -> ParameterError:
-    """Error about a path, by the name that a film's file has for it."""
+    """Name the field of an error by its key in the film file."""
     if error.field != FIELD:
         return error
     return error.named("film.keys")

@@ -1,4 +1,4 @@
-"""Finish of a frame: from its light to the bytes of a file."""
+"""Finish of a frame: display settings and file format."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.scene.frame import Frame
 
 @dataclass(frozen=True, kw_only=True)
 class Finish:
-    """Format and display of a film's frames.
+    """File format and display settings of a film.
 
     Attributes
     ----------
@@ -38,22 +38,22 @@ class Finish:
 def finished(
     frame: Frame, finish: Finish, exposure: float, eye: bool, metadata: Mapping[str, str]
 ) -> bytes:
-    """Contents of a frame's file.
+    """Bytes of a frame's file.
 
     Parameters
     ----------
     frame : Frame
-        Light of the frame.
+        Frame.
     finish : Finish
         Format and display.
     exposure : float
         Exposure of a PNG. [EV]
     eye : bool
-        Whether faint light is seen as by an eye in the dark.
+        Whether mesopic vision of the dark-adapted eye is simulated.
     metadata : mapping
-        Facts for the header. How long a solution took is left out: equal frames are equal files.
+        Metadata for the header, without computation times, so that equal frames are equal files.
     """
-    told = {name: text for name, text in frame.metadata.items() if name != "solver"}
+    inherited = {name: text for name, text in frame.metadata.items() if name != "solver"}
     plain = Frame(
         rgb=frame.rgb, **frame.lens, scene=frame.scene,
         star_radius=frame.star_radius,
@@ -61,7 +61,7 @@ def finished(
     with tempfile.TemporaryDirectory(prefix="airlight-") as folder:
         path = Path(folder) / f"frame{finish.suffix}"
         write_picture(
-            path, plain, {**told, **metadata}, exposure=exposure, tone_map=finish.tone_map,
+            path, plain, {**inherited, **metadata}, exposure=exposure, tone_map=finish.tone_map,
             encoding=finish.encoding, primaries=finish.primaries, eye=eye, bits=finish.bits,
             glare=finish.glare,
         )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Checksum of a frame in its own file: of all bytes but those that hold it."""
+"""Checksum of a frame, stored in its file and computed without the stored value."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _TEXT: Final = re.compile(
 
 
 def with_checksum(content: bytes) -> bytes:
-    """Fill in the checksum of a file that has ``BLANK`` in its header.
+    """File with ``BLANK`` in its header replaced by the checksum.
 
     Parameters
     ----------
@@ -50,18 +50,18 @@ def with_checksum(content: bytes) -> bytes:
 
 
 def has_checksum(content: bytes) -> bool:
-    """Whether a file has the text of a checksum, right or wrong."""
+    """Whether a file has a checksum, valid or not."""
     return _TEXT.search(content) is not None
 
 
 def is_whole(content: bytes) -> bool:
-    """Whether a file is as ``with_checksum`` returned it."""
+    """Whether the checksum of a file is valid."""
     match = _TEXT.search(content)
     return match is not None and match[1] == _checksum(content, *match.span(1))
 
 
 def _checksum(content: bytes, first: int, last: int) -> bytes:
-    """SHA-256 of all but the text, and of all but its CRC in PNG, whose readers verify it."""
+    """SHA-256 without the stored value and, in PNG, without its CRC."""
     state = hashlib.sha256(content[:first])
     state.update(content[last + (4 if content.startswith(_SIGNATURE) else 0) :])
     return state.hexdigest().encode()

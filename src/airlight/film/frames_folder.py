@@ -1,4 +1,4 @@
-"""Folder of a film's frames: their names, the frames that are there, and one film at a time."""
+"""Folder of a film's frames: file names, existing frames, and a lock."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ _SIGNATURES: Final = (b"\x89PNG\r\n\x1a\n", b"\x76\x2f\x31\x01")
 
 @dataclass(frozen=True, kw_only=True)
 class Present:
-    """Frames that are in a folder.
+    """Existing frames of a folder.
 
     Attributes
     ----------
     fingerprints : dict of int to str
-        Fingerprints of the frames that are whole, by number.
+        Fingerprints of the intact frames, by number.
     damaged : frozenset of int
-        Numbers of the frames that are not as they were written.
+        Numbers of the frames with a wrong checksum.
     """
 
     fingerprints: dict[int, str]
@@ -47,12 +47,12 @@ class Present:
 
 
 class FramesFolder:
-    """Folder with the frames ``NAME_00001.png``, ``NAME_00002.png`` …, as fulldome players want.
+    """Folder with the frames ``NAME_00001.png``, ``NAME_00002.png`` …, as for fulldome players.
 
     Parameters
     ----------
     folder : Path
-        Folder; it is made if the folder above it is there.
+        Folder; created if its parent exists.
     name : str
         Name of the film.
     suffix : str
@@ -65,7 +65,7 @@ class FramesFolder:
         self.folder, self.stem, self.suffix, self.count = folder, file_stem(name), suffix, count
 
     def path(self, number: int) -> Path:
-        """Path of a frame, number 0 the first."""
+        """Path of a frame, counted from 0."""
         return self.folder / f"{self.stem}_{number + 1:05d}{self.suffix}"
 
     @property
@@ -74,7 +74,7 @@ class FramesFolder:
         return [self.path(number) for number in range(self.count)]
 
     def present(self, progress: Progress | None = None) -> Present:
-        """Frames that are there: all bytes of each are read, and compared with its checksum.
+        """Existing frames, verified by their checksums.
 
         Parameters
         ----------
@@ -107,12 +107,12 @@ class FramesFolder:
         return Present(fingerprints=fingerprints, damaged=frozenset(damaged))
 
     def write(self, number: int, content: bytes) -> None:
-        """Write a frame, whole or not at all."""
+        """Write a frame atomically."""
         with atomic_file(self.path(number)) as part:
             part.write_bytes(content)
 
     def others(self) -> list[Path]:
-        """Frames of the same name that are not of this film, which was longer before."""
+        """Frames of an earlier, longer version of the film."""
         named = re.compile(rf"{re.escape(self.stem)}_\d{{5}}\.(png|exr)")
         own = set(self.paths)
         return sorted(
@@ -121,12 +121,12 @@ class FramesFolder:
 
     @contextlib.contextmanager
     def claimed(self) -> Iterator[None]:
-        """Make the folder, keep other films out of it, and clear what a killed one left.
+        """Context that creates and locks the folder and removes partial files.
 
         Raises
         ------
         FileError
-            If the folder cannot be made or written to, or another film is at work in it.
+            If the folder cannot be created or written, or is locked by another run.
         """
         try:
             self.folder.mkdir(exist_ok=True)
@@ -142,7 +142,7 @@ class FramesFolder:
 
 
 def _content(path: Path) -> bytes | None:
-    """Content of a frame's file; None if it cannot be read, or is too large for one."""
+    """Bytes of a frame's file; None if it is unreadable or too large."""
     if path.is_symlink() or not path.is_file():
         raise FileError(path, "is not a regular file; remove it, or choose another folder")
     try:
@@ -152,7 +152,7 @@ def _content(path: Path) -> bytes | None:
 
 
 def _is_foreign(path: Path, content: bytes) -> bool:
-    """Whether a file is neither a frame, nor what damage leaves of one."""
+    """Whether a file is neither a frame nor a damaged frame."""
     if PREFIX.encode() + FINGERPRINT.encode() in content or not content.strip(b"\0"):
         return False
     return not content.startswith(_SIGNATURES) or _is_picture(path)
@@ -167,7 +167,7 @@ def _is_picture(path: Path) -> bool:
 
 
 def file_stem(name: str) -> str:
-    """Name of a film as files can have it: letters, digits, hyphens.
+    """File name stem of a film: letters, digits, hyphens.
 
     Examples
     --------

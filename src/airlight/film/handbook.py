@@ -19,7 +19,7 @@ TABLES: Final[dict[str, type[TomlModel]]] = {
 
 
 def key_table(kind: str) -> str:
-    """Keys of one table of a film file, as a table in Markdown.
+    """Markdown table of the keys of one table of a film file.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Key frames: one number of a scene or a planet over the length of a film."""
+"""Key frames: animation of one parameter of a scene or planet."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ def _read_values(section: TomlTable, name: str, wavelengths: Wavelengths) -> Any
 
 @parameters
 class KeyFrames(TomlModel):
-    """Values of one number at some moments of a film, and the law between them.
+    """Key frames of one parameter, and their interpolation.
 
     Parameters
     ----------
     path : str
-        Path of the number: of a scene file ``observer.altitude``, of a view ``view.sun_zenith``, of
-        a planet file ``haze.particles.optical_depth``.
+        Path of the parameter: ``observer.altitude`` in a scene file, ``view.sun_zenith`` in a view,
+        ``haze.particles.optical_depth`` in a planet file.
     values : list
-        Numbers, or texts with a unit, as the file takes them; lists of them for a vector.
+        Numbers, or texts with a unit, as in the file; lists of them for a vector.
     at : tuple of float, optional
-        Moments, as shares of the film, ascending; evenly from 0 to 1 by default. [1]
+        Normalised times, ascending; evenly from 0 to 1 by default. [1]
     law : str
         Name from ``LAWS``.
 
     Raises
     ------
     ParameterError
-        With the field, the value and what is allowed.
+        If a value, time or law is invalid.
 
     Examples
     --------
@@ -88,17 +88,17 @@ class KeyFrames(TomlModel):
         if self.law in LOGARITHMIC and not (numbers > 0.0).all():
             raise ParameterError("values", self.values, f"numbers above 0 by the law {self.law}")
 
-    def value(self, share: float) -> Any:
-        """Value at a moment, as a file holds it: a number, a text with the unit, or a list.
+    def value(self, time: float) -> Any:
+        """Value at a time as in a file: number, text with unit, or list.
 
         Parameters
         ----------
-        share : float
-            Moment, 0 at the first frame and 1 at the last. [1]
+        time : float
+            Normalised time, 0 at the first frame and 1 at the last. [1]
         """
         numbers, unit = self._numbers()
         at = np.linspace(0.0, 1.0, len(numbers)) if self.at is None else np.array(self.at)
-        row = LAWS[self.law](at, numbers, np.array([share]))[0]
+        row = LAWS[self.law](at, numbers, np.array([time]))[0]
         # Fifteen digits: what a law leaves in the last bit is no part of the value.
         texts = [float(f"{number:.15g}") for number in row]
         items = [f"{number!r} {unit}" if unit else number for number in texts]
@@ -112,7 +112,7 @@ class KeyFrames(TomlModel):
         return list(self.values) if isinstance(self.values, (list, tuple)) else [self.values]
 
     def _numbers(self) -> tuple[np.ndarray, str]:
-        """Values as numbers, shape (k, m), and their unit, empty if they have none."""
+        """Values as numbers, shape (k, m), and their unit or an empty text."""
         items = self._items()
         if not 2 <= len(items) <= LONGEST_LIST:
             shown = self.values if items else MISSING

@@ -1,4 +1,4 @@
-"""Laws by which a value runs from one key frame to the next."""
+"""Interpolation between key frames."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray: TypeAlias = NDArray[np.float64]
-#: ``law(at, values, where)``: places (k,), values (k, m), places asked for (n,) to values (n, m).
+#: ``law(at, values, where)``: keys (k,), values (k, m), query points (n,) to values (n, m).
 Law: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 
 
 def linear(at: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
-    """Straight lines from key to key; constant before the first and after the last.
+    """Linear interpolation, constant outside.
 
     Examples
     --------
@@ -25,15 +25,15 @@ def linear(at: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
 
 
 def smooth(at: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
-    r"""Cubics from key to key with a continuous slope: at rest at both ends, never beyond a key.
+    r"""Monotone piecewise cubic interpolation with zero slope at both ends.
 
-    The slope at an inner key is the weighted harmonic mean of the slopes :math:`d` beside it, or 0
-    where they have different signs,
+    The slope at an inner key is the weighted harmonic mean of the adjacent secants :math:`d`, or 0
+    where their signs differ,
 
     .. math:: \frac{w_1 + w_2}{w_1 / d_{k-1} + w_2 / d_k}, \quad
               w_1 = 2 h_k + h_{k-1}, \quad w_2 = h_k + 2 h_{k-1},
 
-    so that values between two keys stay between theirs.
+    so that the interpolant does not overshoot.
 
     References
     ----------

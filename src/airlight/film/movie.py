@@ -1,4 +1,4 @@
-"""MP4 of a film's frames, by ffmpeg."""
+"""MP4 encoding of a film by ffmpeg."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ _SCALE: Final = (
 
 
 def check_movie(path: Path, field: str) -> None:
-    """Refuse, before frames are drawn, a film that could not be written.
+    """Raise if a movie cannot be written.
 
     Parameters
     ----------
     path : Path
-        Path of the future MP4.
+        Path of the MP4.
     field : str
-        Name in errors.
+        Name of the option, for error messages.
 
     Raises
     ------
     ParameterError
         If imageio-ffmpeg is not installed.
     FileError
-        If nothing can be written there.
+        If the path is not writable.
     """
     check_target(path)
     if util.find_spec("imageio_ffmpeg") is None:
@@ -52,15 +52,15 @@ def check_movie(path: Path, field: str) -> None:
 def write_movie(
     path: Path, frames: Sequence[Path], rate: float, progress: Progress | None = None
 ) -> None:
-    """Write an MP4 of PNG frames: H.264, 4:2:0, eight bits, BT.709.
+    """Encode PNG frames as MP4: H.264, 4:2:0, 8 bits, BT.709.
 
     Parameters
     ----------
     path : Path
-        Path of the file, which appears whole or not at all.
+        Path of the file, which is written atomically.
     frames : sequence of Path
-        PNG frames of one size, of eight bits, sRGB, in order. An odd last row or column is left
-        out, which the format does not have.
+        PNG frames of equal size, 8 bits, sRGB, in order. An odd last row or column is cropped, as
+        4:2:0 requires even sizes.
     rate : float
         Frames per second. [1/s]
     progress : callable, optional
@@ -69,7 +69,7 @@ def write_movie(
     Raises
     ------
     FileError
-        If a frame cannot be read, or ffmpeg fails, as where the disk becomes full.
+        If a frame cannot be read, or ffmpeg fails, for instance because the disk is full.
     """
     import imageio_ffmpeg
 
@@ -114,7 +114,7 @@ def _pixels(file: Path) -> NDArray[np.uint8]:
 
 
 def _frame_count(file: Path) -> int:
-    """Number of frames that can be read; ffmpeg does not say whether it has written all."""
+    """Number of readable frames, as ffmpeg does not report incomplete output."""
     import imageio_ffmpeg
 
     try:

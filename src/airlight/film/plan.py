@@ -1,4 +1,4 @@
-"""The ``[film]`` table: number of frames, clock and key frames."""
+"""Table ``[film]`` of a film file: number of frames, clock and key frames."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ def _read_keys(section: TomlTable, name: str, wavelengths: Wavelengths) -> tuple
 
 @parameters
 class FilmPlan(TomlModel):
-    """Course of a film.
+    """Duration, clock and key frames of a film.
 
     Parameters
     ----------
     frames : float
-        Number of frames, whole. [1]
+        Number of frames, an integer. [1]
     rate : float
-        Frames per second when it is shown. [1/s]
+        Frames per second of playback. [1/s]
     start, end : str, optional
         Instants of the first and the last frame; the clock runs evenly between them.
     zone : str, optional
         Zone of instants without one.
     keys : tuple of KeyFrames
-        Numbers that change.
+        Animated parameters.
     """
 
     frames: Annotated[
@@ -92,10 +92,10 @@ class FilmPlan(TomlModel):
         """Number of frames."""
         return int(self.frames)
 
-    def share(self, number: int) -> float:
-        """Moment of a frame: 0 of the first, number 0, and 1 of the last. [1]"""
+    def normalised_time(self, number: int) -> float:
+        """Normalised time of a frame, from 0 to 1. [1]"""
         return number / max(self.count - 1, 1)
 
     def changes(self, number: int) -> dict[str, Any]:
-        """Values of all keys at a frame, by path."""
-        return {key.path: key.value(self.share(number)) for key in self.keys}
+        """Values of all animated parameters at a frame, by path."""
+        return {key.path: key.value(self.normalised_time(number)) for key in self.keys}

@@ -1,4 +1,4 @@
-"""Films from files: a film file, a scene file, a planet file, or the name of a preset."""
+"""Reader of films from film, scene or planet files or preset names."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def load_film(name_or_path: str | Path, changes: Mapping[str, Any] | None = None
         Path of a film file (docs/films.md describes its keys), of a scene file or of a planet file;
         or the name of a scene or of a planet of the package.
     changes : mapping, optional
-        Keys that are changed first, from path to value: ``film.frames``, ``view.look_at``, or a
-        path of the scene or the planet.
+        Overrides, from path to value: ``film.frames``, ``view.look_at``, or a path of the scene or
+        the planet.
 
     Raises
     ------

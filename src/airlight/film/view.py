@@ -1,4 +1,4 @@
-"""The ``[view]`` table: observer, sun and camera of a film of one planet."""
+"""Table ``[view]`` of a film file: observer, sun and camera."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.system.viewpoint import FIELD_OF_VIEW, LOOK_ZENITH, POLARISER, PRO
 
 @parameters
 class PlanetView(TomlModel):
-    """Observer above a planet, sun and camera, as ``airlight render PLANET`` has them.
+    """Observer, sun and camera of a single-planet film.
 
     Parameters
     ----------
@@ -32,11 +32,11 @@ class PlanetView(TomlModel):
     altitude : float
         Altitude of the observer. [m]
     sun_zenith, sun_azimuth : float, optional
-        Zenith angle and compass bearing of the sun, where no clock gives them. [deg]
+        Zenith angle and compass bearing of the sun, for films without a clock. [deg]
     look_at : str, optional
         Target as for ``airlight.scene.look_at``; ``horizon`` by default.
     look_zenith, look_azimuth : float, optional
-        Instead: zenith angle, and azimuth from the sun's side. [deg]
+        Alternative to ``look_at``: zenith angle, and azimuth from the sun's side. [deg]
     roll : float
         Clockwise rotation of the camera. [deg]
     polariser : float, optional
@@ -50,7 +50,7 @@ class PlanetView(TomlModel):
     ground : str
         ``plain`` or ``detailed``.
     stars : bool
-        Whether the stars of the catalogue are drawn.
+        Whether the star catalogue is rendered.
     """
 
     latitude: Annotated[
@@ -143,15 +143,15 @@ class PlanetView(TomlModel):
         planet : Planet
             Planet.
         time : datetime, optional
-            Instant that gives the sun.
+            Instant that determines the position of the sun.
         width, height : int
-            Size of the picture. [pixel]
+            Size of the frame. [pixel]
 
         Raises
         ------
         ParameterError
-            If angles of the sun are given beside a time, the target is unknown, or stars cannot be
-            shown.
+            If angles of the sun are given together with a time, the target is unknown, or stars
+            cannot be rendered.
         """
         parallel, extent = PROJECTIONS[self.projection].parallel, self.extent
         if parallel and extent is None:

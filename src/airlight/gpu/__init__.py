@@ -1,20 +1,19 @@
-"""Pictures and solutions on the GPU, from the same formulas as on the CPU.
+"""Solver and renderer on the GPU, emitted from the kernels of the CPU.
 
-``pictures.Pictures`` draws what ``airlight.render`` renders, of solutions of at most four
+``gpu_renderer.GpuRenderer`` renders as ``airlight.render``, for solutions of at most four
 wavelengths::
 
     from airlight import Scene, load_planet, solve
     from airlight.color.four_wavelengths import four_wavelengths
     from airlight.gpu.device.device import open_device
-    from airlight.gpu.picture.pictures import Pictures
+    from airlight.gpu.picture.gpu_renderer import GpuRenderer
 
     planet = load_planet("earth")
     wavelengths, weights = four_wavelengths(planet.star.irradiances)
-    pictures = Pictures(open_device())
-    pictures.show(solve(planet, wavelengths), weights)
-    frame = pictures.frame(Scene(), exact=True)
+    renderer = GpuRenderer(open_device())
+    renderer.set_solution(solve(planet, wavelengths), weights)
+    frame = renderer.render(Scene(), exact=True)
 
-``exact`` marches every pixel, as the CPU does; otherwise pixels read a table of the sky that is
-drawn first, for pictures many times a second. ``open_device`` raises ``NoDevice``, which says in
-one line what is missing.
+``exact`` marches every pixel; otherwise pixels are interpolated in a sky-view LUT, for interactive
+frame rates. ``open_device`` raises ``NoDevice`` with the reason in one line.
 """

@@ -114,7 +114,7 @@ class Compiling:
     ----------
     total, done : int
         Number of functions to compile, and of those that are. [1]
-    told : callable
+    on_change : callable
         Called without arguments, on any thread, after each function.
     """
 
@@ -128,7 +128,7 @@ class Compiling:
         self._lock = threading.Lock()
         self._began = perf_counter()
         self.total = len(self._work)
-        self.told: Callable[[], None] = lambda: None
+        self.on_change: Callable[[], None] = lambda: None
         self._listener = CompileListener(self.finish)
         self._listens = here and self.total > 0
         if self._listens:
@@ -161,7 +161,7 @@ class Compiling:
             if name not in self._work:
                 return
             self._finished.add(name)
-        self.told()
+        self.on_change()
 
     @property
     def seconds_left(self) -> float | None:

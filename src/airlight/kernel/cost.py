@@ -1,7 +1,7 @@
 """Estimated time of long work, announced before it begins: amount over measured rate.
 
 The rates that stand here are of a core of 2.1 GHz. Each machine measures its own by all work that
-takes long enough, and keeps them beside the solutions: in processor time, which other programs do
+takes long enough, and keeps them beside the solutions: in CPU time, which other programs do
 not change, and the fastest of late, as a first run also compiles.
 """
 
@@ -21,7 +21,7 @@ from typing import Final
 from airlight.cache_folders import cache_folder, make_folder
 from airlight.kernel.threads import thread_count
 
-#: Kind of work of a graphics device, in time of the clock.
+#: Kind of work of a GPU, in time of the clock.
 DEVICE: Final = "picture on a device"
 #: Kind of work of pixels, or lines of sight, that are marched one by one.
 LINES: Final = "exact picture"

@@ -24,7 +24,7 @@ from airlight.kernel.cost import announce, duration
 
 #: Time of compiling after which the line is said. [s]
 PATIENCE: Final = 2.0
-#: Processor time of an amount of work as ``work_left`` counts it, on a core of 2.1 GHz. [s]
+#: CPU time of an amount of work as ``work_left`` counts it, on a core of 2.1 GHz. [s]
 _SECONDS: Final = 8e-5
 
 

@@ -1,4 +1,4 @@
-"""Mapping of a line of sight to the sky-view LUT of an observer.
+"""Coordinates of a line of sight in the sky-view LUT of one observer.
 
 The LUT has two halves, the sky above the horizon and the ground below it, each with rows from the
 horizon (0) to the zenith, the top of the shell or the nadir (1). Rows are dense at the horizon: the

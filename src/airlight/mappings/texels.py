@@ -1,11 +1,10 @@
 """Texture coordinates, array indices and memory indices of texels.
 
-Values of a table are at texel centres. The unit coordinate of n values is ``index / (n - 1)``;
-texture coordinates of a GPU span the outer edges of the texels, so that the same point is
-``0.5/n + x (1 - 1/n)``. Both are exact at both ends.
-
-Sources: Atmosphere Plus notes, second print, section 3.1.7; E. Bruneton, "Precomputed Atmospheric
-Scattering: a New Implementation" (2017).
+Values of a table are at the centres of its texels. A coordinate in [0, 1] that runs from the first
+to the last of n values is ``index / (n - 1)``; the texture coordinate of a GPU runs over
+the texels' outer edges, so that the same point is ``0.5/n + x (1 - 1/n)``. Both are exact at both
+ends. Sources: Atmosphere Plus notes, second print, section 3.1.7; E. Bruneton,
+"Precomputed Atmospheric Scattering: a New Implementation" (2017).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Planets that a graphics device has the capacity to solve and draw."""
+"""Capacity check of a planet for the GPU: wavelengths and constituents."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
 
 def fits(planet: Planet, wavelengths: int) -> bool:
-    """Whether the shaders have the capacity for a planet and a number of wavelengths.
+    """Whether a planet and a number of wavelengths fit the shaders.
 
     Parameters
     ----------
     planet : Planet
-        Planet whose constituents the shaders must hold.
+        Planet, whose constituents are counted.
     wavelengths : int
         Number of wavelengths.
     """
@@ -28,12 +28,12 @@ def fits(planet: Planet, wavelengths: int) -> bool:
 
 
 def check_planet(planet: Planet, wavelengths: int) -> None:
-    """Refuse a planet that exceeds the capacity of the shaders.
+    """Raise if a planet exceeds the capacity of the shaders.
 
     Parameters
     ----------
     planet : Planet
-        Planet whose constituents the shaders must hold.
+        Planet, whose constituents are counted.
     wavelengths : int
         Number of wavelengths.
 

@@ -1,12 +1,12 @@
-r"""Corona around the sun: light of the disc that its electrons and its dust scatter.
+r"""Solar corona: K and F corona, from a mean of eclipse observations.
 
-The surface brightness at a distance ρ from the sun's centre, in radii, over that of the disc's
-centre, as the mean of eclipses:
+Surface brightness at a distance ρ from the sun's centre, in solar radii, over that of the disc's
+centre:
 
 .. math:: \frac{L(\rho)}{L(0)} = 10^{-6} \left(\frac{0.0532}{\rho^{2.5}} + \frac{1.425}{\rho^7}
                                   + \frac{2.565}{\rho^{17}}\right)
 
-It is round, without streamers, and of the disc's colour.
+Streamers are neglected; the spectrum is that of the disc.
 
 Source: Baumbach (1937), Astronomische Nachrichten 263, 121, doi:10.1002/asna.19372630602.
 """
@@ -21,9 +21,9 @@ import numpy.typing as npt
 
 FloatArray = npt.NDArray[np.float64]
 
-#: Factors and powers of the distance.
+#: Coefficients and exponents.
 _TERMS: Final = ((0.0532, 2.5), (1.425, 7.0), (2.565, 17.0))
-#: Distance at which the corona has faded into the zodiacal light, which is not drawn. [radii]
+#: Distance at which the corona is faded out, as zodiacal light is not rendered. [radii]
 OUTERMOST: Final = 30.0
 
 
@@ -37,12 +37,12 @@ def corona(angle: npt.ArrayLike, star_radius: float, darkening: FloatArray) -> F
     star_radius : float
         Angular radius of the sun. [rad]
     darkening : array, shape (nl, 6)
-        Law of darkening of the disc, see ``spectra.limb_darkening``. [1]
+        Limb-darkening coefficients, see ``spectra.limb_darkening``. [1]
 
     Returns
     -------
     array
-        Radiance; 0 on the disc, and beyond ``OUTERMOST``, before which it is let fade.
+        Radiance; 0 on the disc and beyond ``OUTERMOST``.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Observer's local frame in a scene of several bodies: its axes, and a camera's angles in it."""
+"""Local frame of the observer in a scene of several bodies, and camera angles in it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FloatArray = NDArray[np.float64]
 
 
 def level_axes(up: FloatArray, towards: FloatArray | None = None) -> FloatArray:
-    """Axes of an observer's local frame as rows: x to the side of a light, z to the zenith. [1]"""
+    """Axes of the local frame as rows: x horizontally towards a light, z to the zenith. [1]"""
     flat = np.zeros(3)
     if towards is not None:
         flat = towards - (towards @ up) * up
@@ -34,7 +34,7 @@ def zenith_azimuth(towards: FloatArray) -> tuple[float, float]:
 
 
 def camera_angles(axes: FloatArray) -> tuple[float, float, float]:
-    """Zenith angle, azimuth and roll of a camera of known axes, as ``camera_axes`` takes them.
+    """Zenith angle, azimuth and roll of a camera; inverse of ``camera_axes``. [deg]
 
     Parameters
     ----------
@@ -48,16 +48,16 @@ def camera_angles(axes: FloatArray) -> tuple[float, float, float]:
 
 
 def metered_scene(camera: Camera, axes: FloatArray, stars: Sequence[FloatArray]) -> Scene:
-    """Scene of a camera and its stars alone, for ``scene_exposure``.
+    """Scene with a camera and stars only, for ``scene_exposure``.
 
     Parameters
     ----------
     camera : Camera
-        Projection and size of the picture.
+        Projection and size of the frame.
     axes : array, shape (3, 3)
         Right, up and forward of the camera in any frame, as rows. [1]
     stars : sequence of array, shape (3,)
-        Directions of the stars in that frame, one at least. [1]
+        Directions of at least one star in that frame. [1]
     """
     local = level_axes(np.array([0.0, 0.0, 1.0]), stars[0])
     zenith, azimuth, roll = camera_angles(axes @ local.T)
@@ -65,5 +65,5 @@ def metered_scene(camera: Camera, axes: FloatArray, stars: Sequence[FloatArray])
     return Scene(
         camera=replace(camera, look_zenith=zenith, look_azimuth=azimuth, roll=roll),
         sun_zenith=first[0],
-        others=tuple(LightPosition(zenith=z, azimuth=a) for z, a in others),
+        secondary_lights=tuple(LightPosition(zenith=z, azimuth=a) for z, a in others),
     )

@@ -1,4 +1,4 @@
-"""Lights of a scene as its bodies receive them: directions, irradiances, shadows."""
+"""Illumination of the bodies of a scene: directions, irradiances and eclipses."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from airlight.system.light import Light
 
 FloatArray = NDArray[np.float64]
 
-#: Separations at which the light behind a planet with air is found; of scattered light fewer.
+#: Nodes in angular separation of an eclipse by a planet with air: direct and scattered light.
 _SEPARATIONS: Final = 192
 _SCATTERED: Final = 12
-#: Points of the integrals over a star's disc.
+#: Quadrature points over a star's disc.
 _POINTS: Final = 16
 
 
 @dataclass(frozen=True, eq=False)
 class SceneLights:
-    """Lights of a scene at any point of it.
+    """Light sources of a scene, at any point.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class SceneLights:
     wavelengths : array, shape (nl,)
         Wavelengths. [nm]
     solutions : mapping
-        Solutions of the planets with air, by the name of the body.
+        Solutions of planets with air by body name.
     """
 
     system: System
@@ -52,7 +52,7 @@ class SceneLights:
     _shadows: dict[tuple[str, str, str], tuple[FloatArray, FloatArray]] = field(
         default_factory=dict
     )
-    # A source asks for the shadow on it, and that for a source.
+    # Reentrant: a source depends on shadows, and a shadow on sources.
     _lock: RLock = field(default_factory=RLock)
 
     @cached_property
@@ -61,18 +61,18 @@ class SceneLights:
         return tuple(light for light in self.system.lights if light.star is not None)
 
     def on(self, body: Body) -> list[Light]:
-        """Lights that shine on a body: all but itself."""
+        """All lights except the body itself."""
         return [light for light in self.system.lights if light.body != body.name]
 
     def towards(self, light: Light, points: FloatArray) -> FloatArray:
-        """Directions of a light from points, shape (n, 3). [1]"""
+        """Unit vectors from points towards a light, shape (n, 3). [1]"""
         if light.body is not None:
             apart = self.system.body(light.body).centre - points
             return np.asarray(apart / np.linalg.norm(apart, axis=-1, keepdims=True))
         return light.towards(points)
 
     def seen_from(self, light: Light, body: Body) -> LightSource:
-        """Light as a source at the centre of a body; found once."""
+        """Light source as seen from the centre of a body, cached."""
         key = (light.body or light.name, light.star is None, body.name)
         with self._lock:
             if key not in self._sources:
@@ -80,12 +80,12 @@ class SceneLights:
             return self._sources[key]
 
     def source(self, light: Light, point: FloatArray) -> LightSource:
-        """Light as a source at a point: irradiance, angular radius, spectrum.
+        """Light source as seen from a point: irradiance, angular radius, spectrum.
 
         Parameters
         ----------
         light : Light
-            Star, or body that reflects.
+            Star, or reflecting body.
         point : array, shape (3,)
             Position. [m]
         """
@@ -124,16 +124,16 @@ class SceneLights:
         )
 
     def unshadowed(self, star: Light, points: FloatArray, own: Body) -> FloatArray:
-        """Light of a star at points, over what it is without the other bodies, shape (n, nl). [1]
+        """Unocculted fraction of a star's irradiance at points, shape (n, nl). [1]
 
         Parameters
         ----------
         star : Light
             Star.
         points : array, shape (n, 3)
-            Positions on the surface, or in the centre, of a body. [m]
+            Positions on the surface or at the centre of a body. [m]
         own : Body
-            That body, which does not count.
+            That body, which does not occult.
         """
         left = np.ones((len(points), self.wavelengths.size))
         source = self.seen_from(star, own)
@@ -163,7 +163,7 @@ class SceneLights:
     def _behind(
         self, body: Body, own: Body, source: LightSource, separation: FloatArray
     ) -> FloatArray:
-        """Light behind a planet with air, from a table of separations."""
+        """Unocculted fraction behind a planet with air, interpolated in angular separation. [1]"""
         with self._lock:
             key = (body.name, own.name, source.name)
             if key not in self._shadows:
@@ -176,10 +176,10 @@ class SceneLights:
     def _shadow_table(
         self, body: Body, own: Body, source: LightSource, separation: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Light behind a planet, at all separations that another body's surface can have."""
+        """Separations and unocculted fractions behind a planet, over another body's surface."""
         distance = float(np.linalg.norm(body.centre - own.centre))
         shadow = ShadowLight(self.solutions[body.name].with_light(source), distance)
-        # From any point of the body to any other, the directions of centre and star turn by this.
+        # Parallax of centre and star between any two points of the body.
         reach = 2.0 * float(np.arcsin(min(self.system.radius(own) / distance, 1.0)))
         low = max(float(separation.min()) - reach, 0.0)
         high = min(float(separation.max()) + reach, shadow.air_radius + source.angular_radius)
@@ -197,7 +197,7 @@ def _beside(
     bare: list[tuple[FloatArray, FloatArray, FloatArray]],
     darkening: FloatArray,
 ) -> FloatArray:
-    """Light that bodies without air leave, all of them together, shape (n, nl). [1]"""
+    """Fraction of a star's irradiance not occulted by airless bodies, shape (n, nl). [1]"""
     across = np.cross(star, [0.0, 0.0, 1.0] if abs(star[2]) < 0.9 else [1.0, 0.0, 0.0])
     across /= np.linalg.norm(across)
     above = np.cross(star, across)

@@ -1,9 +1,9 @@
-"""Choice of the solver of a planet: one policy for command line, window, notebook and page.
+"""Solver dispatch of a planet to CPU or GPU, shared by command line, window and notebook.
 
-A graphics device solves if it is a hardware GPU and has the capacity: at most four wavelengths,
-clear or dusty air. The CPU solves all other cases: thick air, many wavelengths and constituents,
-and everything where the device is software, which would share the CPU, whose own solver is faster.
-Edits are many, and few recur: their solutions are not stored on disk, those of presets are.
+A hardware GPU solves up to four wavelengths in optically thin or moderately thick air. The CPU
+solves everything else: thick air, more wavelengths or constituents, and all cases on a software
+GPU, which is slower than the CPU on the same cores. Solutions of presets are stored on disk; those
+of edits are not, as edits rarely recur.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from airlight import solvers
 from airlight.errors import ConvergenceError
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.capacity import fits
-from airlight.paint.drawing_device import Choice, live_device
+from airlight.paint.rendering_gpu import Choice, live_gpu
 from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 class PlanetSolver(Protocol):
-    """Solver of a session: ``solver(planet, wavelengths, quality, progress=, cancel=)``."""
+    """Signature of a session's solver."""
 
     def __call__(
         self,
@@ -58,7 +58,7 @@ def solve_planet(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> MomentsSolution:
-    """Solve a planet for pictures, on a device where that is faster.
+    """Solve a planet for rendering, on the GPU where that is faster.
 
     Parameters
     ----------
@@ -69,25 +69,25 @@ def solve_planet(
     quality : str or Settings
         Quality as for ``airlight.solve``.
     polarisation : bool
-        Whether light is polarised, as for ``airlight.solve``.
+        Whether transfer is vectorial, as for ``airlight.solve``.
     device : Device, optional
-        Device from ``open_device``; without it the CPU solves.
+        GPU from ``open_device``; by default the CPU solves.
     cache : bool
-        Whether the CPU looks for the solution on disk first, and stores it there.
+        Whether the CPU reads and stores solutions on disk.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
     MomentsSolution
-        Solution from the device or the CPU.
+        Solution.
 
     Raises
     ------
     ParameterError
         If a wavelength is outside the range of the planet's file, or the quality is unknown.
     ConvergenceError
-        If the orders of scattering do not converge on the CPU either.
+        If the solver does not converge on the CPU.
     """
     if wavelengths is None:
         chosen = picture_wavelengths if device is None else texel_wavelengths
@@ -117,20 +117,20 @@ def live_solver(
     device: Device | None = None,
     keeps: Callable[[], bool] = lambda: False,
 ) -> PlanetSolver:
-    """Make the solver for the edits of a session.
+    """Solver for the edits of a session.
 
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        Device as for ``live_device``; it solves if it is a hardware GPU.
+        Device as for ``live_gpu``; a software GPU does not solve.
     device : Device, optional
-        Device from ``open_device``, if any.
+        GPU from ``open_device``, if any.
     keeps : callable
-        Whether the solution of a planet is looked for on disk, and stored there: asked each time.
+        Whether the current solution is read from and stored on disk.
     """
-    drawing = live_device(choice, device)
+    gpu = live_gpu(choice, device)
 
     def solve(*arguments: Any, **options: Any) -> MomentsSolution:
-        return solve_planet(*arguments, device=drawing, cache=keeps(), **options)
+        return solve_planet(*arguments, device=gpu, cache=keeps(), **options)
 
     return solve

@@ -1,4 +1,4 @@
-"""Stars of the catalogue as points in a picture: lifted, dimmed and reddened by the air."""
+"""Star catalogue as point sources in a frame, attenuated and refracted by the atmosphere."""
 
 from __future__ import annotations
 
@@ -22,33 +22,33 @@ from airlight.system.stars import stars
 
 FloatArray = NDArray[np.float64]
 
-#: Steps towards the direction in which a star is seen through air.
+#: Iterations for the apparent direction of a star behind refracting air.
 _BENDS: Final = 4
 
 
 def add_catalogue(
     rgb: NDArray[np.float32], scene: Scene, solution: MomentsSolution, body: str | None
 ) -> None:
-    """Add the stars of a scene to a picture.
+    """Add the star catalogue to a frame.
 
-    They stand where they do at the scene's time, or without one at the time of year and day at
-    which the sun stands where it does, see ``horizon_axes_by_sun``.
+    Sidereal time follows from the scene's time or, without it, from the position of the sun, see
+    ``horizon_axes_by_sun``.
 
     Parameters
     ----------
     rgb : array, shape (rows, columns, 3)
-        Linear sRGB, to which the stars are added. [W m⁻² sr⁻¹]
+        Linear sRGB, modified in place. [W m⁻² sr⁻¹]
     scene : Scene
-        Scene; its lights hide what is behind their discs.
+        Scene; discs of its lights occult stars.
     solution : MomentsSolution
-        Solution of the planet, whose air dims the stars.
+        Solution of the planet.
     body : str or None
-        World of the planet.
+        Celestial body of the planet, from ``WORLDS``.
 
     Raises
     ------
     ParameterError
-        If the planet is none of the worlds whose sky is known, or the camera is orthographic.
+        If the body is not in ``WORLDS``, or the camera is orthographic.
     """
     check_stars(body, scene.camera.projection)
     place = Place(body=str(body), latitude=scene.latitude, longitude=scene.longitude)
@@ -65,7 +65,7 @@ def add_catalogue(
     for light in scene.lights:
         radius = light.radius(solution.lights[0].angular_radius)
         free &= true @ light.direction < math.cos(radius)
-    # only those that the picture may show, refracted by less than 2°
+    # candidates in view; refraction near the horizon is below 2°
     camera = scene.camera
     ahead_of = true @ camera.axes.T
     x, _, _ = pixel_positions(camera, ahead_of)
@@ -84,12 +84,12 @@ def add_catalogue(
 
 
 def check_stars(body: str | None, projection: str, field: str = "stars") -> None:
-    """Refuse stars where none can be shown.
+    """Raise if a planet or projection does not support the star catalogue.
 
     Parameters
     ----------
     body : str or None
-        World of the planet.
+        Celestial body of the planet.
     projection : str
         Projection of the camera.
     field : str
@@ -98,7 +98,7 @@ def check_stars(body: str | None, projection: str, field: str = "stars") -> None
     Raises
     ------
     ParameterError
-        If the planet is none of the worlds whose sky is known, or lines of sight are parallel.
+        If the body is not in ``WORLDS``, or the projection is parallel.
     """
     if body not in WORLDS:
         raise ConflictError(field, f"requires a planet whose body is {' or '.join(WORLDS)}")
@@ -109,10 +109,10 @@ def check_stars(body: str | None, projection: str, field: str = "stars") -> None
 def apparent_points(
     solution: MomentsSolution, altitude: float, true: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Directions in which far points are seen through the air, and transmittance towards them.
+    """Apparent directions of points at infinity, and transmittance towards them.
 
-    Found by steps against the difference to where the line leads behind the air, from the direction
-    that the table of the apparent star gives inside it.
+    Fixed-point iteration on the error of the refracted direction, from the direction that the
+    refraction table gives.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ def apparent_points(
 
 
 def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) -> FloatArray:
-    """Directions in which far points are seen from inside the air, by the apparent star's table.
+    """Apparent directions of points at infinity from inside the air, by the refraction table.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def raised_points(solution: MomentsSolution, altitude: float, true: FloatArray) 
 
 
 def add_points(rgb: NDArray[np.floating], x: FloatArray, y: FloatArray, light: FloatArray) -> None:
-    """Add points of light to a picture, each shared out between the four pixels around it.
+    """Add point sources to a frame, splatted bilinearly onto the four nearest pixels.
 
     Parameters
     ----------

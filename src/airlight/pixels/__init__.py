@@ -1,1 +1,1 @@
-"""Light of pixels: table of the sky, ground, star's disc. No device, no files."""
+"""Radiance of pixels: sky-view LUT, ground and discs, as kernels for CPU and GPU."""

@@ -1,8 +1,8 @@
-"""Shape of a light's disc in a pixel: darkened towards its rim, or lit from one side.
+"""Shading of a disc in a pixel: limb darkening of stars, phase of moons.
 
-The radiance of a disc over its mean is a polynomial in the cosine μ of emergence, one for each
-wavelength (``spectra.limb_darkening``), times a factor that is 1 for a star. For a moon the factor
-is Lommel and Seeliger's law, of mean 1 too: either way the disc has the irradiance of its light.
+Radiance over its mean is a polynomial in the cosine of emergence μ for each wavelength
+(``spectra.limb_darkening``); for moons times the Lommel-Seeliger law, normalised to mean 1, so that
+the irradiance is conserved.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ from airlight.optics.moon_phase import dusty_sphere
 
 #: Number of powers of μ, from 0: as many as ``limb_darkening.COEFFICIENTS``.
 POWERS: Final = 6
-#: Offset of both points of Gauss's rule from the middle, in halves of the interval.
+#: Abscissa of the two-point Gauss rule.
 _GAUSS: Final = 3.0**-0.5
 
 
-#: Uniforms of a moon's disc: its phase, and the direction towards its bright limb.
+#: Uniforms of a moon's shading: phase, and direction of the bright limb.
 SHADING: Final = ("phase_sine", "phase_cosine", "phase_share", "limb_x", "limb_y", "limb_z")
-#: Uniforms of a moon in front of the disc: direction of its middle, and angular radius.
+#: Uniforms of an occulting moon: direction and angular radius.
 OCCULTER: Final = ("occulter_x", "occulter_y", "occulter_z", "occulter_radius")
 
 
-def shading_numbers(
+def shading_uniforms(
     phase: float | None, limb: float, sun_level: float, sun_z: float
 ) -> dict[str, float]:
-    """Uniforms of a disc's shape.
+    """Uniforms of a disc's shading.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def shading_numbers(
 
     Examples
     --------
-    >>> half = shading_numbers(90.0, 0.0, 1.0, 0.0)  # on the horizon, lit from above
+    >>> half = shading_uniforms(90.0, 0.0, 1.0, 0.0)  # on the horizon, lit from above
     >>> half["limb_x"], half["limb_z"], round(half["phase_share"], 2)
     (-0.0, 1.0, 5.31)
     """
@@ -55,12 +55,12 @@ def shading_numbers(
 def phase_shading(
     phase: float, limb: float, sun_level: float, sun_z: float
 ) -> tuple[float, float, float, float, float, float]:
-    """Values of ``SHADING`` for a moon, as plain numbers, for hosts in any language.
+    """Values of ``SHADING`` for a moon; also emitted as JavaScript.
 
     Parameters
     ----------
     phase, limb, sun_level, sun_z : float
-        Arguments of ``shading_numbers``.
+        Arguments of ``shading_uniforms``.
     """
     turn, angle = limb * pi / 180.0, phase * pi / 180.0
     return (
@@ -75,7 +75,7 @@ def phase_shading(
 
 @kernel
 def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
-    r"""Radiance of a point of a dusty sphere over the mean of its disc, dark half included. [1]
+    r"""Radiance of a Lommel-Seeliger sphere over the mean of its whole disc. [1]
 
     .. math:: \frac{L}{\bar L} = \frac{2}{\Phi(\alpha)} \frac{\mu_0}{\mu_0 + \mu}, \qquad
               \mu_0 = t \sin\alpha + \mu \cos\alpha
@@ -85,7 +85,7 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
     mu : float
         Cosine of emergence. [1]
     toward : float
-        Distance t from the disc's middle towards its bright limb, in radii. [1]
+        Coordinate t towards the bright limb, in radii. [1]
     phase_sine, phase_cosine : float
         Of the phase angle α. [1]
     phase_share : float
@@ -108,7 +108,7 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
 
 @inlined
 def whole_powers(share):
-    """Means of the powers of μ over a whole disc, times a share of it; see ``disc_powers``."""
+    """Means of the powers of μ over a whole disc, times ``share``; see ``disc_powers``."""
     return (
         share, share * 2.0 / 3.0, share / 2.0, share * 2.0 / 5.0, share / 3.0, share * 2.0 / 7.0
     )  # fmt: skip
@@ -118,19 +118,19 @@ def whole_powers(share):
 def disc_powers(
     share, apart, radius, pixel, along, phased, phase_sine, phase_cosine, phase_share
 ):  # fmt: skip
-    """Means of the powers of μ over the part of a disc that a pixel covers, times its share.
+    """Means of the powers of μ over the part of a disc in a pixel, times ``share``.
 
-    Two points along the radius, at equal areas between the pixel's inner and outer end: a pixel on
-    the rim ends there.
+    Two-point Gauss rule in the squared radius between the inner and outer edge of the pixel,
+    clipped at the rim.
 
     Parameters
     ----------
     share : float
-        Radiance of an even disc in the pixel, per irradiance. [sr⁻¹]
+        Radiance of a uniform disc in the pixel, per irradiance. [sr⁻¹]
     apart, radius, pixel : float
-        Angles: between pixel and the disc's middle, radius of the disc, of a pixel. [rad]
+        Angles: from the disc's centre to the pixel, radius of the disc, size of the pixel. [rad]
     along : float
-        Cosine of the angle at the disc's middle between pixel and bright limb. [1]
+        Cosine of the position angle between pixel and bright limb. [1]
     phased : bool
         Whether the disc is a moon's, with the arguments of ``moon_shade``.
     phase_sine, phase_cosine, phase_share : float
@@ -139,7 +139,7 @@ def disc_powers(
     Returns
     -------
     tuple of six float
-        Mean of μ^k for k = 0 to 5, times the share and, of a moon, the shade. [sr⁻¹]
+        Mean of μ^k for k = 0 to 5, times ``share`` and, for a moon, ``moon_shade``. [sr⁻¹]
     """
     inner = min(max(apart - 0.5 * pixel, 0.0) / radius, 1.0)
     outer = min((apart + 0.5 * pixel) / radius, 1.0)
@@ -163,7 +163,7 @@ def disc_powers(
 
 @inlined
 def darkened(p0, p1, p2, p3, p4, p5, tables, at):
-    """Radiance of the disc in a pixel before attenuation by the air, per irradiance. [sr⁻¹]
+    """Unattenuated radiance of the disc in a pixel, per irradiance. [sr⁻¹]
 
     Parameters
     ----------

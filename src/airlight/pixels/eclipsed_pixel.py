@@ -1,7 +1,7 @@
-"""Pixels of a planet in the shadow of a moon, each by its own march, on the processor.
+"""Marched pixels of a planet in the shadow of a moon, on the CPU.
 
-A table of the sky is symmetric about the star's vertical plane and the light of an eclipse is not;
-neither is it smooth over the table's texels. Ground, water, clouds and lamps are as in ``pixel``.
+Radiance in an eclipse is neither symmetric about the solar vertical nor smooth enough for a
+sky-view LUT. Ground, water, clouds and lamps are as in ``pixel``.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_reflecta
 from airlight.pixels.ground_angles import columns_to_ground
 from airlight.pixels.pixel import classify_ray
 from airlight.pixels.samples import sample_place, samples_per_side
-from airlight.pixels.sky_table import half_sine_between
+from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.pixels.star_disc import camera_direction
 from airlight.solvers.eclipsed.eclipsed_march import (
     TOTAL,
@@ -34,17 +34,17 @@ from airlight.solvers.moments.source import read_phase
 
 @inlined
 def eclipsed_light(
-    x, y, z, turn, observer, screen, tables, shadow, work, scratch, color, found, result
+    x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
 ):  # fmt: skip
-    """Spectral light of a line of sight, per irradiance of the unshadowed star. [sr⁻¹]
+    """Spectral radiance along a line of sight, per irradiance of the unocculted star. [sr⁻¹]
 
     Parameters
     ----------
     x, y, z : float
-        Its direction in the observer's frame. [1]
+        Direction in the observer's frame. [1]
     turn : array, shape (3, 3)
         Axes of the shadow's frame in the observer's, as rows. [1]
-    observer, screen, tables, work, color :
+    observer, view, tables, work, color :
         Arguments of ``pixel_light``.
     shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
@@ -96,16 +96,16 @@ def eclipsed_light(
         for at in range(0, lanes, LANES):
             store(work.radiance, MIRRORED * lanes + at, load(found, at))
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
-        x, y, z, sine, refraction, observer, screen, tables, work, color
+        x, y, z, sine, refraction, observer, view, tables, work, color
     )
     eclipsed_ground_light(p, q, s, TOTAL, tables, shadow, work, scratch)
-    if screen.overlaid:
+    if view.overlaid:
         columns_to_ground(z, sine, observer, tables, work.columns_total, work.columns_so_far)
     for at in range(0, lanes, LANES):
         received = load(work.irradiance, at) + load(work.irradiance, lanes + at)
         factor = ground_factor(
             color,
-            screen,
+            view,
             star_diffuse,
             star_specular,
             sky_diffuse,
@@ -117,14 +117,14 @@ def eclipsed_light(
         )
         behind = received * INVERSE_PI * load(work.radiance, lanes + at)
         total = load(result, at) + behind * factor
-        if screen.overlaid:
-            total = total + lamp_light(color, screen, tables, work.columns_total, at)
+        if view.overlaid:
+            total = total + lamp_light(color, view, tables, work.columns_total, at)
         store(result, at, total)
 
 
 @inlined
 def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
-    """Radiance of the sky mirrored by water at the end of a line, into ``found``. [sr⁻¹]
+    """Sky radiance mirrored by water at the end of a line of sight, into ``radiance``. [sr⁻¹]
 
     Parameters
     ----------
@@ -145,7 +145,7 @@ def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
     )
     star = shadow.star
     nu = min(max(u * star.star_x + v * star.star_y + w * star.star_z, -1.0), 1.0)
-    # Spread as the facets are: a peaked phase function is read no closer to the star than that.
+    # Blurred by the slope distribution of the facets.
     spread = 0.25 * mean_square_slope(tables.ground.wind)
     half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
     read_phase(
@@ -158,35 +158,33 @@ def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
 
 
 @compiled_loop
-def draw_eclipsed(px, py, turn, observer, screen, tables, shadow, work, scratch, out):
-    """Draw pixels of a planet in the shadow of a moon.
+def render_eclipsed(px, py, turn, observer, view, tables, shadow, work, scratch, out):
+    """March pixels of a planet in the shadow of a moon.
 
     Parameters
     ----------
     px, py : array, shape (n,)
-        Centres of the pixels, from the picture's left and top edge. [pixel]
-    turn, observer, screen, tables, shadow, work, scratch :
+        Pixel centres, from the left and top edge of the frame. [pixel]
+    turn, observer, view, tables, shadow, work, scratch :
         Arguments of ``eclipsed_light``.
     out : array, shape (n, w)
-        Receives the radiance per irradiance of the unshadowed star. [sr⁻¹]
+        Receives the radiance per irradiance of the unocculted star. [sr⁻¹]
     """
-    screen, tables, shadow, work, scratch = without_refcount(
-        (screen, tables, shadow, work, scratch)
-    )
+    view, tables, shadow, work, scratch = without_refcount((view, tables, shadow, work, scratch))
     lanes = tables.lanes
     found, result = np.empty(2 * lanes, np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     for k in range(px.size):
-        x, y, z = camera_direction(px[k], py[k], screen)
-        side = samples_per_side(x, y, z, observer, screen)
+        x, y, z = camera_direction(px[k], py[k], view)
+        side = samples_per_side(x, y, z, observer, view)
         for at in range(lanes):
             out[k, at] = 0.0
         for sample in range(side * side):
             if side > 1:
-                sx, sy = sample_place(px[k], py[k], sample, side, screen)
-                x, y, z = camera_direction(sx, sy, screen)
+                sx, sy = sample_place(px[k], py[k], sample, side, view)
+                x, y, z = camera_direction(sx, sy, view)
             eclipsed_light(
-                x, y, z, turn, observer, screen, tables, shadow, work, scratch, color, found, result
+                x, y, z, turn, observer, view, tables, shadow, work, scratch, color, found, result
             )
             for at in range(lanes):
                 out[k, at] += result[at] / (side * side)

@@ -1,9 +1,8 @@
-"""Light of the ground in a pixel: what colour and law of reflection make of the light on it.
+"""Radiance of the ground in a pixel, from its map and BRDF.
 
-Table of the sky and march give the light of a white Lambert ground behind the air. The ground asks
-its law of reflection for two factors, of the star's light and of the sky's, which differ where it
-does not reflect alike into all directions: then the two irradiances share that light between them.
-Water mirrors the sky itself, at the place that table and march give it beside the ground's light.
+The sky-view LUT and the march give the attenuated radiance of a white Lambert ground. It is scaled
+by the reflectance factors for direct and diffuse irradiance, which differ for other BRDFs. Water
+also mirrors the sky, whose radiance is stored separately.
 """
 
 from __future__ import annotations
@@ -31,8 +30,8 @@ GROUND_VALUES: Final = 11
 
 
 @inlined
-def ground_color(x, y, z, sine, angle, observer, screen, tables, color):
-    """Colour, water, lamps and clouds of the end of a line of sight, into ``color`` (11,). [1]
+def ground_color(x, y, z, sine, angle, observer, view, tables, color):
+    """Map values at the end of a line of sight, into ``color`` (11,). [1]
 
     Parameters
     ----------
@@ -40,12 +39,12 @@ def ground_color(x, y, z, sine, angle, observer, screen, tables, color):
         Direction in the observer's frame. [1]
     sine, angle : float
         Sine of its zenith angle [1]; angle of refraction [rad].
-    observer, screen, tables : Observer, Screen, MarchTables
+    observer, view, tables : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     color : array, shape (11,)
-        Receives linear sRGB reflectance and share of water of the map, four values of the overlay,
-        the factor of the detail below the map's resolution, and the cover of the clouds on the line
-        of sight and on the star's light; those of a map that is missing stay. [1]
+        Receives linear sRGB reflectance and water fraction of the map, four values of the overlay,
+        the noise factor, and the cloud cover on the line of sight and on the path to the star;
+        values of absent maps are unchanged. [1]
     """
     cosine = ground_cosine(z, sine, observer, tables)
     _across, up = first_meeting(min(observer.r * sine, tables.bottom), sine, tables.bottom)
@@ -54,46 +53,46 @@ def ground_color(x, y, z, sine, angle, observer, screen, tables, color):
     reach = observer.optical_altitude * (observer.r + tables.bottom) / both
     px, py, pz = reach * x, reach * y, up
     color[8] = 1.0
-    if screen.detailed:  # of the straight line: how much a near one is bent is lost in rounding
+    if view.detailed:  # of the straight line: how much a near one is bent is lost in rounding
         # pz - bottom of a point of the sphere, which single precision has to half a metre only
         below = -(px * px + py * py) / max(tables.bottom + pz, 1e-3 * tables.bottom)
         color[8] = 1.0 + ground_detail(
-            screen.xx * px + screen.xy * py + screen.xz * below,
-            screen.yx * px + screen.yy * py + screen.yz * below,
-            screen.zx * px + screen.zy * py + screen.zz * below,
-            screen.pixel_angle * reach / max(cosine, 0.01), screen.detail_cell,
-            screen.whole_x, screen.whole_y, screen.whole_z,
-            screen.part_x, screen.part_y, screen.part_z,
+            view.xx * px + view.xy * py + view.xz * below,
+            view.yx * px + view.yy * py + view.yz * below,
+            view.zx * px + view.zy * py + view.zz * below,
+            view.pixel_angle * reach / max(cosine, 0.01), view.detail_cell,
+            view.whole_x, view.whole_y, view.whole_z,
+            view.part_x, view.part_y, view.part_z,
         )  # fmt: skip
     px, py, pz = moved_on(px, py, pz, x, y, z, cosine, angle, tables.bottom)
     latitude, longitude = latitude_longitude(
-        screen.xx * px + screen.xy * py + screen.xz * pz,
-        screen.yx * px + screen.yy * py + screen.yz * pz,
-        screen.zx * px + screen.zy * py + screen.zz * pz,
+        view.xx * px + view.xy * py + view.xz * pz,
+        view.yx * px + view.yy * py + view.yz * pz,
+        view.zx * px + view.zy * py + view.zz * pz,
     )
-    if screen.mapped:
-        level = map_level(screen.pixel_angle, reach, cosine, tables.bottom, screen.map_rows)
+    if view.mapped:
+        level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.map_rows)
         map_color(
-            screen.texels, screen.map_rows, screen.map_columns, screen.map_levels, latitude,
+            view.texels, view.map_rows, view.map_columns, view.map_levels, latitude,
             longitude, level, color, 0,
         )  # fmt: skip
         color[8] = color[8] * (1.0 - color[3]) + color[3]
-    if screen.overlaid:
-        level = map_level(screen.pixel_angle, reach, cosine, tables.bottom, screen.over_rows)
-        if screen.clouded:
-            cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, tables, color)
+    if view.overlaid:
+        level = map_level(view.pixel_angle, reach, cosine, tables.bottom, view.over_rows)
+        if view.clouded:
+            cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, tables, color)
         map_color(
-            screen.over_texels, screen.over_rows, screen.over_columns, screen.over_levels,
+            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
         )  # fmt: skip
-        if screen.clouded:
+        if view.clouded:
             for c in range(4, 7):
                 color[c] *= 1.0 - color[9]
 
 
 @inlined
-def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, tables, color):
-    """Cover of the clouds on a line of sight and on the star's light at its end. [1]
+def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, view, tables, color):
+    """Cloud cover on a line of sight and on the path from its end to the star. [1]
 
     Refraction between ground and layer is neglected.
 
@@ -105,55 +104,56 @@ def cloud_cover(px, py, pz, x, y, z, cosine, level, observer, screen, tables, co
         Its direction, and cosine of the zenith angle of the way back. [1]
     level : float
         Level of the overlay. [1]
-    observer, screen, tables, color :
+    observer, view, tables, color :
         Arguments of ``ground_color``; the cover of the line of sight is 0 from below the layer.
     """
     mu_s = (px * observer.sun_x + pz * observer.sun_z) / tables.bottom
-    back = layer_distance(cosine, tables.bottom, screen.cloud_altitude)
-    out = layer_distance(mu_s, tables.bottom, screen.cloud_altitude)
+    back = layer_distance(cosine, tables.bottom, view.cloud_altitude)
+    out = layer_distance(mu_s, tables.bottom, view.cloud_altitude)
     for towards in range(2):
         qx, qy, qz = px - back * x, py - back * y, pz - back * z
         if towards == 1:
             qx, qy, qz = px + out * observer.sun_x, py, pz + out * observer.sun_z
         latitude, longitude = latitude_longitude(
-            screen.xx * qx + screen.xy * qy + screen.xz * qz,
-            screen.yx * qx + screen.yy * qy + screen.yz * qz,
-            screen.zx * qx + screen.zy * qy + screen.zz * qz,
+            view.xx * qx + view.xy * qy + view.xz * qz,
+            view.yx * qx + view.yy * qy + view.yz * qz,
+            view.zx * qx + view.zy * qy + view.zz * qz,
         )
         map_color(
-            screen.over_texels, screen.over_rows, screen.over_columns, screen.over_levels,
+            view.over_texels, view.over_rows, view.over_columns, view.over_levels,
             latitude, longitude, level, color, 4,
         )  # fmt: skip
         color[9 + towards] = color[7]
-    if observer.r <= screen.cloud_radius:
+    if observer.r <= view.cloud_radius:
         color[9] = 0.0
 
 
 @inlined
-def ground_reflectances(x, y, z, sine, angle, observer, screen, tables, work, color):
-    """Ground at the end of a line of sight: its colour, and both factors of its law.
+def ground_reflectances(x, y, z, sine, angle, observer, view, tables, work, color):
+    """Map values and reflectance factors at the end of a line of sight.
 
     Parameters
     ----------
-    x, y, z, sine, angle, observer, screen, tables, color :
-        Arguments of ``ground_color``; ``color`` is received where there is a map.
+    x, y, z, sine, angle, observer, view, tables, color :
+        Arguments of ``ground_color``; ``color`` is filled if there is a map.
     work : MarchWorkspace
-        Workspace; its ``irradiance`` has direct and diffuse irradiance, except for Lambert's law
-        without water and clouds.
+        Workspace; ``irradiance`` receives direct and diffuse irradiance, except for a Lambert
+        ground without water and clouds.
 
     Returns
     -------
     star_diffuse, star_specular, sky_diffuse, sky_specular : float
-        Factor of the albedo, and part without it, of the star's and of the sky's light. [1]
+        Diffuse factor, to be multiplied by the albedo, and specular factor, of direct and of
+        diffuse irradiance. [1]
     mirrored : float
-        Factor of the light of the sky that is seen mirrored. [1]
+        Factor of the mirrored sky. [1]
     """
-    if screen.mapped or screen.overlaid or screen.detailed:
-        ground_color(x, y, z, sine, angle, observer, screen, tables, color)
+    if view.mapped or view.overlaid or view.detailed:
+        ground_color(x, y, z, sine, angle, observer, view, tables, color)
     else:
         color[8] = 1.0
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
-    if tables.ground.law != 0 or tables.ground.wet or screen.clouded:
+    if tables.ground.law != 0 or tables.ground.wet or view.clouded:
         mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, tables)
         ground_light(mu_s, observer.orders, tables, work)
         share = 0.0
@@ -164,7 +164,7 @@ def ground_reflectances(x, y, z, sine, angle, observer, screen, tables, work, co
                 tables.ground.law, tables.ground, mu_s, mu_r, nu
             )
             sky_diffuse, sky_specular = brdf_diffuse(tables.ground.law, tables.ground, mu_r)
-            if tables.ground.wet and screen.mapped:
+            if tables.ground.wet and view.mapped:
                 share = color[3]
         if share > 0.0:
             land = 1.0 - share
@@ -174,7 +174,7 @@ def ground_reflectances(x, y, z, sine, angle, observer, screen, tables, work, co
             sky_diffuse = land * sky_diffuse + share * sky
             sky_specular = land * sky_specular
             mirrored = share * mirrored
-    if screen.clouded:
+    if view.clouded:
         star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = under_clouds(
             color[9], color[10], tables.ground.cloud_albedo,
             star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
@@ -183,23 +183,23 @@ def ground_reflectances(x, y, z, sine, angle, observer, screen, tables, work, co
 
 
 @inlined
-def lamp_light(color, screen, tables, columns, at):
-    """Light of lamps on the ground that reaches the observer, per irradiance of the star. [sr⁻¹]
+def lamp_light(color, view, tables, columns, at):
+    """Attenuated radiance of city lights, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     color : array, shape (11,)
         Values from ``ground_color``. [1]
-    screen, tables : Screen, MarchTables
+    view, tables : ViewUniforms, MarchTables
         Colour of the lamps, and tables of the solution.
     columns : array, shape (nc,)
         Columns from ``columns_to_ground``. [m]
     at : int
         Index of the first lane.
     """
-    red = np.float32(color[4] * screen.lamp_red)
-    green = np.float32(color[5] * screen.lamp_green)
-    blue = np.float32(color[6] * screen.lamp_blue)
+    red = np.float32(color[4] * view.lamp_red)
+    green = np.float32(color[5] * view.lamp_green)
+    blue = np.float32(color[6] * view.lamp_blue)
     total = load(tables.basis, at) * red + load(tables.basis, tables.lanes + at) * green
     total = total + load(tables.basis, 2 * tables.lanes + at) * blue
     transmittance = transmittance_columns(
@@ -210,7 +210,7 @@ def lamp_light(color, screen, tables, columns, at):
 
 @inlined
 def reflectance(color, mapped, tables, at):
-    """Albedo of the ground: that of a colour of the map, or the solver's. [1]
+    """Spectral albedo of the ground, from the map or the solver. [1]
 
     Parameters
     ----------
@@ -234,23 +234,22 @@ def reflectance(color, mapped, tables, at):
 
 @inlined
 def ground_factor(
-    color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, tables, work,
-    at,
+    color, view, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, tables, work, at
 ):  # fmt: skip
-    """Light of the ground relative to that of a white Lambert ground. [1]
+    """Radiance of the ground over that of a white Lambert ground. [1]
 
     Parameters
     ----------
     color, tables, at :
         Arguments of ``reflectance``.
-    screen : Screen
+    view : ViewUniforms
         Camera with its maps.
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored, work :
-        Results of ``ground_reflectances``, and its workspace, whose ``radiance`` holds the light of
-        the mirrored sky after those of a line of sight.
+        Results and workspace of ``ground_reflectances``; ``radiance`` has the mirrored sky radiance
+        at ``MIRRORED``.
     """
-    albedo = reflectance(color, screen.mapped, tables, at)
-    if tables.ground.law == 0 and not tables.ground.wet and not screen.clouded:
+    albedo = reflectance(color, view.mapped, tables, at)
+    if tables.ground.law == 0 and not tables.ground.wet and not view.clouded:
         return albedo
     star, sky = load(work.irradiance, at), load(work.irradiance, tables.lanes + at)
     by_star = star * (albedo * np.float32(star_diffuse) + np.float32(star_specular))

@@ -1,4 +1,4 @@
-"""Directions at the point where a line of sight meets the ground, and the sky that it mirrors."""
+"""Angles at the ground intersection of a line of sight, and its mirrored ray."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.tables.column_ratios import columns_to_top
 
 @kernel
 def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
-    """Cosine of the star's zenith angle at a point of a line of sight. [1]
+    """Star-zenith cosine at a point of a line of sight. [1]
 
     Parameters
     ----------
@@ -29,10 +29,10 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
 
 @inlined
 def ground_cosine(z, sine, observer, tables):
-    """Cosine of the zenith angle, at the ground, of the way back along a line of sight. [1]
+    """Cosine of the reflection angle at the ground, towards the observer. [1]
 
-    The ground's radius less the line's nearest distance from the centre, R - (R + h) sin θ, is
-    R cos²θ/(1 + sin θ) - h sin θ: single precision has the difference to half a metre only.
+    R - (R + h) sin θ is computed as R cos²θ/(1 + sin θ) - h sin θ, as single precision would have
+    the difference to half a metre only.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def columns_to_ground(z, sine, observer, tables, columns, beyond):
     columns : array, shape (nc,)
         Receives the columns. [m]
     beyond : array, shape (nc,)
-        Workspace: columns of the line's continuation behind the observer. [m]
+        Workspace: columns of the line extended behind the observer. [m]
     """
     bottom, top = tables.bottom, tables.top
     slant = ground_cosine(z, sine, observer, tables)
@@ -114,13 +114,12 @@ def columns_to_ground(z, sine, observer, tables, columns, beyond):
 
 @inlined
 def ground_angles(x, z, sine, angle, observer, tables):
-    """Directions at the end of a line of sight on the ground.
+    """Angles at the ground intersection of a line of sight.
 
     Parameters
     ----------
     x, z, sine : float
-        Its components away from the star's side and up, in the observer's frame, and sine of its
-        zenith angle. [1]
+        Components along x and z in the observer's frame, and sine of the zenith angle. [1]
     angle : float
         Angle of refraction. [rad]
     observer, tables : Observer, MarchTables
@@ -129,8 +128,8 @@ def ground_angles(x, z, sine, angle, observer, tables):
     Returns
     -------
     mu_s, mu_r, nu : float
-        Cosines of ``direct_reflectance``: of the star's zenith angle, of the zenith angle of
-        reflection, and between the incoming line of sight and the star. [1]
+        Cosines of the star-zenith angle, of the reflection angle, and of the angle between line of
+        lines and star. [1]
     """
     mu_r = ground_cosine(z, sine, observer, tables)
     across, up = first_meeting(min(observer.r * sine, tables.bottom), sine, tables.bottom)
@@ -145,7 +144,7 @@ def ground_angles(x, z, sine, angle, observer, tables):
 
 @inlined
 def mirrored_line(x, z, sine, angle, observer, tables):
-    """Line from the end of a line of sight on water to the sky that is seen mirrored there.
+    """Mirrored ray at the end of a line of sight on water.
 
     Parameters
     ----------
@@ -155,7 +154,7 @@ def mirrored_line(x, z, sine, angle, observer, tables):
     Returns
     -------
     mu, mu_s, nu : float
-        Cosines at the ground: of its zenith angle, of the star's, and between both. [1]
+        Cosines at the ground: of its zenith angle, of the star-zenith angle, and between both. [1]
     """
     mu_s, mu_r, nu = ground_angles(x, z, sine, angle, observer, tables)
     mu = mirrored_cosine(mu_r, tables.ground.wind)

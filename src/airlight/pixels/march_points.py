@@ -1,4 +1,4 @@
-"""Resolution of the march of pictures: points of a panel, panels of a leg, by quality."""
+"""March resolution for rendering: quadrature points of a panel, panels of a leg."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 
 class MarchPoints(NamedTuple):
-    """Resolution of the march of a picture.
+    """March resolution.
 
     Attributes
     ----------
     points : tuple of int
-        Points of a panel: for steep stretches by day, for most, for those that graze the ground.
+        Quadrature points of a panel: steep by day, general, and grazing.
     panels : int
         Number of panels of a leg.
     """
@@ -22,16 +22,16 @@ class MarchPoints(NamedTuple):
     panels: int
 
 
-#: Resolution for pixels, which need less than queries; also that of shaders except in software.
+#: Resolution for pixels and for shaders on hardware GPUs; queries need more.
 FEW: Final = MarchPoints((8, 12, 24), 1)
 #: Resolution for fine solutions.
 MANY: Final = MarchPoints((20, 20, 24), 2)
-#: Resolution by the panels per leg of the solution's own march.
+#: Resolution by panels per leg of the solution.
 BY_PANELS: Final = {1: FEW, 2: FEW}
 
 
 def march_points(solution: MomentsSolution) -> MarchPoints:
-    """Resolution for pictures of a solution, as low as its own grid allows.
+    """March resolution for rendering a solution.
 
     Parameters
     ----------

@@ -1,11 +1,11 @@
-"""Lights of a scene behind its moon: what an eclipse leaves, as their observer sees it.
+"""Eclipse of a light by the Moon in single-planet scenes.
 
-The disc is hidden pixel by pixel. Air and ground are lit by the part of it that the observer sees,
-at each wavelength, darkened towards its rim. ``EclipsedSolution`` knows that part at every point
-and takes minutes; against it a clear sky over London in 2026 is off by 1 % where 0.6 of the sun's
-light is left and by 8 % where 0.06 is, over Spain by 20 % three minutes before totality. In
-totality, where all light comes from the air around the umbra, the sky is held at a share of the
-day's: by and large right, but without its bright horizon.
+The disc is occulted pixel by pixel. Air and ground are illuminated uniformly by the fraction of the
+limb-darkened disc that is visible to the observer. Against ``EclipsedSolution``, which resolves
+that fraction in space and takes minutes, a clear sky over London in 2026 is off by 1 % at 0.6 of
+the irradiance and by 8 % at 0.06, over Spain by 20 % three minutes before totality. In totality,
+when light comes from around the umbra, the sky is a constant fraction of the daylight, without its
+bright horizon.
 """
 
 from __future__ import annotations
@@ -23,29 +23,28 @@ from airlight.planets.light_source import LightSource, Occulter
 from airlight.scene.light_position import LightPosition
 from airlight.scene.moon_light import MoonLight
 
-#: Share of its light that a hidden star leaves to the air: what the air around an umbra sends into
-#: it. [1]
+#: Irradiance fraction in totality, for light scattered into the umbra. [1]
 DARKEST: Final = 4.5e-4
-#: Wavelength of the share that the disc's radiance refers to. [nm]
+#: Reference wavelength of the visible fraction. [nm]
 _MIDDLE: Final = 550.0
-#: Linear darkening of the sun's disc there, and points of an integral over its radius. [1]
+#: Linear limb-darkening coefficient, and quadrature points over the radius. [1]
 _DARKENING: Final = 0.6
 _POINTS: Final = 128
 
 
 @kernel
 def light_left(star_radius, separation, radius):
-    """Share of a sun's light that a moon leaves, at least ``DARKEST``: for hosts in any language.
+    """Unocculted fraction of a star's irradiance, at least ``DARKEST``; also emitted as JavaScript.
 
     Parameters
     ----------
     star_radius, separation, radius : float
-        Angular radius of the sun, distance of the moon's middle from its, radius of the moon. [rad]
+        Angular radius of the sun, separation of the centres, angular radius of the moon. [rad]
 
     Returns
     -------
     float
-        Share, as that of ``visible_light`` by a linear law of darkening, to 0.01. [1]
+        Fraction, as ``visible_light`` with linear limb darkening, accurate to 0.01. [1]
 
     Examples
     --------
@@ -64,12 +63,12 @@ def light_left(star_radius, separation, radius):
 
 @kernel
 def disc_factor(left):
-    """Radiance of a disc over its irradiance behind a moon, over that without; 0 if all is hidden.
+    """Factor of radiance per irradiance of a partly occulted disc; 0 in totality. [1]
 
     Parameters
     ----------
     left : float
-        Share of the light that the moon leaves, at least ``DARKEST``. [1]
+        Result of ``light_left``. [1]
     """
     return 1.0 / left if left > DARKEST else 0.0
 
@@ -77,16 +76,16 @@ def disc_factor(left):
 def occulted_light(
     source: LightSource, light: LightPosition, lights: Sequence[LightPosition]
 ) -> LightSource:
-    """Source of a light behind the moons of a scene; itself where none is in front of it.
+    """Light source, dimmed if a moon of the scene occults it.
 
     Parameters
     ----------
     source : LightSource
         Source of the light.
     light : LightPosition
-        The light.
+        Position of the light.
     lights : sequence of LightPosition
-        Lights of the scene; of several moons the one nearest to the light's middle is taken.
+        Lights of the scene; only the moon nearest to the light occults it.
     """
     if isinstance(light, MoonLight):
         return source

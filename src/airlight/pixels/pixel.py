@@ -1,4 +1,4 @@
-"""Light of one pixel, from the table of the sky or by its own march, to linear sRGB."""
+"""Spectral radiance of one pixel, from the sky-view LUT or marched."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from airlight.pixels.disc_shading import darkened
 from airlight.pixels.ground import ground_factor, ground_reflectances, lamp_light
 from airlight.pixels.ground_angles import columns_to_ground, refraction_to_ground
 from airlight.pixels.polarising_filter import filter_shares
-from airlight.pixels.sky_table import half_sine_between, look
+from airlight.pixels.sky_view_lut import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
 from airlight.solvers.moments.march_tables import MIRRORED
 from airlight.solvers.moments.source import transmittance_columns
 from airlight.solvers.stokes_frame import star_plane
 
 
-class Screen(NamedTuple):
-    """Camera, ground map and table of the sky; names as in ``gpu.picture.uniforms``."""
+class ViewUniforms(NamedTuple):
+    """Camera, ground maps, sky-view LUT and discs: uniforms and textures of a pixel."""
 
     width: float
     height: float
@@ -105,14 +105,14 @@ class Screen(NamedTuple):
 
 @kernel
 def texel_before(coordinate, first, last):
-    """Texel before a coordinate, and fraction of the distance to the next.
+    """Lower texel and fraction for linear interpolation.
 
     Parameters
     ----------
     coordinate : float
         Coordinate in texels; clamped between the first and the last. [1]
     first, last : int
-        Indices of the existing texels.
+        Index range of the texels.
 
     Examples
     --------
@@ -126,14 +126,14 @@ def texel_before(coordinate, first, last):
 
 @inlined
 def between_texels(table, near, stride, right, down, lanes, at):
-    """Value of a layer of the table of the sky between four of its texels.
+    """Bilinear interpolation of a layer of the sky-view LUT.
 
     Parameters
     ----------
     table : array
         Layer of fourth roots.
     near, stride : int
-        Index of the first of the four texels, and number of texels in a row.
+        Index of the first of the four texels, and texels per row.
     right, down : float
         Fractions of the distance to the next texel and to the next row. [1]
     lanes, at : int
@@ -155,7 +155,7 @@ def between_texels(table, near, stride, right, down, lanes, at):
 
 @inlined
 def phase_of(half_sine, constituent, table, tables, lanes, at):
-    """Element of one constituent's phase matrix, from the table of all. [sr⁻¹]
+    """Phase matrix element of one constituent. [sr⁻¹]
 
     Parameters
     ----------
@@ -180,13 +180,13 @@ def phase_of(half_sine, constituent, table, tables, lanes, at):
 
 @inlined
 def polarised_between(
-    near, stride, right, down, half_sine, turn_cosine, turn_sine, screen, tables, lanes, at
+    near, stride, right, down, half_sine, turn_cosine, turn_sine, view, tables, lanes, at
 ):  # fmt: skip
-    """Q and U of the air from the table of the sky, with exact phase matrices of its peaks. [sr⁻¹]
+    """Q and U from the sky-view LUT, with exact phase matrices of separated constituents. [sr⁻¹]
 
     Parameters
     ----------
-    near, stride, right, down, half_sine, screen, tables, lanes, at :
+    near, stride, right, down, half_sine, view, tables, lanes, at :
         Arguments of ``air_between``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
@@ -195,22 +195,22 @@ def polarised_between(
     if tables.separated_1 >= 0:
         element = phase_of(half_sine, tables.separated_1, tables.phase_f12, tables, lanes, at)
         peaked = peaked + element * between_texels(
-            screen.sky_first, near, stride, right, down, lanes, at
+            view.sky_first, near, stride, right, down, lanes, at
         )
     if tables.separated_2 >= 0:
         element = phase_of(half_sine, tables.separated_2, tables.phase_f12, tables, lanes, at)
         peaked = peaked + element * between_texels(
-            screen.sky_second, near, stride, right, down, lanes, at
+            view.sky_second, near, stride, right, down, lanes, at
         )
-    rest = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
-    stokes_q = between_texels(screen.sky_q, near, stride, right, down, lanes, at) - rest
-    stokes_u = between_texels(screen.sky_u, near, stride, right, down, lanes, at) - rest
+    rest = between_texels(view.sky_air, near, stride, right, down, lanes, at)
+    stokes_q = between_texels(view.sky_q, near, stride, right, down, lanes, at) - rest
+    stokes_u = between_texels(view.sky_u, near, stride, right, down, lanes, at) - rest
     return stokes_q + peaked * np.float32(turn_cosine), stokes_u + peaked * np.float32(turn_sine)
 
 
 @inlined
-def air_between(near, stride, right, down, half_sine, screen, tables, lanes, at):
-    """Light of the air from the table of the sky, with exact phase functions of its peaks. [sr⁻¹]
+def air_between(near, stride, right, down, half_sine, view, tables, lanes, at):
+    """Radiance from the sky-view LUT, with exact phase functions of separated ones. [sr⁻¹]
 
     Parameters
     ----------
@@ -218,38 +218,38 @@ def air_between(near, stride, right, down, half_sine, screen, tables, lanes, at)
         Arguments of ``between_texels``.
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
-    screen, tables : Screen, MarchTables
-        Table of the sky, and tables of the solution.
+    view, tables : ViewUniforms, MarchTables
+        Sky-view LUT, and tables of the solution.
     """
-    total = between_texels(screen.sky_air, near, stride, right, down, lanes, at)
+    total = between_texels(view.sky_air, near, stride, right, down, lanes, at)
     if tables.separated_1 >= 0:
         total = total + phase_of(
             half_sine, tables.separated_1, tables.phase, tables, lanes, at
-        ) * between_texels(screen.sky_first, near, stride, right, down, lanes, at)
+        ) * between_texels(view.sky_first, near, stride, right, down, lanes, at)
     if tables.separated_2 >= 0:
         total = total + phase_of(
             half_sine, tables.separated_2, tables.phase, tables, lanes, at
-        ) * between_texels(screen.sky_second, near, stride, right, down, lanes, at)
+        ) * between_texels(view.sky_second, near, stride, right, down, lanes, at)
     return total
 
 
 @inlined
 def classify_ray(x, y, z, observer, tables):
-    """Class of a line of sight, and its row in the sky-view table.
+    """Classification of a line of sight, and its row in the sky-view LUT.
 
     Parameters
     ----------
     x, y, z : float
-        Direction in the observer's frame; zero vector for none. [1]
+        Direction in the observer's frame; zero outside the projection. [1]
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
 
     Returns
     -------
     sine, row : float
-        Sine of its zenith angle; coordinate of its row in its half of the table. [1]
+        Sine of the zenith angle; row coordinate in its half of the LUT. [1]
     through_air, to_ground : bool
-        Whether it passes through air, and whether it ends on the ground.
+        Whether it crosses the atmosphere, and whether it ends on the ground.
     """
     sine = sqrt(x * x + y * y)
     shown = x != 0.0 or y != 0.0 or z != 0.0
@@ -264,8 +264,8 @@ def classify_ray(x, y, z, observer, tables):
 
 
 @inlined
-def place_in_sky(x, y, row, to_ground, window):
-    """Position of a line of sight in the available part of the table of the sky.
+def sky_view_coordinates(x, y, row, to_ground, window):
+    """Texel coordinates of a line of sight in a window of the sky-view LUT.
 
     Parameters
     ----------
@@ -273,13 +273,13 @@ def place_in_sky(x, y, row, to_ground, window):
         Horizontal components of its direction in the observer's frame. [1]
     row, to_ground : float, bool
         Results of ``classify_ray``.
-    window : SkyWindow
-        Available part.
+    window : SkyViewWindow
+        Window.
 
     Returns
     -------
     near : int
-        Index of the first of the four texels around it.
+        Index of the first of the four texels.
     right, down : float
         Fractions of the distance to the next texel and to the next row. [1]
     """
@@ -296,9 +296,9 @@ def place_in_sky(x, y, row, to_ground, window):
 
 @inlined
 def sky_lookup(
-    x, y, z, sine, row, to_ground, exact, window, observer, screen, tables, work
+    x, y, z, sine, row, to_ground, exact, window, observer, view, tables, work
 ):  # fmt: skip
-    """Path radiance of a line of sight, and radiance of a white ground behind it.
+    """Radiance of the air along a line of sight, and of a white ground behind it.
 
     Parameters
     ----------
@@ -306,10 +306,10 @@ def sky_lookup(
         Its direction in the observer's frame. [1]
     sine, row, to_ground : float, float, bool
         Results of ``classify_ray``.
-    exact, window, observer, screen, tables, work :
-        Arguments of ``pixel_light``; ``work.radiance`` receives the path radiance and, for a line
-        to the ground, the radiance of a white Lambertian ground and, at ``MIRRORED``, of the sky
-        mirrored by water there; with a filter Q and U, as ``march`` has them. [sr⁻¹]
+    exact, window, observer, view, tables, work :
+        Arguments of ``pixel_light``; ``work.radiance`` receives the radiance of the air, of a white
+        Lambert ground, of the mirrored sky at ``MIRRORED`` and, with a filter, Q and U as from
+        ``march``. [sr⁻¹]
 
     Returns
     -------
@@ -321,13 +321,13 @@ def sky_lookup(
     wet = to_ground and tables.ground.wet
     if exact:
         cos_azimuth = x / sine if sine > 0.0 else 1.0
-        # The mirrored sky first, since the other results are kept where the march leaves them.
+        # The mirrored sky first, as the second march leaves its results in place.
         for part in range(2):
             mirrored = part == 0
             if not mirrored or (wet and observer.orders != 1):
                 refraction = look(
                     z, sine, cos_azimuth, half_sine, to_ground, mirrored, True, True, False,
-                    screen.filter > 0, observer, tables, work, work.radiance,
+                    view.filter > 0, observer, tables, work, work.radiance,
                 )  # fmt: skip
             if mirrored:
                 for at in range(0, tables.lanes, LANES):
@@ -336,31 +336,31 @@ def sky_lookup(
                         value = load(work.radiance, at)
                     store(work.radiance, MIRRORED * tables.lanes + at, value)
     else:
-        near, right, down = place_in_sky(x, y, row, to_ground, window)
+        near, right, down = sky_view_coordinates(x, y, row, to_ground, window)
         turn_cosine, turn_sine = 1.0, 0.0
-        if screen.filter > 0:
+        if view.filter > 0:
             nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
             turn_cosine, turn_sine = star_plane(z, observer.sun_z, nu)
         for at in range(0, tables.lanes, LANES):
             value = air_between(
-                near, window.column_count, right, down, half_sine, screen, tables, tables.lanes, at
+                near, window.column_count, right, down, half_sine, view, tables, tables.lanes, at
             )
             store(work.radiance, at, value)
-            if screen.filter > 0:
+            if view.filter > 0:
                 stokes_q, stokes_u = polarised_between(
                     near, window.column_count, right, down, half_sine, turn_cosine, turn_sine,
-                    screen, tables, tables.lanes, at,
+                    view, tables, tables.lanes, at,
                 )  # fmt: skip
                 store(work.radiance, 4 * tables.lanes + at, stokes_q)
                 store(work.radiance, 5 * tables.lanes + at, stokes_u)
             if to_ground:
                 value = between_texels(
-                    screen.sky_ground, near, window.column_count, right, down, tables.lanes, at
+                    view.sky_ground, near, window.column_count, right, down, tables.lanes, at
                 )
                 store(work.radiance, tables.lanes + at, value)
             if wet:
                 value = between_texels(
-                    screen.sky_air, near + window.ground_count * window.column_count,
+                    view.sky_air, near + window.ground_count * window.column_count,
                     window.column_count, right, down, tables.lanes, at,
                 )  # fmt: skip
                 store(work.radiance, MIRRORED * tables.lanes + at, value)
@@ -371,23 +371,23 @@ def sky_lookup(
 
 @inlined
 def pixel_light(
-    px, py, x, y, z, exact, reach, window, observer, screen, tables, work, color, result
+    px, py, x, y, z, exact, reach, window, observer, view, tables, work, color, result
 ):  # fmt: skip
-    """Spectral light of a pixel, per irradiance of the star. [sr⁻¹]
+    """Spectral radiance of a pixel, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
-        Position from the picture's left and top edge. [pixel]
+        Position from the left and top edge of the frame. [pixel]
     x, y, z : float
         Viewing direction there, ``camera_direction``. [1]
     exact : bool
-        Constant: whether the pixel is marched instead of read from the table of the sky.
+        Constant: whether the pixel is marched.
     reach : float
-        Angle from the apparent star beyond which nothing of its disc is visible. [rad]
-    window : SkyWindow
-        Available part of the table of the sky.
-    observer, screen, tables : Observer, Screen, MarchTables
+        Largest angle between the apparent star and a visible point of its disc. [rad]
+    window : SkyViewWindow
+        Window of the sky-view LUT.
+    observer, view, tables : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work, color : MarchWorkspace, array of shape (11,)
         Workspace.
@@ -395,47 +395,47 @@ def pixel_light(
         Receives the radiance. [sr⁻¹]
     """
     sine, row, through_air, to_ground = classify_ray(x, y, z, observer, tables)
-    through_air = through_air and screen.draws_air
+    through_air = through_air and view.draws_air
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = 1.0, 0.0, 1.0, 0.0, 0.0
     if through_air:
         refraction = sky_lookup(
-            x, y, z, sine, row, to_ground, exact, window, observer, screen, tables, work
+            x, y, z, sine, row, to_ground, exact, window, observer, view, tables, work
         )
         if to_ground:
             star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
-                x, y, z, sine, refraction, observer, screen, tables, work, color
+                x, y, z, sine, refraction, observer, view, tables, work, color
             )
-            if screen.overlaid:
+            if view.overlaid:
                 columns_to_ground(
                     z, sine, observer, tables, work.columns_total, work.columns_so_far
                 )
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
-    if screen.filter > 0:
-        whole, stokes_q, stokes_u = filter_shares(x, y, z, screen)
+    if view.filter > 0:
+        whole, stokes_q, stokes_u = filter_shares(x, y, z, view)
     for at in range(0, tables.lanes, LANES):
         total = splat(0.0)
         if through_air:
             total = load(work.radiance, at)
-        if to_ground and screen.draws_air:
+        if to_ground and view.draws_air:
             factor = ground_factor(
-                color, screen, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
+                color, view, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
                 tables, work, at,
             )  # fmt: skip
             total = total + load(work.radiance, tables.lanes + at) * factor
-            if screen.overlaid:
-                total = total + lamp_light(color, screen, tables, work.columns_total, at)
-        if screen.filter > 0:
+            if view.overlaid:
+                total = total + lamp_light(color, view, tables, work.columns_total, at)
+        if view.filter > 0:
             total = total * np.float32(whole)
             if through_air:
                 total = total + load(work.radiance, 4 * tables.lanes + at) * np.float32(stokes_q)
                 total = total + load(work.radiance, 5 * tables.lanes + at) * np.float32(stokes_u)
         store(result, at, total)
-    if screen.draws_disc and not to_ground:
+    if view.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
         p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
         if apart < reach:
             p0, p1, p2, p3, p4, p5 = star_disc(
-                px, py, x, y, z, observer, screen, tables, work.columns_total
+                px, py, x, y, z, observer, view, tables, work.columns_total
             )
         if p0 > 0.0:
             for at in range(0, tables.lanes, LANES):

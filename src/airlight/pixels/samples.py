@@ -1,9 +1,7 @@
-"""Samples of a pixel: a grid of them where an edge crosses it, else one.
+"""Supersampling of pixels on the horizon or the limb.
 
-The horizon, and the limb of the planet seen from outside, are the edges of a picture: the disc of
-a star has its own smooth rim, and air has none. So a pixel has one sample unless the horizon comes
-nearer to its centre than its corners, and the light of a row along it is not drawn more often than
-needed.
+Only these edges alias: stellar discs have antialiased rims, and air is smooth. Other pixels have
+one sample.
 """
 
 from __future__ import annotations
@@ -21,39 +19,39 @@ from airlight.scene.projections import PROJECTIONS
 
 #: Samples per side of a pixel that an edge crosses.
 EDGE: Final = 3
-#: Index of the projection whose two sides are neighbours.
+#: Index of the projection that is periodic horizontally.
 _PANORAMA: Final = list(PROJECTIONS).index("equirectangular")
 #: Distance of a pixel's corner from its centre, with a margin for its shape. [pixel]
 _CORNER: Final = 0.75
 
 
 @inlined
-def samples_per_side(x, y, z, observer, screen):
+def samples_per_side(x, y, z, observer, view):
     """Samples per side of a pixel.
 
     Parameters
     ----------
     x, y, z : float
         Viewing direction of its centre. [1]
-    observer, screen : Observer, Screen
+    observer, view : Observer, ViewUniforms
         Observer, and camera with ``samples`` and ``edges``.
     """
-    if screen.edges:
+    if view.edges:
         sine = sqrt(x * x + y * y)
         above = z * observer.horizon_sine - sine * observer.horizon_mu
         along = z * observer.horizon_mu + sine * observer.horizon_sine
-        if along > 0.0 and abs(above) < _CORNER * screen.pixel_angle:
-            return max(screen.samples, EDGE)
-    return screen.samples
+        if along > 0.0 and abs(above) < _CORNER * view.pixel_angle:
+            return max(view.samples, EDGE)
+    return view.samples
 
 
 @inlined
-def sample_place(px, py, sample, side, screen):
-    """Place of a sample of a pixel, from the picture's left and top edge. [pixel]
+def sample_place(px, py, sample, side, view):
+    """Position of a sample, from the left and top edge of the frame. [pixel]
 
-    The grid is turned by atan(1 / side): no two samples share a row or a column, so a level horizon
-    is smooth in side² steps. It is turned the other way in the picture's other half, which keeps
-    symmetric skies symmetric, and not in a panorama, which has no halves.
+    The grid is rotated by atan(1 / side), so that no two samples share a row or column and a level
+    horizon has side² steps. The rotation is mirrored in the right half of the frame, which keeps
+    symmetric skies symmetric, and absent in panoramas.
 
     Parameters
     ----------
@@ -61,11 +59,11 @@ def sample_place(px, py, sample, side, screen):
         Centre of the pixel. [pixel]
     sample, side : int
         Index of the sample, and samples per side.
-    screen : Screen
+    view : ViewUniforms
         Camera.
     """
-    hand = 1.0 if px < 0.5 * screen.width else -1.0
-    if screen.projection == _PANORAMA:
+    hand = 1.0 if px < 0.5 * view.width else -1.0
+    if view.projection == _PANORAMA:
         hand = 0.0
     step = 1.0 / side
     down = sample // side
@@ -76,42 +74,40 @@ def sample_place(px, py, sample, side, screen):
 
 @inlined
 def light_of_centre(
-    px, py, exact, reach, window, observer, screen, tables, work, color, result
+    px, py, exact, reach, window, observer, view, tables, work, color, result
 ):  # fmt: skip
-    """Spectral light of a pixel by one sample; arguments of ``sampled_light``."""
-    x, y, z = camera_direction(px, py, screen)
-    pixel_light(
-        px, py, x, y, z, exact, reach, window, observer, screen, tables, work, color, result
-    )
+    """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""
+    x, y, z = camera_direction(px, py, view)
+    pixel_light(px, py, x, y, z, exact, reach, window, observer, view, tables, work, color, result)
 
 
 @inlined
 def sampled_light(
-    px, py, exact, reach, window, observer, screen, tables, work, color, total, result
+    px, py, exact, reach, window, observer, view, tables, work, color, total, result
 ):  # fmt: skip
-    """Spectral light of a pixel, the mean of its samples, per irradiance of the star. [sr⁻¹]
+    """Spectral radiance of a pixel, averaged over samples, per irradiance of the star. [sr⁻¹]
 
     Parameters
     ----------
     px, py : float
-        Centre of the pixel, from the picture's left and top edge. [pixel]
-    exact, reach, window, observer, screen, tables, work, color :
+        Pixel centre, from the left and top edge of the frame. [pixel]
+    exact, reach, window, observer, view, tables, work, color :
         Arguments of ``pixel_light``.
     total : array, shape (w,)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    x, y, z = camera_direction(px, py, screen)
-    side = samples_per_side(x, y, z, observer, screen)
+    x, y, z = camera_direction(px, py, view)
+    side = samples_per_side(x, y, z, observer, view)
     step = 1.0 / side
     for sample in range(side * side):
         sx, sy = px, py
         if side > 1:
-            sx, sy = sample_place(px, py, sample, side, screen)
-            x, y, z = camera_direction(sx, sy, screen)
+            sx, sy = sample_place(px, py, sample, side, view)
+            x, y, z = camera_direction(sx, sy, view)
         pixel_light(
-            sx, sy, x, y, z, exact, reach, window, observer, screen, tables, work, color, result
+            sx, sy, x, y, z, exact, reach, window, observer, view, tables, work, color, result
         )
         if side > 1:
             for at in range(0, tables.lanes, LANES):

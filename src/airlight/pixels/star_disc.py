@@ -1,8 +1,8 @@
-"""Star's own disc in a pixel: its light through the air, for any apparent size.
+"""Antialiased disc of a light in a pixel, for any apparent size.
 
-A moon in front of it hides a disc of several pixels pixel by pixel; a smaller one is dimmed.
-A disc of several pixels has a smooth rim and the shape of ``disc_shading``; a smaller one is a few
-points, each of them distributed over the four pixels around it. Both conserve the light.
+Discs of several pixels have an antialiased rim, the shading of ``disc_shading`` and are occulted
+pixel by pixel. Smaller discs are sets of points splatted bilinearly, and are dimmed by occultation.
+Both conserve irradiance.
 """
 
 from __future__ import annotations
@@ -15,48 +15,47 @@ from airlight.geometry.refraction import refraction_angle
 from airlight.kernel import inlined, kernel
 from airlight.mappings.sky_view import angle_above_horizon
 from airlight.pixels.disc_shading import disc_powers, whole_powers
-from airlight.pixels.sky_table import half_sine_between
+from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.tables.column_ratios import columns_to_top
 
-#: Radius in pixels below which a disc is drawn as points.
+#: Radius below which a disc is splatted as points. [pixel]
 SMALL = 1.5
-#: Number of rings and spokes of its points.
+#: Rings and spokes of these points.
 RINGS = 3
 SPOKES = 8
-#: Positions: a pixel, its right, lower, left and upper neighbours, and half-way to each.
+#: Stencil: the pixel, its right, lower, left and upper neighbours, and the midpoints.
 _PLACES = 9
 _NUMBERS = 27
-#: Distance in pixels beyond which a neighbour belongs to another part of the picture.
+#: Angular distance beyond which a neighbour is disconnected. [pixel]
 _APART = 3.0
-#: Ratio to a square below which a flat pixel, as at the poles of a panorama, is too close to its
-#: neighbours for points.
+#: Pixel area over a square below which points are not splatted, as at the poles of panoramas.
 _FLAT = 0.3
 
 
 @kernel
-def camera_direction(px, py, screen):
-    """Viewing direction of a point of the picture in the observer's frame; zero if it has none.
+def camera_direction(px, py, view):
+    """Viewing direction of an image point in the observer's frame; zero outside the projection.
 
     Parameters
     ----------
     px, py : float
-        Position from the picture's left and top edge. [pixel]
-    screen : Screen
-        Screen with the camera.
+        Position from the left and top edge of the frame. [pixel]
+    view : ViewUniforms
+        Camera.
     """
     right, above, ahead = projected_ray(
-        screen.projection, px, py, screen.width, screen.height, screen.field_of_view
+        view.projection, px, py, view.width, view.height, view.field_of_view
     )
-    x = right * screen.right_x + above * screen.up_x + ahead * screen.forward_x
-    y = right * screen.right_y + above * screen.up_y + ahead * screen.forward_y
-    z = right * screen.right_z + above * screen.up_z + ahead * screen.forward_z
+    x = right * view.right_x + above * view.up_x + ahead * view.forward_x
+    y = right * view.right_y + above * view.up_y + ahead * view.forward_y
+    z = right * view.right_z + above * view.up_z + ahead * view.forward_z
     return x, y, z
 
 
 @inlined
 def leaving_air(x, y, z, observer, tables, columns):
-    """Direction of a line of sight after it has left the air.
+    """Refracted direction of a line of sight outside the atmosphere.
 
     Parameters
     ----------
@@ -70,7 +69,7 @@ def leaving_air(x, y, z, observer, tables, columns):
     Returns
     -------
     x, y, z : float
-        Direction, lowered by the angle of refraction. [1]
+        Refracted direction. [1]
     free : bool
         Whether the line misses the ground.
     """
@@ -110,7 +109,7 @@ def leaving_air(x, y, z, observer, tables, columns):
 
 @kernel
 def shared_out(across, down, radius, right_x, below_x, below_y):
-    """Fraction of a disc that is assigned to a pixel, for points between pixel centres. [1]
+    """Bilinear weight of a small disc in a pixel. [1]
 
     Parameters
     ----------
@@ -140,10 +139,9 @@ def shared_out(across, down, radius, right_x, below_x, below_y):
 
 @kernel
 def covered(apart, radius, pixel):
-    """Fraction of a pixel that lies within a disc, falling from 1 to 0 across its rim. [1]
+    """Antialiased coverage of a pixel by a disc, linear across its rim. [1]
 
-    Integrated over all directions it is the disc's solid angle; that of a disc smaller than a pixel
-    is spread over one.
+    Its integral over the sphere is the solid angle of the disc.
 
     Parameters
     ----------
@@ -160,8 +158,8 @@ def covered(apart, radius, pixel):
 
 
 @inlined
-def star_disc(px, py, x, y, z, observer, screen, tables, columns):
-    """Radiance of the light's disc in a pixel before attenuation by the air, per irradiance.
+def star_disc(px, py, x, y, z, observer, view, tables, columns):
+    """Unattenuated radiance of the disc in a pixel, per irradiance.
 
     Parameters
     ----------
@@ -169,48 +167,47 @@ def star_disc(px, py, x, y, z, observer, screen, tables, columns):
         Position of the pixel. [pixel]
     x, y, z : float
         Its viewing direction; zero vector for none. [1]
-    observer, screen, tables : Observer, Screen, MarchTables
+    observer, view, tables : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     columns : array, shape (nc,)
-        Receives the columns of the air in front of it. [m]
+        Receives the columns along the line of sight. [m]
 
     Returns
     -------
     tuple of six float
-        Weights of the powers of the cosine of emergence, see ``disc_powers``; 0 where there is
-        nothing of the disc. [sr⁻¹]
+        Weights of the powers of the emergence cosine, see ``disc_powers``; 0 off the disc. [sr⁻¹]
     """
     if x == 0.0 and y == 0.0 and z == 0.0:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     lx, ly, lz, free = leaving_air(x, y, z, observer, tables, columns)
     apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
-    pixel = screen.pixel_angle
-    # Two pixel diagonals: no point of a disc is assigned to a pixel farther away.
+    pixel = view.pixel_angle
+    # Beyond two pixel diagonals no point is splatted.
     if not free or apart > tables.star_radius + 3.0 * pixel:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    part = covered(apart, tables.star_radius, pixel) * screen.disc
+    part = covered(apart, tables.star_radius, pixel) * view.disc
     if tables.star_radius < SMALL * pixel:
-        part = _point_like(px, py, part, observer, screen, tables, columns)
+        part = _point_like(px, py, part, observer, view, tables, columns)
         return whole_powers(part)
-    if screen.occulter_radius > 0.0:
-        dx, dy, dz = lx - screen.occulter_x, ly - screen.occulter_y, lz - screen.occulter_z
+    if view.occulter_radius > 0.0:
+        dx, dy, dz = lx - view.occulter_x, ly - view.occulter_y, lz - view.occulter_z
         beside = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
-        # Where both rims run through a pixel, the moon's hides what the disc's leaves of it.
-        part = max(part - covered(beside, screen.occulter_radius, pixel) * screen.disc, 0.0)
+        # Pixels with both rims: coverages are subtracted.
+        part = max(part - covered(beside, view.occulter_radius, pixel) * view.disc, 0.0)
     along = 0.0
-    if screen.phased:
-        toward = (lx - observer.sun_x) * screen.limb_x + ly * screen.limb_y
-        toward += (lz - observer.sun_z) * screen.limb_z
+    if view.phased:
+        toward = (lx - observer.sun_x) * view.limb_x + ly * view.limb_y
+        toward += (lz - observer.sun_z) * view.limb_z
         along = toward / max(apart, 1e-12)
     return disc_powers(
-        part, apart, tables.star_radius, pixel, along, screen.phased, screen.phase_sine,
-        screen.phase_cosine, screen.phase_share,
+        part, apart, tables.star_radius, pixel, along, view.phased, view.phase_sine,
+        view.phase_cosine, view.phase_share,
     )  # fmt: skip
 
 
 @inlined
-def _point_like(px, py, otherwise, observer, screen, tables, columns):
-    """Radiance of a small disc in a pixel, per irradiance outside the air. [sr⁻¹]"""
+def _point_like(px, py, otherwise, observer, view, tables, columns):
+    """Unattenuated radiance of a small disc in a pixel, per irradiance. [sr⁻¹]"""
     steps = np.empty(_NUMBERS)
     fits = np.empty(_PLACES)
     # The pixel itself last: its columns are kept.
@@ -220,7 +217,7 @@ def _point_like(px, py, otherwise, observer, screen, tables, columns):
         side = place - 4 if place > 4 else place
         aside = way if side == 1 else (-way if side == 3 else 0.0)
         below = way if side == 2 else (-way if side == 4 else 0.0)
-        x, y, z = camera_direction(px + aside, py + below, screen)
+        x, y, z = camera_direction(px + aside, py + below, view)
         nx, ny, nz, free = leaving_air(x, y, z, observer, tables, columns)
         steps[3 * place] = nx
         steps[3 * place + 1] = ny
@@ -231,7 +228,7 @@ def _point_like(px, py, otherwise, observer, screen, tables, columns):
         for c in range(3):
             steps[3 * place + c] -= steps[c]
             apart += steps[3 * place + c] * steps[3 * place + c]
-        if apart >= (_APART * screen.pixel_angle) ** 2:
+        if apart >= (_APART * view.pixel_angle) ** 2:
             fits[place] = 0.0
     if fits[1] + fits[3] < 0.5 or fits[2] + fits[4] < 0.5:
         return otherwise
@@ -251,7 +248,7 @@ def _point_like(px, py, otherwise, observer, screen, tables, columns):
     wide = ux * ux + uy * uy + uz * uz
     slant = ux * vx + uy * vy + uz * vz
     area = sqrt(max(wide * (vx * vx + vy * vy + vz * vz) - slant * slant, 0.0))
-    if area < _FLAT * screen.pixel_angle * screen.pixel_angle:
+    if area < _FLAT * view.pixel_angle * view.pixel_angle:
         return otherwise
     # Fractions are measured along the step to the neighbours between which the disc lies: both
     # pixels then use the same step, and the fractions sum to 1.

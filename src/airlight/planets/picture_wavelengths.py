@@ -1,7 +1,7 @@
 """Wavelengths of a picture of a planet: a common policy of all renderers.
 
 Still pictures have sixteen, evenly spaced; interactive pictures, and everything that a texel of a
-graphics device holds, have the few that reproduce colours best.
+GPU holds, have the few that reproduce colours best.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def picture_wavelengths(
 
 
 def texel_wavelengths(planet: Planet, choice: int | str | None = None) -> FloatArray:
-    """Wavelengths of a picture that only a device draws, the browser's or this machine's.
+    """Wavelengths of a picture that only a GPU renders, the browser's or this machine's.
 
     Parameters
     ----------

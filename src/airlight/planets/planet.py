@@ -37,7 +37,7 @@ FloatArray = npt.NDArray[np.float64]
 #: Wavelengths of red, green and blue. [nm] Bruneton (2008).
 RED_GREEN_BLUE: Final = (680.0, 550.0, 440.0)
 #: Largest number of constituents of a planet.
-MOST_CONSTITUENTS: Final = 64
+MAX_CONSTITUENTS: Final = 64
 #: Least thickness of the shell over the radius of the ground, and largest ratio of the radii. [1]
 LEAST_THICKNESS: Final = 1e-7
 LARGEST_RATIO: Final = 10.0
@@ -209,9 +209,9 @@ class Planet(TomlModel):
                 self.top_radius,
                 f"{least:.10g} to {most:.10g} m",
             )
-        if not 1 <= len(self.constituents) <= MOST_CONSTITUENTS:
+        if not 1 <= len(self.constituents) <= MAX_CONSTITUENTS:
             raise ParameterError(
-                "constituents", len(self.constituents), f"1 to {MOST_CONSTITUENTS} constituents"
+                "constituents", len(self.constituents), f"1 to {MAX_CONSTITUENTS} constituents"
             )
         if self.body is not None:
             world_named(self.body)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from airlight.observables.neutral_points import neutral_points, principal_plane
 from airlight.plots.figure import LINE_STYLES, chosen, grid, new_figure, wavelength_ink
-from airlight.plots.polarised_picture import SHOWN, angle_colors, color_map
+from airlight.plots.polarised_picture import COLOR_BARS, angle_colors, color_map
 from airlight.solvers.solution import GREEN, Solution
 from airlight.solvers.stokes_frame import angle_of_polarisation, degree_of_polarisation
 
@@ -151,7 +151,7 @@ def polarisation_dome(
     panels = figure.subplots(1, 2)
     names: tuple[Literal["dolp", "aolp"], ...] = ("dolp", "aolp")
     for axes, show, values in zip(panels, names, (100.0 * degree, angle), strict=True):
-        shown = SHOWN[show]
+        shown = COLOR_BARS[show]
         mesh = axes.pcolormesh(
             x, y, values, cmap=color_map(show), vmin=shown.low, vmax=shown.high, rasterized=True
         )

@@ -35,7 +35,7 @@ _LIGHTNESS, _CHROMA, _FIRST_HUE = 0.75, 0.12, 20.0
 _STRIP, _LEAST_STRIP, _LEAST_WIDTH = 0.075, 44, 240
 
 
-class Shown(NamedTuple):
+class ColorBar(NamedTuple):
     """Quantity of a picture.
 
     Attributes
@@ -55,11 +55,11 @@ class Shown(NamedTuple):
 
 
 #: What can be shown: the degree in per cent, the angle in degrees.
-SHOWN: Final = {
-    "dolp": Shown(
+COLOR_BARS: Final = {
+    "dolp": ColorBar(
         "degree of linear polarisation [%]", 0.0, 100.0, (0.0, 20.0, 40.0, 60.0, 80.0, 100.0)
     ),
-    "aolp": Shown(
+    "aolp": ColorBar(
         "angle of polarisation from the vertical plane, counterclockwise [°]",
         -90.0, 90.0, (-90.0, -45.0, 0.0, 45.0, 90.0),
     ),
@@ -87,7 +87,7 @@ def angle_colors(angle: ArrayLike) -> FloatArray:
 
 
 def color_map(show: Literal["dolp", "aolp"]) -> Colormap:
-    """Colour map over the range of ``SHOWN``: viridis for degrees, a cyclic one for angles."""
+    """Colour map over the range of ``COLOR_BARS``: viridis for degrees, a cyclic one for angles."""
     require_matplotlib()
     import matplotlib
     from matplotlib.colors import ListedColormap
@@ -121,8 +121,8 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
     AirlightError
         If matplotlib is not installed.
     """
-    if show not in SHOWN:
-        raise ParameterError("show", show, ", ".join(SHOWN))
+    if show not in COLOR_BARS:
+        raise ParameterError("show", show, ", ".join(COLOR_BARS))
     width = frame.rgb.shape[1]
     check_width(width)
     stokes = frame.stokes
@@ -170,7 +170,7 @@ def _legend(show: Literal["dolp", "aolp"], width: int, height: int) -> NDArray[n
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    shown, dpi = SHOWN[show], 100.0
+    shown, dpi = COLOR_BARS[show], 100.0
     size = 72.0 / dpi * 0.24 * height  # of the letters [point]
     figure = Figure(figsize=(width / dpi, height / dpi), dpi=dpi, facecolor="black")
     canvas = FigureCanvasAgg(figure)

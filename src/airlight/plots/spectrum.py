@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 #: Variable that the figure of each observable shows.
-SHOWN: Final = {
+COLOR_BARS: Final = {
     "geometric-albedo": "geometric_albedo",
     "bond-albedo": "spherical_albedo",
     "phase-curve": "reflectance",
@@ -41,7 +41,7 @@ def spectrum(data: xarray.Dataset) -> Figure:
         most six wavelengths, where these are an axis.
     """
     of = data.attrs["observable"]
-    shown = data[SHOWN[of]]
+    shown = data[COLOR_BARS[of]]
     figure = new_figure(data.attrs["title"], _caption(data))
     axes = figure.subplots()
     grid(axes)

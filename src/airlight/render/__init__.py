@@ -1,4 +1,4 @@
-"""Rendering: the view of a camera in a solution becomes a frame.
+"""CPU rendering of a solution and a scene to a frame of linear radiance.
 
 ``airlight.render(solution, scene)`` is the function ``render.render``. Importing this package also
 makes it the attribute ``render`` of ``airlight``; hence the package is callable as that function.

@@ -1,7 +1,7 @@
-"""Loops that draw pictures, compiled before there is a solution to draw.
+"""Compilation of the rendering loops before a solution exists.
 
-The types of a loop's arguments follow from the declarations of its NamedTuples; with empty tables
-of these types it is called for no pixel and no texel, which compiles it.
+The argument types of a loop follow from the annotations of its NamedTuples; a call with empty
+tables of these types and zero pixels compiles it.
 """
 
 from __future__ import annotations
@@ -13,63 +13,62 @@ import numpy as np
 
 from airlight.kernel.background_compiler import BackgroundCompiler
 from airlight.kernel.shader_fields import InTexture, shader_fields
-from airlight.pixels.picture_numbers import observer_from, screen_from
-from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
-from airlight.pixels.sky_by_processor import SkyLayers, fill_texels
-from airlight.pixels.sky_window import SkyWindow
+from airlight.pixels.render_cpu import march_pixels, render_pixels
+from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_texels
+from airlight.pixels.sky_view_window import SkyViewWindow
+from airlight.pixels.view_uniforms import cpu_view_uniforms, observer_from
 from airlight.scene import Camera
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 
-#: Loops of a picture that reads a table of the sky, in the order of their use; and of one that does
-#: not.
-DRAWING: Final = (fill_texels, draw_pixels)
-MARCHING: Final = (march_pixels,)
+#: Loops of a frame with a sky-view LUT, in the order of use; and of a frame without.
+SKY_VIEW_LOOPS: Final = (fill_texels, render_pixels)
+MARCH_LOOPS: Final = (march_pixels,)
 
 
 def start_render_compiler() -> BackgroundCompiler:
     """Start to compile the loops in another process, unless they are on disk."""
-    return BackgroundCompiler(f"{__name__}:compile_loops", DRAWING, MARCHING)
+    return BackgroundCompiler(f"{__name__}:compile_loops", SKY_VIEW_LOOPS, MARCH_LOOPS)
 
 
 def start_sky_view_compiler() -> BackgroundCompiler:
-    """Start to compile the loops of one picture from a table of the sky, and no others."""
-    return BackgroundCompiler(f"{__name__}:compile_drawing", DRAWING)
+    """Start to compile the loops with a sky-view LUT only."""
+    return BackgroundCompiler(f"{__name__}:compile_sky_view_loops", SKY_VIEW_LOOPS)
 
 
 def compile_loops() -> None:
-    """Compile the loops, or load them, by calls that draw nothing."""
-    for loop, arguments in zip((*DRAWING, *MARCHING), _arguments(), strict=True):
+    """Compile or load all loops by calls with zero pixels."""
+    for loop, arguments in zip((*SKY_VIEW_LOOPS, *MARCH_LOOPS), _arguments(), strict=True):
         loop(*arguments)
 
 
-def compile_drawing() -> None:
-    """Compile the loops of a picture from a table of the sky, or load them."""
-    for loop, arguments in zip(DRAWING, _arguments()[: len(DRAWING)], strict=True):
+def compile_sky_view_loops() -> None:
+    """Compile or load the loops with a sky-view LUT."""
+    for loop, arguments in zip(SKY_VIEW_LOOPS, _arguments()[: len(SKY_VIEW_LOOPS)], strict=True):
         loop(*arguments)
 
 
 def _arguments() -> list[tuple[Any, ...]]:
-    """Arguments of each loop, for no texel and no pixel."""
+    """Arguments of each loop for zero texels and pixels."""
     tables = empty(MarchTables)._replace(rules=quadratures((1, 1, 1)))
     work = new_workspace(tables)
     numbers: Any = defaultdict(float)
-    numbers |= dict.fromkeys(_screen_numbers(), 0.0)
+    numbers |= dict.fromkeys(_view_uniform_names(), 0.0)
     observer = observer_from(numbers)
-    layers, window = SkyLayers.none(), SkyWindow.whole(2, 2)
-    screen = screen_from(numbers, Camera(width=1, height=1), None, None, layers)
+    layers, window = SkyViewLayers.none(), SkyViewWindow.whole(2, 2)
+    view = cpu_view_uniforms(numbers, Camera(width=1, height=1), None, None, layers)
     weights, rgb, none = np.zeros(3, np.float32), np.zeros((1, 3), np.float32), np.zeros(0)
-    pixels = (none, none, window, observer, screen, tables, work, weights, 1.0, rgb)
+    pixels = (none, none, window, observer, view, tables, work, weights, 1.0, rgb)
     return [(0, 0, window, observer, tables, work, layers), pixels, pixels]
 
 
-def _screen_numbers() -> tuple[str, ...]:
-    from airlight.pixels.pixel import Screen
+def _view_uniform_names() -> tuple[str, ...]:
+    from airlight.pixels.pixel import ViewUniforms
 
-    return Screen._fields
+    return ViewUniforms._fields
 
 
 def empty(bundle: Any) -> Any:
-    """NamedTuple whose numbers are 1, and whose tables have one element, of the declared types.
+    """Instance of a NamedTuple with numbers 1 and tables of one element, of the annotated types.
 
     Parameters
     ----------
@@ -93,7 +92,7 @@ def empty(bundle: Any) -> Any:
 
 
 def _number(kind: Any, *, spectral: bool) -> Any:
-    """Type of a table's numbers: of its annotation, or that of all spectral tables."""
+    """Element type of a table, from its annotation or that of spectral tables."""
     inner = [one for part in get_args(kind) for one in get_args(part)]
     named = [one for one in inner if isinstance(one, type) and issubclass(one, np.generic)]
     return named[0] if named else np.float32 if spectral else np.float64

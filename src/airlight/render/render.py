@@ -1,4 +1,4 @@
-"""``render``: rows of pixels on all cores, in blocks that limit the memory."""
+"""``render``: frame of a solution, in blocks of rows on all CPU cores."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from airlight.kernel.cost import LINES, timed
 from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress, run_blocks
-from airlight.pixels.lit_scenes import lit_scenes
 from airlight.pixels.polarising_filter import ALONG, ASLANT
+from airlight.pixels.scenes_by_light import scenes_by_light
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.planets.reading.reader import PlanetLike, load_planet
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -47,24 +47,23 @@ def render(
     Parameters
     ----------
     solution : MomentsSolution, Planet, str or Path
-        Solution of at least three wavelengths; or a planet, the name of a preset or a path, which
-        is solved as by ``paint_scene``: for the ground around the observer, at sixteen wavelengths.
+        Solution of at least three wavelengths; or a planet, preset name or path, which is solved
+        as by ``render_scene``, with the albedo around the observer, at sixteen wavelengths.
     scene : Scene
         Observer, lights and camera; each light takes as long as the first.
     orders : str
-        Light that is drawn: ``"all"``; ``"single"``, scattered or reflected once by the air or the
-        ground; or ``"multiple"``, more often. The star's own disc is visible in the first alone.
+        Orders of scattering and reflection: ``"all"``; ``"single"``, the first; or ``"multiple"``,
+        the second and higher. The star's disc is visible only with ``"all"``.
     exact : bool
-        Whether the air is marched for each pixel. Otherwise the light of the air is read from a
-        table of the sky around the observer, filled by the same march: see docs/pictures.md for
-        its errors. Pictures of few pixels are always marched.
+        Whether every pixel is marched. Otherwise radiance is interpolated in a sky-view LUT of the
+        same march, see docs/pictures.md for its errors. Small frames are always marched.
     disc : bool
-        Whether the discs of the lights are drawn.
+        Whether the discs of the lights are rendered.
     samples : int
-        Samples per side of every pixel, 1 to 16. One suffices: pixels on the horizon and on the
-        limb have a grid of samples of their own.
+        Samples per side of every pixel, 1 to 16. 1 suffices: pixels on the horizon and the limb
+        are supersampled anyway.
     stokes : bool
-        Whether the frame has Q and U beside the picture, each in its line's own meridian plane.
+        Whether the frame also has Stokes Q and U, in the meridian plane of each line of sight.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -76,11 +75,10 @@ def render(
     Raises
     ------
     ParameterError
-        If the solution is of another solver (pictures march the moments), ``orders`` or
-        ``samples`` has another value, or polarised light is requested of scalar transfer or
-        behind a filter.
+        If the solution is not of the moments solver, ``orders`` or ``samples`` is out of range, or
+        polarisation is requested of scalar transfer or behind a filter.
     CostError
-        If the picture needs more memory than is free.
+        If the frame needs more memory than is free.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -104,18 +102,18 @@ def render(
     width, height = scene.camera.columns, scene.camera.rows
     elements = (None, ALONG, ASLANT) if stokes else (None,)
     check_drawn(width, height, len(elements))
-    pictures = lit_scenes(scene, solution)
-    drawn = width * height * samples**2 * len(elements) * len(pictures)
+    pictures = scenes_by_light(scene, solution)
+    rendered = width * height * samples**2 * len(elements) * len(pictures)
     kind = LINES if exact else "picture"
     layers = zeros((len(elements), height, width, 3), np.float32)
-    with timed(kind, drawn * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
+    with timed(kind, rendered * solution.wavelengths.size, f"a picture of {width}x{height} pixels"):
         for number, (seen, lit, air, _) in enumerate(pictures):
-            drawing = Drawing(
+            renderer = CpuRenderer(
                 lit, seen, orders=orders, exact=exact, disc=disc, samples=samples, air=air,
                 stokes=stokes,
             )  # fmt: skip
             share = None if progress is None else _shared(progress, number, len(pictures))
-            _add_drawn(layers, drawing, elements, share, cancel, black=number == 0)
+            _add_rendered(layers, renderer, elements, share, cancel, black=number == 0)
     wavelengths = ", ".join(f"{nm:g}" for nm in solution.wavelengths)
     return Frame(
         rgb=layers[0],
@@ -136,7 +134,7 @@ def render(
 def _solved(
     given: PlanetLike, scene: Scene, progress: Progress | None, cancel: Cancel | None
 ) -> Solution:
-    """Solution of a planet for the ground around an observer."""
+    """Solution of a planet with the albedo around the observer."""
     planet = local_ground(
         load_planet(given), latitude=scene.latitude, longitude=scene.longitude,
         altitude=scene.altitude,
@@ -145,49 +143,49 @@ def _solved(
 
 
 def _shared(progress: Progress, number: int, count: int) -> Progress:
-    """Progress of one of several pictures that make a frame."""
+    """Progress callback for one of several lights."""
     return lambda done, total, message: progress(number * total + done, count * total, message)
 
 
-def _add_drawn(
+def _add_rendered(
     layers: Float32Array,
-    drawing: Drawing,
+    renderer: CpuRenderer,
     elements: Sequence[int | None],
     progress: Progress | None,
     cancel: Cancel | None,
     *,
     black: bool,
 ) -> None:
-    """Add pictures by one light to those before it, which may still be black.
+    """Add the frame of one light to ``layers``, which are zero if ``black``.
 
-    Linear sRGB, shape (elements, height, width, 3). [W m⁻² sr⁻¹]
+    Linear sRGB of each Stokes element, shape (elements, height, width, 3). [W m⁻² sr⁻¹]
     """
     height, width = layers.shape[1:3]
     lit = layers if black else zeros(layers.shape, np.float32)
     step = max(1, _BLOCK_PIXELS // width)
     blocks = -(-height // step)
-    # Filling the table counts as much as drawing the rows.
-    total = blocks if drawing.window is None else 2 * blocks
+    # The sky-view LUT counts as half of the progress.
+    total = blocks if renderer.window is None else 2 * blocks
 
     def filling(done: int, count: int, message: str) -> None:
         if progress is not None:
             progress(blocks * done // count, total, message)
 
-    def drawn(done: int, _: int, message: str) -> None:
+    def rendering(done: int, _: int, message: str) -> None:
         if progress is not None:
             progress(total - blocks + done, total, message)
 
-    drawing.fill_sky(cancel=cancel, progress=filling)
+    renderer.fill_sky_view(cancel=cancel, progress=filling)
 
-    def draw(k: int) -> None:
+    def render_block(k: int) -> None:
         first, last = k * step, min((k + 1) * step, height)
         for element, rgb, whole in zip(elements, lit, layers, strict=True):
-            drawing.draw(first, last, rgb, element)
+            renderer.render_rows(first, last, rgb, element)
             if not black:
                 whole[first:last] += rgb[first:last]
                 release(whole[first:last])
             release(rgb[first:last])
 
     run_blocks(
-        draw, blocks, cancel=cancel, progress=drawn, message="rendering",
+        render_block, blocks, cancel=cancel, progress=rendering, message="rendering",
     )  # fmt: skip

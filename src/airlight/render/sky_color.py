@@ -1,4 +1,4 @@
-"""Colour of a planet's sky in a few words: three directions under a sun half-way up."""
+"""Sky colour of a planet in three directions, at a solar zenith angle of 45°."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FloatArray = npt.NDArray[np.float64]
 
 #: Zenith angle of the sun. [deg]
 SUN_ZENITH: Final = 45.0
-#: Lines of sight from the ground, across the sun's direction: name and zenith angle. [deg]
+#: Directions from the ground, at 90° azimuth from the sun: name and zenith angle. [deg]
 LOOKS: Final = (("zenith", 0.0), ("halfway", 45.0), ("horizon", 89.0))
 #: Number of wavelengths over the visible part of the planet's range.
 _WAVELENGTHS: Final = 12
@@ -28,7 +28,7 @@ _WAVELENGTHS: Final = 12
 
 @dataclass(frozen=True, kw_only=True)
 class SkyColor:
-    """Colour of the sky in one direction.
+    """Sky colour in one direction.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class SkyColor:
     chromaticity : tuple of float
         CIE 1931 x and y. [1]
     code : str
-        Colour at the exposure of a sunlit Earth and the default tone map, ``#rrggbb``.
+        sRGB at the default exposure and tone map, ``#rrggbb``.
     """
 
     look: str
@@ -49,7 +49,7 @@ class SkyColor:
 
 
 def sky_colors(planet: Planet, *, cache: bool = True, progress: Any = None) -> tuple[SkyColor, ...]:
-    """Colours of the sky from the ground in each of ``LOOKS``, at the quality ``preview``.
+    """Sky colours from the ground in each of ``LOOKS``, at the quality ``preview``.
 
     Parameters
     ----------

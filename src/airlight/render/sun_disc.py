@@ -1,4 +1,4 @@
-"""Directions of lines of sight behind the air, and apparent size of the star there."""
+"""Refracted directions of lines of sight outside the atmosphere, and solid angle of a disc."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FloatArray = NDArray[np.float64]
 def straight_lines(
     directions: FloatArray, solution: MomentsSolution, altitude: float
 ) -> LinesOfSight:
-    """Lines of sight from the observer, as straight lines.
+    """Unrefracted lines of sight from the observer.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def straight_lines(
 def leaving_direction(
     directions: FloatArray, solution: MomentsSolution, altitude: float
 ) -> FloatArray:
-    """Directions of lines of sight after they have left the air: refracted towards the ground.
+    """Refracted directions of lines of sight outside the atmosphere.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def leaving_direction(
     Returns
     -------
     array, shape (n, 3)
-        Unit vectors; those that meet the ground are returned unchanged.
+        Unit vectors; unchanged for lines that meet the ground.
     """
     if solution.geometry.shell is None or len(directions) == 0:
         return directions

@@ -1,4 +1,4 @@
-"""Lines of sight through a planet's air to what stands behind it."""
+"""Transmittance and refraction of lines of sight through an atmosphere to space."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FloatArray = NDArray[np.float64]
 def through_air(
     solution: MomentsSolution, altitude: float, directions: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Transmittance of the air along lines of sight to space, and their directions behind it.
+    """Transmittance of lines of sight to space, and their refracted directions.
 
     Parameters
     ----------
@@ -25,14 +25,14 @@ def through_air(
     altitude : float
         Altitude of the observer. [m]
     directions : array, shape (n, 3)
-        Unit vectors in the observer's local frame, with z to the zenith.
+        Unit vectors in the observer's local frame, z to the zenith.
 
     Returns
     -------
     transmittance : array, shape (n, nl)
         Transmittance; 0 where the line ends on the ground. [1]
     directions : array, shape (n, 3)
-        Unit vectors behind the air, lowered by the angle of refraction.
+        Unit vectors outside the atmosphere.
     """
     medium, geometry = solution.medium, solution.geometry
     r = np.full(len(directions), medium.bottom_radius + altitude)

@@ -1,4 +1,4 @@
-"""Observer, camera and projections, direction of the sun, map of the ground."""
+"""Scene description: observer, camera, projections, lights and ground maps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Altitude at which sun and moon are seen through a planet's air."""
+"""Apparent altitude of sun and moon under refraction."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _FADED = 4.0
 
 
 def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> float | None:
-    """Apparent altitude of the sun's centre; None where light goes straight or it is not seen.
+    """Apparent altitude of the sun's centre; None without refraction or if it is not visible.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
 
 
 def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
-    """Zenith angle at which a far body is seen, from inside the air or through it from outside.
+    """Apparent zenith angle of a body at infinity, from inside or outside the atmosphere.
 
     Of a body behind the horizon the angle is the true one, less the refraction on the horizon,
     which fades out with depth: a camera that follows a setting sun does not leap.

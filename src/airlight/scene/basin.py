@@ -1,4 +1,4 @@
-"""Scenes on the floor of a basin, below the level that altitudes count from."""
+"""Scenes below the reference level of altitudes, on the floor of a basin."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def on_basin_floor(planet: Planet, scene: Scene) -> tuple[Planet, Scene]:
-    """Planet whose ground is lowered to an observer below 0, and the scene on that ground.
+    """Planet with its ground lowered to an observer at negative altitude, and the scene there.
 
     Parameters
     ----------

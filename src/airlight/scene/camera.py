@@ -1,4 +1,4 @@
-"""Camera: the direction of each pixel of a picture."""
+"""Camera: size, projection and orientation, which give the direction of each pixel."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _is_whole(value: object) -> bool:
 
 @dataclass(frozen=True, kw_only=True)
 class Camera:
-    """Projection, size of the picture, and direction of the camera.
+    """Size, projection and orientation of the camera.
 
     Angles are in the observer's local frame: the azimuth is 0 on the sun's side and increases
     clockwise seen from above, so that a camera directed at the sun's azimuth has azimuth +90° on
@@ -43,7 +43,7 @@ class Camera:
         behind), ``octahedral`` (the whole sphere on a square of equal solid angles) or
         ``orthographic`` (parallel lines of sight: the disc of a planet).
     width, height : int
-        Size of the picture: a panorama is twice as wide as high, a cube strip six times, an
+        Size of the frame: a panorama is twice as wide as high, a cube strip six times, an
         octahedral one square. [pixel]
     field_of_view : float, optional
         Angle between the left and the right edge for perspective, default 60; across the circle for
@@ -62,7 +62,7 @@ class Camera:
         Length between the left and the right edge, which an orthographic camera needs; see
         ``airlight.scene.projections.orthographic.disc_extent``. [m]
     crop : (int, int, int, int), optional
-        Window of the picture that is drawn: its left and top edge, its width and height. Its pixels
+        Rendered window of the frame: left and top edge, width and height. Its pixels
         are those of the whole picture. [pixel]
 
     Raises
@@ -159,22 +159,22 @@ class Camera:
 
     @property
     def left(self) -> int:
-        """First column that is drawn. [pixel]"""
+        """First rendered column. [pixel]"""
         return 0 if self.crop is None else self.crop[0]
 
     @property
     def top(self) -> int:
-        """First row that is drawn. [pixel]"""
+        """First rendered row. [pixel]"""
         return 0 if self.crop is None else self.crop[1]
 
     @property
     def columns(self) -> int:
-        """Number of columns that are drawn. [pixel]"""
+        """Number of rendered columns. [pixel]"""
         return self.width if self.crop is None else self.crop[2]
 
     @property
     def rows(self) -> int:
-        """Number of rows that are drawn. [pixel]"""
+        """Number of rendered rows. [pixel]"""
         return self.height if self.crop is None else self.crop[3]
 
     @property
@@ -188,22 +188,22 @@ class Camera:
 
     @property
     def pixel_angle(self) -> float:
-        """Angle of a pixel where the camera looks straight ahead. [rad]"""
+        """Angle of a pixel on the optical axis. [rad]"""
         return self._form.pixel_angle(self.width, self.height, self._field_of_view_radians)
 
     @property
     def glare_angle(self) -> float:
-        """Angle of a pixel as glare takes it: 0 where neighbouring pixels are apart. [rad]"""
+        """Pixel angle for glare; 0 for projections with disconnected neighbours. [rad]"""
         return self.pixel_angle if self._form.connected else 0.0
 
     @property
     def circle(self) -> tuple[int, int] | None:
-        """Size of a picture that ends at the largest circle that fits; None for others. [pixel]"""
+        """Frame size of a projection with an image circle; None for others. [pixel]"""
         return (self.width, self.height) if self._form.circular else None
 
     @property
     def filter_axis(self) -> NDArray[np.float64]:
-        """Axis of the polarising filter in the local frame, shape (3,); 0 without one. [1]"""
+        """Axis of the polarising filter in the local frame, shape (3,); zero without filter. [1]"""
         if self.polariser is None:
             return np.zeros(3)
         (a, b, c), (d, e, f), _ = self.axes
@@ -218,7 +218,7 @@ class Camera:
     def directions(
         self, rows: slice | None = None, *, offset: tuple[float, float] = (0.0, 0.0)
     ) -> NDArray[np.float64]:
-        """Unit vectors along the lines of sight of some rows of pixels.
+        """Viewing directions of rows of pixels.
 
         Parameters
         ----------
@@ -232,7 +232,7 @@ class Camera:
         -------
         array, shape (rows, columns, 3)
             Unit vectors in the observer's local frame (x to the sun's side, y left of it, z to
-            the zenith); zero where the picture shows nothing: outside a fisheye's circle. [1]
+            the zenith); zero outside the projection, as outside a fisheye circle. [1]
         """
         chosen = np.arange(self.rows, dtype=np.float64)[rows if rows is not None else slice(None)]
         x = np.arange(self.columns, dtype=np.float64) + (self.left + 0.5 + offset[0])

@@ -1,10 +1,10 @@
-"""Directions from angles, and the frame they are written in.
+"""Unit vectors and camera axes from angles, in the local frame.
 
 The observer's local frame has z to the zenith, x along the horizontal towards the sun's side and
 y to the left of x. Azimuth is counted from x, **clockwise seen from above, like a compass**: an
 observer who faces azimuth 0 has azimuth +90° on the right.
 
-The formulas are plain numbers, in the subset of Python that becomes JavaScript too.
+The scalar formulas are in the Python subset that is also emitted as JavaScript.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _RADIAN = math.pi / 180.0
 
 
 def direction_of(zenith: float, azimuth: float) -> tuple[float, float, float]:
-    """Unit vector of a direction; as ``direction``. [1]"""
+    """Scalar version of ``direction``. [1]"""
     flat = math.sin(zenith * _RADIAN)
     turn = azimuth * _RADIAN
     return flat * math.cos(turn), -flat * math.sin(turn), math.cos(zenith * _RADIAN)
@@ -27,7 +27,7 @@ def direction_of(zenith: float, azimuth: float) -> tuple[float, float, float]:
 def camera_frame(
     zenith: float, azimuth: float, roll: float
 ) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """Camera's right, up and forward, one after another; as ``camera_axes``. [1]"""
+    """Flattened ``camera_axes``. [1]"""
     forward_x, forward_y, forward_z = direction_of(zenith, azimuth)
     level_x, level_y, level_z = direction_of(90.0, azimuth + 90.0)
     upright_x = level_y * forward_z - level_z * forward_y
@@ -61,7 +61,7 @@ def filter_axis(
 
 
 def direction(zenith: float, azimuth: float) -> NDArray[np.float64]:
-    """Unit vector of a direction given by its angles.
+    """Unit vector from zenith angle and azimuth. [1]
 
     Parameters
     ----------

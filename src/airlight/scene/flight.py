@@ -1,8 +1,8 @@
 """Flight over a planet: movement of observer, camera and sun by keys, mouse and wheel.
 
-Level movement follows a great circle at one altitude; the camera keeps its angle to the zenith and
-its angle to the course, the sun its direction in space. Every speed is proportional to the distance
-to the ground. All values are plain numbers, in the subset of Python that becomes JavaScript too.
+Horizontal motion follows a great circle at constant altitude; the camera keeps its zenith angle and
+its angle to the course, the sun its direction in space. Speeds are proportional to the distance to
+the ground. The formulas are in the Python subset that is also emitted as JavaScript.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _WIDEST_TURN: Final = 5.0
 
 
 def within(altitude: float) -> float:
-    """Nearest allowed altitude of flight. [m]
+    """Altitude clamped to the limits of flight. [m]
 
     Examples
     --------
@@ -39,7 +39,7 @@ def within(altitude: float) -> float:
 
 
 def climbed(altitude: float, look_zenith: float, ahead: float, up: float, reach: float) -> float:
-    """Altitude after flying ahead and up. [m]
+    """Altitude after forward and vertical motion. [m]
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def angle_flown(
     reach: float,
     bottom_radius: float,
 ) -> float:
-    """Distance flown over the ground, seen from the planet's centre. [rad]
+    """Central angle of a flown distance. [rad]
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ def turned(
     course: float,
     angle: float,
 ) -> tuple[float, float, float, float, float]:
-    """Position, heading and sun after moving on a great circle. [deg]
+    """Position, heading and sun direction after motion along a great circle. [deg]
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def turned(
     Returns
     -------
     latitude, longitude, heading, sun_zenith, sun_azimuth : float
-        Values at the end; the camera keeps its angle to the course. [deg]
+        Final values; the camera keeps its angle to the course. [deg]
     """
     new_latitude, new_longitude, new_course = travelled(latitude, longitude, course, angle)
     zenith, azimuth = carried_star(sun_zenith, sun_azimuth, course, angle, new_course)
@@ -127,14 +127,14 @@ def turned(
 
 
 def looked(look_zenith: float, heading: float, right: float, down: float) -> tuple[float, float]:
-    """Zenith angle of the line of sight, and heading, after the camera has turned. [deg]
+    """View-zenith angle and heading after a camera rotation. [deg]
 
     Parameters
     ----------
     look_zenith, heading : float
         Values before the turn. [deg]
     right, down : float
-        Angles on the picture. [deg]
+        Drag angles to the right and down. [deg]
 
     Examples
     --------
@@ -146,12 +146,12 @@ def looked(look_zenith: float, heading: float, right: float, down: float) -> tup
 
 
 def risen(altitude: float, notches: float) -> float:
-    """Altitude after turning the wheel: higher for notches above 0. [m]"""
+    """Altitude after wheel notches, positive upwards. [m]"""
     return within((altitude + FOOTING) * math.exp(notches * math.log(CLIMB)) - FOOTING)
 
 
 def sun_dragged(zenith: float, azimuth: float, right: float, down: float) -> tuple[float, float]:
-    """Zenith angle and bearing of the sun, moved by angles over the sky. [deg]
+    """Zenith angle and bearing of the sun after a drag over the sky. [deg]
 
     Beyond the zenith it continues down the other side.
 

@@ -1,4 +1,4 @@
-"""Frame: the light at each pixel, before exposure and tone mapping."""
+"""``Frame``: linear radiance of each pixel, before exposure and tone mapping."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Frame:
         Linear sRGB of the radiance, weighted by the colour-matching functions; channels outside
         the sRGB gamut may be negative. 683 lm/W times its luminance is in cd m⁻². [W m⁻² sr⁻¹]
     polarised : array, shape (2, height, width, 3), float32, or None
-        Q and U of the same light, in the meridian plane of each line of sight; None if not drawn.
+        Stokes Q and U in the meridian plane of each line of sight; None if not rendered.
         [W m⁻² sr⁻¹]
     metadata : dict
         Description of how it was made, as text.
@@ -60,7 +60,7 @@ class Frame:
 
     @property
     def lens(self) -> dict[str, Any]:
-        """Arguments of ``airlight.color.to_display`` for a lens, of which this may be a window."""
+        """Lens arguments of ``airlight.color.to_display``, also for a cropped frame."""
         return {"pixel_angle": self.pixel_angle, "circle": self.circle, "origin": self.origin}
 
     @property

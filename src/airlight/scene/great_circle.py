@@ -1,7 +1,6 @@
 """Great circles: positions and directions after a movement over a sphere.
 
-All values are plain numbers, in the subset of Python that becomes JavaScript too: the page flies by
-these formulas.
+The formulas are in the Python subset that is also emitted as JavaScript, for flight on the page.
 """
 
 from __future__ import annotations
@@ -55,7 +54,7 @@ def bearing_of(north: float, east: float, otherwise: float) -> float:
 def travelled(
     latitude: float, longitude: float, course: float, angle: float
 ) -> tuple[float, float, float]:
-    """Latitude, longitude and course after a path on a great circle. [deg]
+    """Latitude, longitude and course at the end of a great-circle path. [deg]
 
     Parameters
     ----------
@@ -97,7 +96,7 @@ def travelled(
 def carried_star(
     zenith: float, bearing: float, course: float, angle: float, new_course: float
 ) -> tuple[float, float]:
-    """Zenith angle and bearing of a star after a path on a great circle. [deg]
+    """Zenith angle and bearing of a star after a great-circle path of the observer. [deg]
 
     Parameters
     ----------

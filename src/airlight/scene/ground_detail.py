@@ -1,9 +1,9 @@
-"""Detail of the ground below the resolution of its map: decoration, not data.
+"""Procedural noise on the ground below the resolution of its map; it is not data.
 
-A sum of smooth noise of eight sizes, each a quarter of the one before, from a quarter of a texel of
-the map down to a hand's breadth. It varies the ground's reflectance by about a tenth around that of
-the map, and not its mean. Sizes below two pixels of the picture are left out, fading in between two
-and four. Coordinates count from the point below the observer, so that single precision suffices.
+Eight octaves of value noise, each a quarter of the previous scale, from a quarter of a map texel to
+about 10 cm. They vary the reflectance by about 10 % without changing its mean. Scales below two
+pixels are omitted, with a fade between two and four. Coordinates are relative to the point below
+the observer, for single precision.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ GROUNDS: Final = ("plain", "detailed")
 
 @kernel
 def finest_cell(radius, rows):
-    """Size of the finest cells. [m]
+    """Size of the finest noise cells. [m]
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def finest_cell(radius, rows):
 
 @kernel
 def lattice_origin(component, radius, cell):
-    """Place of the point below the observer in the lattice of the finest cells, along one axis.
+    """Lattice coordinate of the point below the observer along one axis: integer and fraction.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def lattice_origin(component, radius, cell):
 
 @kernel
 def below_289(number):
-    """Rest of a whole number above 0 by 289, as a float: exact where quotients are rounded.
+    """Positive integer modulo 289, as a float; exact despite rounded quotients.
 
     Drivers compute whole rests lane by lane, and SwiftShader compiled ten gigabytes for this noise.
 
@@ -86,7 +86,7 @@ def below_289(number):
 
 @kernel
 def shuffled(number):
-    """Permutation of the numbers 0 to 288; larger ones are wrapped. Whole numbers as floats.
+    """Permutation polynomial modulo 289, on integers as floats.
 
     McEwan, Sheets, Gustavson and Richardson (2012), J. Graphics Tools 16, 85, section 3.
 
@@ -100,7 +100,7 @@ def shuffled(number):
 
 @kernel
 def lattice_value(column, k):
-    """Value of a lattice point, -1 to 1, of mean 0. [1]
+    """Pseudorandom value of a lattice point, -1 to 1, mean 0. [1]
 
     Parameters
     ----------
@@ -114,19 +114,19 @@ def lattice_value(column, k):
 
 @kernel
 def quintic(part):
-    """Weight of the next lattice point, with two continuous derivatives: 6t⁵ - 15t⁴ + 10t³. [1]"""
+    """Quintic fade 6t⁵ - 15t⁴ + 10t³, with two continuous derivatives. [1]"""
     return part * part * part * (part * (part * 6.0 - 15.0) + 10.0)
 
 
 @kernel
 def in_period(number):
-    """Whole number modulo the period, as a float."""
+    """Integer modulo the period, as a float."""
     return number - PERIOD * float(floor(number / PERIOD))
 
 
 @kernel
 def smooth_noise(x, y, z):
-    """Noise between the points of the lattice. [1]
+    """Value noise, interpolated between lattice points. [1]
 
     Parameters
     ----------
@@ -149,14 +149,14 @@ def smooth_noise(x, y, z):
 
 @kernel
 def ground_detail(dx, dy, dz, footprint, cell, whole_x, whole_y, whole_z, part_x, part_y, part_z):
-    """Relative change of the ground's reflectance, of mean 0. [1]
+    """Relative variation of the ground's reflectance, mean 0. [1]
 
     Parameters
     ----------
     dx, dy, dz : float
-        Place on the ground from the point below the observer, in the planet's frame. [m]
+        Ground position relative to the point below the observer, in the planet's frame. [m]
     footprint : float
-        Longer axis of the picture's pixel on the ground. [m]
+        Longer axis of the pixel footprint. [m]
     cell : float
         Size of the finest cells. [m]
     whole_x, whole_y, whole_z, part_x, part_y, part_z : float

@@ -1,7 +1,7 @@
-"""Overlay of the ground: light that it emits, and clouds above it, drawn over the map.
+"""Ground overlay: city lights, and clouds above the map.
 
-The overlay is a map of its own, whose colours are the radiance of lamps relative to that of the
-brightest towns, and whose fourth channel is the cover of clouds.
+The overlay is a separate map with the radiance of city lights relative to the brightest cities in
+its colours, and cloud cover in its fourth channel.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _BAND: Final = 256
 
 
 def lights_file(name: str) -> Path:
-    """File of lights, which may be missing: of a packaged map, or the path itself.
+    """Path of a city-lights map, packaged or a file, which may not exist.
 
     Examples
     --------
@@ -49,7 +49,7 @@ def lights_file(name: str) -> Path:
 
 @cache
 def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap | None:
-    """Load an overlay; it is read once.
+    """Overlay of city lights and clouds, cached.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ def _grey(values: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def _of_one_size(
     lamps: NDArray[np.uint8], cover: NDArray[np.uint8]
 ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """Both at the size of the larger one, which is that of the largest map at most."""
+    """Both maps at the size of the larger."""
     lamps = packed_texels(_grey(lamps))[..., 0]
     cover = packed_texels(_grey(np.zeros_like(cover)), cover)[..., CHANNELS - 1]
     rows, columns = max(lamps.shape, cover.shape)
@@ -112,7 +112,7 @@ def _of_one_size(
 
 
 def enlarged(values: NDArray[np.uint8], rows: int, columns: int) -> NDArray[np.uint8]:
-    """Enlarge a picture of the sphere: linear between its pixels, also across the date line.
+    """Bilinear enlargement of an equirectangular map, periodic in longitude.
 
     Parameters
     ----------

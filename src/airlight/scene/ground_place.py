@@ -14,7 +14,7 @@ from airlight.scene.map_levels import level_place
 
 @kernel
 def moved_on(x, y, z, dx, dy, dz, cosine, angle, bottom):
-    """True end of a bent line of sight, from the end of the straight line it is drawn as.
+    """True ground intersection of a refracted line, from that in optical radius.
 
     The end moves along the ground in the horizontal direction of the line.
 
@@ -69,7 +69,7 @@ def latitude_longitude(x, y, z):
 
 @kernel
 def map_level(pixel_angle, reach, cosine, bottom, rows):
-    """Level of the map whose pixels are as large as a picture's pixel on the ground.
+    """Mip level whose texels match the footprint of a pixel on the ground.
 
     The footprint is an ellipse; its size is the geometric mean of its axes.
 
@@ -103,7 +103,7 @@ def map_level(pixel_angle, reach, cosine, bottom, rows):
 
 @inlined
 def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at):
-    """Interpolate a map between its pixels and its levels.
+    """Trilinear interpolation of a map between texels and mip levels.
 
     Parameters
     ----------

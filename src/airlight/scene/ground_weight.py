@@ -1,23 +1,21 @@
-r"""How much each part of the ground lights the air that an observer sees.
+r"""Weight of each part of the ground in the illumination of the air that an observer sees.
 
-A solver knows one albedo for the whole ground. The light that it adds to the sky of an observer
-comes from below the air on his lines of sight: a volume at y on a line receives the radiance of the
-ground in every direction below its horizon, and sends the part σ of it to the observer. To first
-order in σ, ground that is lit alike everywhere therefore has the weight
+The solver has a single ground albedo. Ground-reflected radiance reaches the sky of an observer by
+scattering at points y of the lines of sight, which receive it from all directions below their
+horizon. To first order in the scattering coefficient σ, uniformly illuminated ground has the weight
 
 .. math:: \mathrm{d}w = \mathrm{d}\Omega_x \; T(x, y)\, σ(y)\, \mathrm{d}s \;
           T(y, g)\, \mathrm{d}\Omega_y,
 
-with :math:`\mathrm{d}\Omega_x` the directions at the observer x that cross the air, alike in all
-of them, and :math:`\mathrm{d}\Omega_y` those at y that end on the ground, at g. By symmetry it
-depends on the distance between g and the point below the observer alone. Each constituent
-scatters as one that does so alike in all directions and has the same mean cosine: σ (1 - g) of its
-scattering, k - gσ of its extinction (similarity, van de Hulst 1980, Multiple Light Scattering,
-section 14.1). From the ground, half of the weight lies within a few scale heights, the rest as far
-as air can be seen above the horizon; from far away it is spread over the disc.
+with :math:`\mathrm{d}\Omega_x` over directions at the observer x that cross the atmosphere, and
+:math:`\mathrm{d}\Omega_y` over directions at y that end on the ground, at g. By symmetry it depends
+only on the distance between g and the nadir of the observer. Phase functions are replaced by
+isotropic ones by similarity, with scattering σ (1 - g) and extinction k - gσ (van de Hulst 1980,
+Multiple Light Scattering, section 14.1). From the ground, half of the weight is within a few scale
+heights, the rest as far as air is visible above the horizon; from far away it covers the disc.
 
-Left out: light that is scattered more than twice after the ground, which comes from farther away;
-the place of the star, so that one solution serves a day; refraction.
+Neglected: higher orders of scattering after the ground, which widen the weight; the position of the
+star, so that one solution serves a day; refraction.
 """
 
 from __future__ import annotations
@@ -48,7 +46,7 @@ _NEAREST: Final = 1e-8 * np.pi
 
 
 class _Legs(NamedTuple):
-    """Stretches of lines of sight on which the radius only rises, or only falls; shape (n, 1).
+    """Ray segments with monotonic radius; shape (n, 1).
 
     Attributes
     ----------
@@ -75,7 +73,7 @@ class _Legs(NamedTuple):
 
 
 def ground_distances(medium: Medium, altitude: float, shares: FloatArray) -> FloatArray:
-    """Distances along the ground within which shares of the weight lie.
+    """Quantiles of the weight by distance along the ground.
 
     Parameters
     ----------
@@ -111,20 +109,20 @@ def ground_distances(medium: Medium, altitude: float, shares: FloatArray) -> Flo
 
 
 def _even_air(medium: Medium) -> tuple[FloatArray, FloatArray]:
-    """Scattering and extinction of air that scatters alike in all directions, shape (nc,). [m⁻¹]"""
+    """Scattering and extinction of isotropically scattering air, shape (nc,). [m⁻¹]"""
     even = medium.scattering[:, 0] * (1.0 - medium.phase_moments(1)[:, 0, 1])
     return even, even + medium.absorption[:, 0]
 
 
 def _transmittance(medium: Medium, r: ArrayLike, mu: ArrayLike, length: ArrayLike) -> FloatArray:
-    """Transmittance of stretches of rays. [1]"""
+    """Transmittance of ray segments. [1]"""
     _, extinction = _even_air(medium)
     column = columns(r, mu, length, medium.bottom_radius, medium.density, nodes=_NODES, panels=2)
     return np.asarray(np.exp(-(column @ extinction)))
 
 
 def _lit_air(medium: Medium, altitude: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Points of the air on all lines of sight, shape (n,).
+    """Sample points on all lines of sight, shape (n,).
 
     Returns
     -------
@@ -153,7 +151,7 @@ def _lit_air(medium: Medium, altitude: float) -> tuple[FloatArray, FloatArray, F
 
 
 def _legs(r: float, bottom: float, top: float, lines: int) -> _Legs:
-    """Legs of the lines of sight of an observer at a radius [m], inside the air or outside."""
+    """Monotonic segments of the lines of sight of an observer at a radius. [m]"""
     rule = gauss_legendre(lines)
     rows: list[tuple[ArrayLike, ...]] = []
     start = min(r, top)
@@ -183,7 +181,7 @@ def _legs(r: float, bottom: float, top: float, lines: int) -> _Legs:
 
 
 def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Ground that a point of the air sees, in ``_DOWN`` directions between nadir and horizon.
+    """Ground visible from a point of the air, in ``_DOWN`` directions from nadir to horizon.
 
     Parameters
     ----------
@@ -194,8 +192,8 @@ def _ground_below(medium: Medium, radius: FloatArray) -> tuple[FloatArray, Float
     Returns
     -------
     angle, share : array, shape (n, _DOWN)
-        Angle between the point and its ground, seen from the centre [rad], and solid angle, over
-        2π, times transmittance [1].
+        Central angle between point and ground [rad], and solid angle over 2π times transmittance
+        [1].
     """
     bottom, rule = medium.bottom_radius, gauss_legendre(_DOWN)
     r = radius[:, None]

@@ -1,4 +1,4 @@
-"""Light of a scene: its position in the sky, and its source."""
+"""Direction of a light of a scene, and its source."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class LightPosition:
-    """The direction of one of a scene's lights, in the observer's local frame.
+    """Direction of a light in the observer's local frame.
 
     Its source is one of the planet's; a light that shines by another, as a moon does, is a class of
     its own with another ``source``.
@@ -55,7 +55,7 @@ class LightPosition:
         self._check("azimuth", -720.0, 720.0)
 
     def _check(self, name: str, low: float, high: float) -> None:
-        """Convert an angle of the light, and refuse one out of its range. [deg]"""
+        """Convert and validate an angle. [deg]"""
         value = within(f"{self._word}.{name}", getattr(self, name), low, high, "deg")
         object.__setattr__(self, name, value)
 
@@ -75,7 +75,7 @@ class LightPosition:
         return star
 
     def beside(self, star: LightPosition) -> LightPosition:
-        """Light as it is beside the first one, whose place may matter to its disc.
+        """Light in a scene with a given first light, on which its disc may depend.
 
         Parameters
         ----------
@@ -102,5 +102,5 @@ class LightPosition:
         return sources[self.index]
 
     def metadata(self) -> str:
-        """Words for the header of a picture."""
+        """Metadata for file headers."""
         return f"light, zenith {self.zenith:.10g} deg, azimuth {self.azimuth:.10g} deg"

@@ -1,4 +1,4 @@
-"""Conversion of the scene's values to numbers between two limits."""
+"""Conversion and range check of scalar scene parameters."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ DEEPEST_ALTITUDE: Final = -1e4
 
 
 def within(field: str, value: Measure, low: float, high: float, unit: str) -> float:
-    """Convert a value to a float, and check that it lies between two limits.
+    """Value as a float within limits.
 
     Parameters
     ----------

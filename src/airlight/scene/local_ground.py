@@ -1,4 +1,4 @@
-"""Ground of the region around an observer, which a solver takes for that of the whole planet."""
+"""Regional ground albedo around an observer, used by the solver for the whole planet."""
 
 from __future__ import annotations
 
@@ -39,12 +39,12 @@ _STEP: Final = 0.002
 def local_ground(
     planet: PlanetLike, *, latitude: Measure, longitude: Measure, altitude: Measure = 0.0
 ) -> Planet:
-    """Planet whose mean albedo is that of the ground which lights an observer's sky.
+    """Planet with the mean albedo of the ground that illuminates an observer's sky.
 
     The map's means of colour, water and clouds are taken with the weight of
     ``airlight.scene.ground_weight``: half of it is a few tens of kilometres around a low observer,
     the visible disc from far away. The albedo of the planet's file is multiplied by what they give
-    over what the means of the whole map give; the map itself is drawn as it is.
+    over what the means of the whole map give; the map itself is rendered as it is.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def _means(texel: FloatArray, cover: float) -> GroundMeans:
 
 
 def _rings(planet: Planet, altitude: float) -> tuple[FloatArray, float]:
-    """Distances of rings of equal weight, shape (_RINGS,), and that of half of it. [rad]"""
+    """Radii of rings of equal weight, shape (_RINGS,), and the median radius. [rad]"""
     low, high = planet.wavelength_limits
     medium = Medium.from_planet(planet, [min(max(_WAVELENGTH, low), high)])
     shares = np.append((np.arange(_RINGS) + 0.5) / _RINGS, 0.5)
@@ -125,7 +125,7 @@ def _rings(planet: Planet, altitude: float) -> tuple[FloatArray, float]:
 def ring_mean(
     shown: SurfaceMap, latitude: float, longitude: float, distances: FloatArray
 ) -> FloatArray:
-    """Mean of a map over rings of equal weight around a point.
+    """Mean of a map over rings around a point.
 
     Parameters
     ----------

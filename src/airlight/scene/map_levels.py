@@ -1,7 +1,7 @@
-"""Levels of a map: each has half as many rows and columns as the one before, of equal areas.
+"""Mip levels of an equirectangular map, each half as large, with equal-area averaging.
 
-Where a number is odd the half is rounded up, and a new texel is the mean of one old one with parts
-of its neighbours, so that every level covers the whole sphere and has its mean.
+Odd sizes are rounded up, with fractional texel weights, so that every level covers the sphere and
+has the same mean.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _TAPS: Final = 3
 
 
 class Levels(NamedTuple):
-    """All levels of a map.
+    """Mip levels of a map.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ def halved(size):
 
 @kernel
 def level_place(rows, columns, level):
-    """Place of a level in a flat array of all.
+    """Offset of a level in the flat array of all levels.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def level_count(rows: int) -> int:
 
 
 def area_weights(size: int, parts: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Weights with which ``size`` texels become ``parts`` equal parts of their axis.
+    """Overlap weights that resample ``size`` texels to ``parts``.
 
     Parameters
     ----------
@@ -97,9 +97,9 @@ def area_weights(size: int, parts: int) -> tuple[NDArray[np.int64], NDArray[np.f
     Returns
     -------
     first : array, shape (parts,)
-        Index of the first texel in each part.
+        Index of the first texel that overlaps each part.
     weights : array, shape (parts, k)
-        Share of it and of the following ones in the part's mean. [1]
+        Weights of this and the following texels in the mean over the part. [1]
 
     Examples
     --------
@@ -119,7 +119,7 @@ def area_weights(size: int, parts: int) -> tuple[NDArray[np.int64], NDArray[np.f
 
 @compiled_loop
 def area_means(fine, first_row, row_weights, first_column, column_weights, out):
-    """Write the means of areas of a map to a smaller one.
+    """Area-average a map to a smaller size.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ def area_means(fine, first_row, row_weights, first_column, column_weights, out):
 def reduced(
     texels: NDArray[np.uint8], rows: int, columns: int, out: NDArray[np.uint8] | None = None
 ) -> NDArray[np.uint8]:
-    """Reduce a map to fewer texels, each the mean over its area in linear light.
+    """Map reduced by area averages in linear light.
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ def reduced(
 
 
 def empty_levels(rows: int, columns: int) -> NDArray[np.uint8]:
-    """Make room for a map and its halvings down to a single row, one after another, shape (4·n,).
+    """Flat array for a map and all its mip levels, shape (4·n,).
 
     Parameters
     ----------
@@ -204,7 +204,7 @@ def level_views(flat: NDArray[np.uint8], rows: int, columns: int) -> tuple[NDArr
 
 
 def fill_levels(levels: tuple[NDArray[np.uint8], ...]) -> None:
-    """Write the halvings of a map behind it.
+    """Compute all mip levels of a map.
 
     Parameters
     ----------

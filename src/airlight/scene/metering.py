@@ -1,4 +1,4 @@
-"""Metering: which pixels of a scene count for its exposure, how much, and how a star limits it."""
+"""Metering: solid-angle weights of pixels for the automatic exposure, without discs of stars."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from airlight.scene.scene import Scene
 
 FloatArray = NDArray[np.float64]
 
-#: Width of the picture that a device draws for its exposure to be measured: of the next larger one
+#: Width of the picture that a GPU renders for its exposure to be measured: of the next larger one
 #: the exposure differs by a few hundredths of a stop, of 64 pixels by a quarter where the glow
 #: about a low sun covers a few of them. [pixel]
 METERED: Final = 128
@@ -30,7 +30,7 @@ _NEAR: Final = 0.25
 
 @kernel
 def left_out(angular_radius, pixel_angle):
-    """Cosine of the angle about a star within which pixels do not count. [1]
+    """Cosine of the angle around a star within which pixels are ignored. [1]
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def left_out(angular_radius, pixel_angle):
 def metering_weight(
     projection, x, y, width, height, field_of_view, sun_right, sun_up, sun_forward, cosine
 ):
-    """Solid angle of a pixel, below 0 near the star's disc; 0 outside the picture. [sr]
+    """Solid angle of a pixel, negative near the star's disc, 0 outside the projection. [sr]
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def metering_weight(
     x, y : float
         Centre of the pixel, from the left and the top edge. [pixel]
     width, height : float
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     field_of_view : float
         Field of view, as the projection's ``ray`` takes it. [rad]
     sun_right, sun_up, sun_forward : float
@@ -107,7 +107,7 @@ def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out, li
 def metering_weights(
     scene: Scene, angular_radius: float, step: int = 1
 ) -> tuple[FloatArray, FloatArray]:
-    """Solid angles of the pixels of a scene's picture, and the stars that they are near.
+    """Solid angles of all pixels, and the star that each is near.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def metering_weights(
     Returns
     -------
     weights : array, shape (ceil(rows / step), ceil(columns / step))
-        Solid angles, below 0 near the discs of the lights, 0 outside the picture. [sr]
+        Solid angles, below 0 near the discs of the lights, 0 outside the frame. [sr]
     light : array, shape (ceil(rows / step), ceil(columns / step))
         Number of the light near a pixel, of several the first. [1]
 
@@ -139,7 +139,7 @@ def metering_weights(
     suns = np.array([one.direction for one in scene.lights]) @ camera.axes.T
     pixel = step * camera.pixel_angle
     cosines = np.array([left_out(one.radius(angular_radius), pixel) for one in scene.lights])
-    if camera.parallel:  # no disc is drawn
+    if camera.parallel:  # no disc is rendered
         cosines[:] = math.inf
     out, light = np.zeros((2, y.size, x.size))
     _fill(
@@ -150,7 +150,7 @@ def metering_weights(
 
 
 def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: float) -> float:
-    """Automatic exposure of a scene's picture, which its size does not change.
+    """Automatic exposure of a frame, independent of its size.
 
     What is away from the discs of the lights is exposed as ``automatic_exposure`` does. A disc in
     view limits that, see ``airlight.color.exposure.star_limited``; in a picture of space, or of a

@@ -1,4 +1,4 @@
-"""Moon as a light of a scene: a sphere of dust that shines by the star's light."""
+"""Moon as a light of a scene: a dusty sphere that reflects the star's light."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MEAN_RADIUS: Final = 0.259
 
 @dataclass(frozen=True, kw_only=True)
 class MoonLight(LightPosition):
-    """Moon beside the star: its light, and its disc with its phase.
+    """Moon as a secondary light, with irradiance and disc by phase.
 
     It has the Moon's albedo, colour and phase curve, whatever the planet. Its light is that of the
     planet's star, at the planet's distance from it.
@@ -74,7 +74,7 @@ class MoonLight(LightPosition):
 
     @classmethod
     def seen(cls, moon: MoonSighting, sun_azimuth: float) -> MoonLight:
-        """Moon of a place and time.
+        """Moon by ephemeris.
 
         Parameters
         ----------
@@ -95,7 +95,7 @@ class MoonLight(LightPosition):
         return math.radians(self.angular_radius)
 
     def beside(self, star: LightPosition) -> MoonLight:
-        """Moon whose bright limb faces a star, unless its side is given.
+        """Moon with its bright limb towards a star, unless set explicitly.
 
         Examples
         --------
@@ -109,7 +109,7 @@ class MoonLight(LightPosition):
         return replace(self, limb=round(bright_limb(self.zenith, around, star.zenith), 9))
 
     def source(self, sources: tuple[LightSource, ...]) -> LightSource:
-        """Source: the planet's first, reflected.
+        """Source: reflected light of the first source.
 
         Parameters
         ----------
@@ -129,7 +129,7 @@ class MoonLight(LightPosition):
         )
 
     def metadata(self) -> str:
-        """Words for the header of a picture."""
+        """Metadata for file headers."""
         return (
             f"moon, zenith {self.zenith:.10g} deg, azimuth {self.azimuth:.10g} deg, "
             f"phase {self.phase:.10g} deg"
@@ -137,7 +137,7 @@ class MoonLight(LightPosition):
 
 
 def bright_limb(zenith: float, azimuth: float, star_zenith: float) -> float:
-    """Direction from a moon towards a star on the sky, clockwise from the zenith's. [deg]
+    """Position angle of a moon's bright limb, clockwise from the zenith. [deg]
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def bright_limb(zenith: float, azimuth: float, star_zenith: float) -> float:
 
 @dataclass(frozen=True)
 class _Reflected:
-    """Spectrum of a star as the full Moon reflects it."""
+    """Stellar spectrum reflected by the full Moon."""
 
     star: Callable[[npt.ArrayLike], FloatArray]
 

@@ -1,4 +1,4 @@
-"""Viewpoint of the observer: horizon, target of the camera, frame of the planet below."""
+"""Geometry of the observer: horizon, camera target, rotation to the planet's frame."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _RADIAN = math.pi / 180.0
 
 
 def horizon_zenith(altitude: Measure, bottom_radius: Measure) -> float:
-    """Zenith angle of the geometric horizon, the direction tangent to the ground.
+    """Zenith angle of the geometric horizon.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def look_at(
     moon: tuple[float, float] | None = None,
     planet: Planet | None = None,
 ) -> tuple[float, float]:
-    """Angles of a target of interest.
+    """Camera angles towards a target.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def look_at(
 
 
 def _seen(planet: Planet | None, altitude: Measure, zenith: float) -> float:
-    """Zenith angle at which a body is seen; the true one without a planet. [deg]"""
+    """Apparent zenith angle of a body; the true angle without a planet. [deg]"""
     if planet is None:
         return zenith
     from airlight.scene.apparent_sun import apparent_zenith
@@ -134,7 +134,7 @@ def _seen(planet: Planet | None, altitude: Measure, zenith: float) -> float:
 def ground_axes(
     latitude: float, longitude: float, sun_azimuth: float
 ) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """Rows of ``planet_frame``, one after another, as plain numbers. [1]"""
+    """Flattened ``planet_frame``. [1]"""
     north_sine, north_cosine = math.sin(latitude * _RADIAN), math.cos(latitude * _RADIAN)
     east_sine, east_cosine = math.sin(longitude * _RADIAN), math.cos(longitude * _RADIAN)
     along, across = math.cos(sun_azimuth * _RADIAN), math.sin(sun_azimuth * _RADIAN)

@@ -1,4 +1,4 @@
-"""Sizes of pictures: the largest that fits, and the same view with fewer pixels."""
+"""Frame sizes: fitting to a window, and scaling of a scene's resolution."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def fitting(projection: str, width: int, height: int) -> tuple[int, int]:
 
 
 def resized(scene: Scene, width: int, height: int) -> Scene:
-    """Scene whose picture has the largest size that fits into another one.
+    """Scene with the largest frame that fits into a size.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def resized(scene: Scene, width: int, height: int) -> Scene:
 
 
 def scaled(scene: Scene, part: float) -> Scene:
-    """Scene whose picture has ``part`` times the pixels per side.
+    """Scene with the resolution scaled by ``part`` per side.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Pixel in which a direction is seen, for any projection."""
+"""Pixel positions of directions: the inverse of any projection."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _NEAR: Final = 0.05
 def pixel_positions(
     camera: Camera, directions: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Positions of directions in a picture, and the solid angle of a pixel there.
+    """Pixel positions of directions, and the solid angle of a pixel there.
 
     Parameters
     ----------

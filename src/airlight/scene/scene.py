@@ -58,7 +58,7 @@ class Scene:
         resolution, which is decoration.
     time : datetime, optional
         Instant that the scene shows; it moves nothing, ``at`` makes a scene by it.
-    others : tuple of LightPosition
+    secondary_lights : tuple of LightPosition
         Lights beside the sun: a ``MoonLight``, a second star as ``StarLight``, or any other.
 
     Raises
@@ -80,17 +80,19 @@ class Scene:
     sun_azimuth: Measured[float] = measured(180.0)
     ground: str = "plain"
     time: datetime | None = None
-    others: tuple[LightPosition, ...] = ()
+    secondary_lights: tuple[LightPosition, ...] = ()
 
     def __post_init__(self) -> None:
         if not isinstance(self.camera, Camera):
             raise ParameterError("scene.camera", self.camera, "a Camera")
         if self.ground not in GROUNDS:
             raise ParameterError("scene.ground", self.ground, ", ".join(GROUNDS))
-        others = tuple(self.others)
-        if not all(isinstance(one, LightPosition) for one in others):
-            raise ParameterError("scene.others", others, "lights such as MoonLight")
-        object.__setattr__(self, "others", others)
+        secondary_lights = tuple(self.secondary_lights)
+        if not all(isinstance(one, LightPosition) for one in secondary_lights):
+            raise ParameterError(
+                "scene.secondary_lights", secondary_lights, "lights such as MoonLight"
+            )
+        object.__setattr__(self, "secondary_lights", secondary_lights)
         for name, low, high, unit in (
             ("altitude", DEEPEST_ALTITUDE, HIGHEST_ALTITUDE, "m"),
             ("sun_zenith", 0.0, 180.0, "deg"),
@@ -121,7 +123,7 @@ class Scene:
         camera: Camera | None = None,
         ground: str = "plain",
     ) -> Scene:
-        """Scene at a place and time: the sun where it stands then, and on Earth the Moon.
+        """Scene at a place and time, with sun and, on Earth, Moon by ephemeris.
 
         Parameters
         ----------
@@ -199,17 +201,17 @@ class Scene:
             longitude=place.longitude,
             ground=ground,
             time=moment,
-            others=() if moon is None else (MoonLight.seen(moon, sun.azimuth),),
+            secondary_lights=() if moon is None else (MoonLight.seen(moon, sun.azimuth),),
         )
 
     @property
     def lights(self) -> tuple[LightPosition, ...]:
-        """Lights, of which a picture is the sum: the sun, at azimuth 0, and the others."""
+        """All lights: the sun, at azimuth 0, then the secondary lights."""
         sun = LightPosition(zenith=self.sun_zenith)
-        return (sun, *(one.beside(sun) for one in self.others))
+        return (sun, *(one.beside(sun) for one in self.secondary_lights))
 
     def with_light(self, light: LightPosition) -> Scene:
-        """Scene with one light, at the sun's place: turned so that the light is at azimuth 0.
+        """Single-light scene in the frame of that light, at azimuth 0.
 
         Parameters
         ----------
@@ -222,11 +224,11 @@ class Scene:
         >>> turned.sun_zenith, turned.camera.look_azimuth, turned.sun_azimuth
         (30.0, -90.0, -90.0)
         """
-        if light.azimuth == 0.0 and light.zenith == self.sun_zenith and not self.others:
+        if light.azimuth == 0.0 and light.zenith == self.sun_zenith and not self.secondary_lights:
             return self
         return replace(
             self,
-            others=(),
+            secondary_lights=(),
             sun_zenith=light.zenith,
             sun_azimuth=math.remainder(self.sun_azimuth + light.azimuth, 360.0),
             camera=replace(
@@ -236,7 +238,7 @@ class Scene:
         )
 
     def north_up(self) -> Scene:
-        """Scene whose camera, which looks straight down, has the north at the top of its picture.
+        """Scene of a nadir-looking camera with north up.
 
         Examples
         --------
@@ -258,7 +260,7 @@ class Scene:
         return planet_frame(self.latitude, self.longitude, self.sun_azimuth)
 
     def metadata(self) -> dict[str, str]:
-        """Scene as text for the header of a picture, every value with its unit.
+        """Metadata for file headers, with units.
 
         Examples
         --------
@@ -270,10 +272,12 @@ class Scene:
         angle = camera.polariser
         behind = {} if angle is None else {"polariser": f"{angle:.10g} deg"}
         window = {} if camera.crop is None else {"crop": ",".join(map(str, camera.crop))}
-        others = {f"light_{k}": one.metadata() for k, one in enumerate(self.others, start=2)}
+        secondary_lights = {
+            f"light_{k}": one.metadata() for k, one in enumerate(self.secondary_lights, start=2)
+        }
         return {
             **moment,
-            **others,
+            **secondary_lights,
             "altitude": f"{self.altitude:.10g} m",
             "sun_zenith": f"{self.sun_zenith:.10g} deg",
             "latitude": f"{self.latitude:.10g} deg",

@@ -16,7 +16,7 @@ from airlight.units import Measure, quantity
 
 @dataclass(frozen=True, kw_only=True)
 class StarLight(LightPosition):
-    """Star beside the planet's own, with its own spectrum, size and limb darkening.
+    """Secondary star, with its own spectrum, angular radius and limb darkening.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class StarLight(LightPosition):
 
     @staticmethod
     def black_body(temperature: Measure, angular_radius: Measure) -> Star:
-        """Star of a temperature and a size in the sky, which give its irradiance.
+        """Black-body star from temperature and angular radius.
 
         Parameters
         ----------
@@ -85,7 +85,7 @@ class StarLight(LightPosition):
         )
 
     def metadata(self) -> str:
-        """Words for the header of a picture."""
+        """Metadata for file headers."""
         star = self.star
         kind = star.spectrum or (
             "irradiance given" if star.temperature is None else f"{star.temperature:.6g} K"
@@ -98,7 +98,7 @@ class StarLight(LightPosition):
 
 @lru_cache(maxsize=64)
 def _black_body(temperature: float, angular_radius: float) -> Star:
-    """Star of a temperature [K] and an angular radius [deg]; an editor asks for it often."""
+    """Black-body star from temperature [K] and angular radius [deg], cached."""
     far = 1e12
     radius = far * math.sin(math.radians(angular_radius))
     return Star(temperature=temperature, distance=far, radius=radius)

@@ -16,7 +16,7 @@ _HOUR: Final = 15.0
 
 
 def sun_at(latitude: float, declination: float, hour: float) -> tuple[float, float]:
-    """Zenith angle and compass bearing of the sun. [deg]
+    """Zenith angle and compass bearing of the sun from declination and local solar time. [deg]
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Map of the ground: colour and water by latitude and longitude, at a picture's resolution."""
+"""Ground map: reflectance and water fraction by latitude and longitude, with mip levels."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MOST_TEXELS: Final = 25_000_000
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SurfaceMap:
-    """Linear colours and water on an equirectangular grid, at full size and halved repeatedly.
+    """Linear sRGB reflectance and water fraction on an equirectangular grid, with mip levels.
 
     Row 0 touches the north pole, column 0 the meridian of 180° west; pixel (i, j) has its centre
     at latitude 90° - (i + ½)·180°/h and longitude -180° + (j + ½)·360°/w.
@@ -54,12 +54,12 @@ class SurfaceMap:
 
     @property
     def mean_rgb(self) -> NDArray[np.float64]:
-        """Mean over the sphere's area, shape (3,), which a solver uses for the whole ground. [1]"""
+        """Mean reflectance over the sphere, shape (3,), for the solver. [1]"""
         return self._mean[:3]
 
     @property
     def mean_water(self) -> float:
-        """Share of water in the sphere's area. [1]"""
+        """Mean water fraction over the sphere. [1]"""
         return float(self._mean[3])
 
     @cached_property
@@ -67,13 +67,12 @@ class SurfaceMap:
         return self.mean(0)
 
     def mean(self, level: int) -> NDArray[np.float64]:
-        """Mean colour and share of water over the sphere's area, shape (4,). [1]
+        """Mean reflectance and water fraction over the sphere, shape (4,). [1]
 
         Parameters
         ----------
         level : int
-            Level whose texels are added up: a coarser one is quicker, and differs by the rounding
-            of its texels.
+            Level that is averaged; coarser levels are faster, but their texels are rounded.
         """
         full = self.levels[level]
         edges = np.sin(np.linspace(0.5 * math.pi, -0.5 * math.pi, full.shape[0] + 1))
@@ -82,7 +81,7 @@ class SurfaceMap:
         return np.asarray(rows) @ bands
 
     def level(self, footprint: ArrayLike) -> NDArray[np.float64]:
-        """Level whose pixels are as large as the footprint of a picture's pixel.
+        """Mip level whose texels match a pixel footprint.
 
         Parameters
         ----------
@@ -101,7 +100,7 @@ class SurfaceMap:
     def sample(
         self, latitude: ArrayLike, longitude: ArrayLike, level: ArrayLike = 0.0
     ) -> NDArray[np.float32]:
-        """Colours and water between the pixels, bilinear, without a seam in longitude.
+        """Bilinear reflectance and water fraction, periodic in longitude.
 
         Parameters
         ----------
@@ -149,7 +148,7 @@ def _bilinear(
 def from_pixels(
     name: str, pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None
 ) -> SurfaceMap:
-    """Make a map from the pixels of an sRGB picture.
+    """Map from sRGB pixels.
 
     Parameters
     ----------
@@ -169,7 +168,7 @@ def from_pixels(
 
 
 def levels_of(pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None) -> Levels:
-    """Make all levels of a map from the pixels of an sRGB picture.
+    """Mip levels from sRGB pixels.
 
     Parameters
     ----------
@@ -190,7 +189,7 @@ def levels_of(pixels: NDArray[np.uint8], water: NDArray[np.uint8] | None = None)
 
 
 def map_size(rows: int, columns: int) -> tuple[int, int]:
-    """Size at which a picture is kept: its own, or that of ``MOST_TEXELS`` if it is larger.
+    """Size of the map of an image, limited to ``MOST_TEXELS``.
 
     Examples
     --------
@@ -208,7 +207,7 @@ def packed_texels(
     water: NDArray[np.uint8] | None = None,
     out: NDArray[np.uint8] | None = None,
 ) -> NDArray[np.uint8]:
-    """Texels of a map in its size, ``map_size``; shape (m, n, 4).
+    """Texels of a map at ``map_size``, shape (m, n, 4).
 
     Parameters
     ----------
@@ -228,7 +227,7 @@ def packed_texels(
 
 
 def map_file(name: str) -> Path:
-    """File of a map, which may be missing: of a packaged map, or the path itself.
+    """Path of a map, packaged or a file, which may not exist.
 
     Examples
     --------
@@ -240,7 +239,7 @@ def map_file(name: str) -> Path:
 
 
 def water_file(name: str) -> Path:
-    """File of the shares of water of a map, which may be missing: ``NAME-water.png`` beside it.
+    """Path of the water mask of a map, ``NAME-water.png``, which may not exist.
 
     Examples
     --------
@@ -253,7 +252,7 @@ def water_file(name: str) -> Path:
 
 @cache
 def surface_map(name: str) -> SurfaceMap:
-    """Load a map by name or by file; it is read once.
+    """Map by name or path, cached.
 
     Parameters
     ----------
@@ -278,7 +277,7 @@ def surface_map(name: str) -> SurfaceMap:
 
 
 def _decoded(name: str, file: Path, beside: Path) -> Levels:
-    """Decode the map in a file, with the shares of water in the one beside it, if any."""
+    """Decoded map of a file, with its water mask if any."""
     try:
         pixels = map_pixels(file)
     except FileNotFoundError as error:

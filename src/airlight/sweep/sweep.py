@@ -116,7 +116,7 @@ def sweep(
     stokes: bool = False,
     scheduler: str | None = None,
     workers: int | None = None,
-    told: Callable[[str], None] | None = None,
+    on_message: Callable[[str], None] | None = None,
     progress: Progress | None = None,
 ) -> Swept:
     """Compute the radiances of a grid that are missing, damaged or have changed.
@@ -138,7 +138,7 @@ def sweep(
         Whether the arrays ``Q``, ``U``, ``dolp`` and ``aolp`` are written beside the radiance.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``.
-    told : callable, optional
+    on_message : callable, optional
         Receives lines about the course.
     progress : callable, optional
         See ``airlight.kernel.threads``.
@@ -165,7 +165,7 @@ def sweep(
     if stokes and not polarisation:
         raise ConflictError("stokes", "requires polarisation")
     check_store(Path(path), "path")
-    say = told or (lambda line: None)
+    say = on_message or (lambda line: None)
     light = "radiance" if polarisation else "radiance of scalar transfer"
     light = "radiance and Stokes parameters" if stokes else light
     settings = replace(settings_for(quality), polarisation=polarisation)

@@ -1,4 +1,4 @@
-"""Bodies, lights and an observer among them: scene files."""
+"""Scene files: several bodies, lights and an observer in one frame."""
 
 from __future__ import annotations
 

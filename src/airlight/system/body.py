@@ -1,4 +1,4 @@
-"""Body of a scene: a planet with air, or a sphere without."""
+"""Body of a scene: planet with an atmosphere, or airless sphere."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ LAWS: Final = {
 
 @parameters
 class Body(TomlModel):
-    """Sphere at a place: with the air of a planet file, or bare.
+    """Spherical body, with the atmosphere of a planet file or airless.
 
     Parameters
     ----------
@@ -177,7 +177,7 @@ class Body(TomlModel):
         return np.full(nm.shape, 0.1)
 
     def brightness(self, wavelengths: npt.ArrayLike, phase: float) -> FloatArray:
-        """Geometric albedo times phase function of a body without air, shape (nl,). [1]
+        """Geometric albedo times phase function of an airless body, shape (nl,). [1]
 
         Parameters
         ----------
@@ -190,7 +190,7 @@ class Body(TomlModel):
         return self.albedos(wavelengths) * share * float(LAWS[self.reflection](phase))
 
     def axes(self, faced: FloatArray | None) -> FloatArray:
-        """Axes of the frame that turns with the body, as rows, shape (3, 3). [1]
+        """Axes of the body-fixed frame as rows, shape (3, 3). [1]
 
         Parameters
         ----------

@@ -20,7 +20,7 @@ TABLES: Final[dict[str, tuple[type[TomlModel], tuple[str, ...]]]] = {
 
 
 def key_table(kind: str) -> str:
-    """Keys of one table of a scene file, as a table in Markdown.
+    """Markdown table of the keys of one table of a scene file.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Light of a scene: a star, or a body that shines by another light."""
+"""Light of a scene: star, or reflecting body."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _read_star(section: TomlTable, name: str, wavelengths: Wavelengths) -> Star:
 
 @parameters
 class Light(TomlModel):
-    """Star in a direction or at a place, or a body of the scene that reflects the stars' light.
+    """Star at a finite or infinite distance, or a body that reflects starlight.
 
     Exactly one of ``star`` and ``body`` is given.
 
@@ -44,7 +44,7 @@ class Light(TomlModel):
     body : str, optional
         Name of a body that shines by reflected light: a moon, a planet.
     corona : str, optional
-        ``baumbach``: the sun's corona is drawn around the disc of the star.
+        ``baumbach``: the solar corona around the star's disc.
     """
 
     name: Annotated[
@@ -135,7 +135,7 @@ class Light(TomlModel):
         return np.asarray(apart / np.linalg.norm(apart, axis=-1, keepdims=True))
 
     def star_at(self, point: FloatArray) -> Star:
-        """Star as it is seen from a point, with its irradiance and its angular radius there.
+        """Star with its irradiance and angular radius at a point.
 
         Parameters
         ----------

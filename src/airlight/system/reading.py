@@ -1,4 +1,4 @@
-"""Scene files: from TOML to a ``System``, every error in one line."""
+"""Reader of scene files: TOML to ``System``, with one-line errors."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from airlight.system.viewpoint import SceneObserver, View
 
 @cache
 def system_names() -> tuple[str, ...]:
-    """Names of the scenes in the package.
+    """Names of the scene presets.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def system_names() -> tuple[str, ...]:
 
 
 def is_scene_file(name_or_path: str | Path) -> bool:
-    """Whether a name or a file is that of a scene, rather than of a planet.
+    """Whether a name or path refers to a scene instead of a planet.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def is_scene_file(name_or_path: str | Path) -> bool:
 
 
 def load_system(name_or_path: str | Path, changes: Mapping[str, Any] | None = None) -> System:
-    """Load a scene by the name of a preset, or from a scene file.
+    """Load a scene by preset name or path.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def load_system(name_or_path: str | Path, changes: Mapping[str, Any] | None = No
 def changed_system(
     tables: Mapping[str, Any], file: str, folder: Path | None, changes: Mapping[str, Any]
 ) -> System:
-    """Read a scene from its tables with some keys changed.
+    """Scene with some keys of its tables changed.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def changed_system(
 
 
 def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
-    """Text of a scene file, by the name of a preset or its path.
+    """Text of a scene file by preset name or path.
 
     Parameters
     ----------
@@ -227,7 +227,7 @@ def _read(file: TomlTable, changes: Mapping[str, Mapping[str, Any]]) -> System:
 
 
 def _time(file: TomlTable) -> datetime | None:
-    """Time of the scene, with its zone."""
+    """Time of the scene, with time zone."""
     if "time" not in file:
         return None
     allowed = "a time with a zone, such as '2017-08-21T18:25Z'"
@@ -244,7 +244,7 @@ def _time(file: TomlTable) -> datetime | None:
 
 
 def _placed_body(body: Body, time: datetime | None, section: TomlTable) -> Body:
-    """Body at the place and with the rotation of its ephemeris."""
+    """Body with position and rotation by ephemeris."""
     if body.ephemeris is None:
         return body
     place = position_of(body.ephemeris, _needed(time, section))
@@ -255,7 +255,7 @@ def _placed_body(body: Body, time: datetime | None, section: TomlTable) -> Body:
 
 
 def _placed_light(light: Light, time: datetime | None, section: TomlTable) -> Light:
-    """Star at the place of its ephemeris."""
+    """Star with position by ephemeris."""
     if light.ephemeris is None:
         return light
     place = position_of(light.ephemeris, _needed(time, section))

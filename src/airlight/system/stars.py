@@ -1,4 +1,4 @@
-"""Stars of the night sky: directions and irradiances of a catalogue."""
+"""Star catalogue: directions and spectral irradiances."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _GREEN: Final = 550.0
 
 @dataclass(frozen=True, eq=False)
 class Stars:
-    """Stars down to magnitude 6.5.
+    """Catalogue of stars to magnitude 6.5.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class Stars:
 
     @property
     def temperatures(self) -> FloatArray:
-        """Temperatures of black bodies of these colours, shape (n,). [K]
+        """Black-body temperatures from colour indices, shape (n,). [K]
 
         References
         ----------
@@ -51,7 +51,7 @@ class Stars:
         return np.asarray(4600.0 * (1.0 / (0.92 * bv + 1.7) + 1.0 / (0.92 * bv + 0.62)))
 
     def irradiances(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Spectral irradiance by each star, outside any air, shape (n, nl). [W m⁻² nm⁻¹]
+        """Spectral irradiance of each star outside the atmosphere, shape (n, nl). [W m⁻² nm⁻¹]
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Reflection by the surface of a body without air, at points of it."""
+"""Reflectance of the surface of an airless body."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def surface_factor(
     to_eye: FloatArray,
     angular_radius: FloatArray,
 ) -> FloatArray:
-    """Radiance of a body's surface over irradiance and albedo. [sr⁻¹]
+    """Reflected radiance over irradiance and albedo. [sr⁻¹]
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Bodies, lights, an observer and a camera: the content of a scene file."""
+"""``System``: bodies, lights, observer and camera of a scene file."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FloatArray = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class System:
-    """Scene of several bodies and lights, as a scene file describes it.
+    """Scene of several bodies and lights.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class System:
     folder : Path, optional
         Folder of the files that it names.
     stars : bool
-        Whether the stars of the catalogue are drawn; the frame is then that of the J2000 equator.
+        Whether the star catalogue is rendered; the frame is then equatorial J2000.
     time : datetime, optional
         Time for which an ephemeris placed its bodies.
     changes : mapping
@@ -99,12 +99,12 @@ class System:
             raise ParameterError(field, name, ", ".join(known))
 
     def body(self, name: str) -> Body:
-        """Body of that name."""
+        """Body by name."""
         return next(body for body in self.bodies if body.name == name)
 
     @cached_property
     def planets(self) -> dict[str, Planet]:
-        """Planets of the bodies with air, by the name of the body."""
+        """Planets of bodies with an atmosphere, by body name."""
         found = {}
         for body in self.bodies:
             if body.planet is not None:
@@ -115,20 +115,20 @@ class System:
         return found
 
     def radius(self, body: Body) -> float:
-        """Radius of a body's ground. [m]"""
+        """Ground radius of a body. [m]"""
         if body.planet is None:
             assert body.radius is not None
             return body.radius
         return self.planets[body.name].bottom_radius
 
     def outer_radius(self, body: Body) -> float:
-        """Radius of a body with its air. [m]"""
+        """Radius of a body including its atmosphere. [m]"""
         if body.planet is None:
             return self.radius(body)
         return self.planets[body.name].top_radius
 
     def axes(self, body: Body) -> FloatArray:
-        """Axes of the frame that turns with a body, as rows, shape (3, 3). [1]"""
+        """Axes of a body-fixed frame as rows, shape (3, 3). [1]"""
         return body.axes(None if body.faces is None else self.body(body.faces).centre)
 
     @cached_property
@@ -161,7 +161,7 @@ class System:
         return np.asarray(local @ self.axes(body))
 
     def check_distances(self) -> None:
-        """Refuse bodies that overlap, their air included.
+        """Raise if bodies or their atmospheres overlap.
 
         Raises
         ------
@@ -220,7 +220,7 @@ class System:
         ])  # fmt: skip
 
     def _seen(self, towards: FloatArray, zenith: FloatArray) -> FloatArray:
-        """Direction in which what is behind the air of the observer's planet is seen. [1]"""
+        """Apparent direction of a point behind the atmosphere of the observer's planet. [1]"""
         name, target = self.observer.body, self.view.look_at
         if name is None or name == target or name not in self.planets:
             return towards

@@ -1,4 +1,4 @@
-"""Positions and directions in the frame of a scene."""
+"""Vectors in the frame of a scene."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def unit(vector: Sequence[float] | FloatArray, field: str) -> FloatArray:
 
 
 def frame_of(pole: FloatArray, turn: float) -> FloatArray:
-    """Axes of a body's frame, as rows: x through the prime meridian, z to the north pole.
+    """Axes of a body-fixed frame as rows: x through the prime meridian, z to the north pole.
 
     Parameters
     ----------

@@ -37,7 +37,7 @@ FIELD_OF_VIEW: Final = Field(
 
 @parameters
 class SceneObserver(TomlModel):
-    """Place of the observer: above a body, or anywhere.
+    """Position of the observer: above a body, or free.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class SceneObserver(TomlModel):
 
 @parameters
 class View(TomlModel):
-    """Direction and projection of the camera.
+    """Orientation and projection of the camera.
 
     Parameters
     ----------

@@ -265,7 +265,7 @@ def _centred(x: Any, count: int) -> FloatArray:
 
 
 def _sampled(texture: FloatArray, u: FloatArray, v: FloatArray, w: FloatArray) -> FloatArray:
-    """Linear look-up as a graphics card does it, clamped to the edge, shape (n, channels)."""
+    """Linear look-up as a GPU does it, clamped to the edge, shape (n, channels)."""
     out = np.zeros((u.size, texture.shape[-1]))
     cells = []
     for coordinate, size in zip((w, v, u), texture.shape[:3], strict=True):

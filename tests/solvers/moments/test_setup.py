@@ -1,4 +1,4 @@
-"""Set-up of a solve, which all processors read."""
+"""Set-up of a solve, which CPU and GPU read."""
 
 from __future__ import annotations
 

@@ -148,11 +148,11 @@ def test_an_absorption_line_between_two_wavelengths_is_swept(sweeps):
 
 
 def test_progress_ends_at_the_whole_where_the_last_wavelengths_need_no_sweep(sweeps):
-    told = []
+    reported = []
     solve(
         load_planet("earth"), np.linspace(540.0, 571.0, 64), "preview", cache=False,
-        progress=lambda done, of, _: told.append((done, of)),
+        progress=lambda done, of, _: reported.append((done, of)),
     )  # fmt: skip
     assert sweeps[-1] == 0
-    assert told[-1] == (6400, 6400)
-    assert told == sorted(told)
+    assert reported[-1] == (6400, 6400)
+    assert reported == sorted(reported)

@@ -1,1 +1,1 @@
-"""Graphics device, flat textures, fragment passes and their times."""
+"""WebGPU device, flat textures, fragment passes and their timing."""

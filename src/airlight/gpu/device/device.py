@@ -1,4 +1,4 @@
-"""Device for drawing on the GPU: selected once, opened with the limits of a browser."""
+"""WebGPU device: adapter selection, with the limits of a browser."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ BROWSER_LIMITS: Final = {
     "max-compute-workgroup-size-z": 64,
     "max-compute-workgroups-per-dimension": 65535,
 }
-#: Features requested where available: they time passes and change no picture.
+#: Optional features: timing of passes.
 _WELCOME: Final = frozenset({"timestamp-query"})
 
 #: Environment variable with the folder of a session's sockets.
@@ -62,7 +62,7 @@ _lock = threading.Lock()
 
 
 class NoDevice(AirlightError):
-    """No device to draw on: one line says why and what would help."""
+    """No usable GPU; the message has the reason and a remedy."""
 
     def __init__(self, reason: str) -> None:
         self.reason = " ".join(reason.split())
@@ -74,18 +74,18 @@ class NoDevice(AirlightError):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Device:
-    """Open device.
+    """Open WebGPU device.
 
     Attributes
     ----------
     device : wgpu.GPUDevice
-        Device opened with ``BROWSER_LIMITS``, so that what runs here runs in a browser.
+        Device with ``BROWSER_LIMITS``, so that shaders also run in a browser.
     adapter : wgpu.GPUAdapter
-        Adapter on which it was opened.
+        Adapter.
     name : str
-        Name of the adapter and of its interface.
+        Name of the adapter and its API.
     software : bool
-        Whether the device is a software renderer on the CPU.
+        Whether it is a software renderer on the CPU.
     """
 
     device: Any
@@ -95,16 +95,16 @@ class Device:
 
     @property
     def measures_time(self) -> bool:
-        """Whether passes can be timed on the device itself."""
+        """Whether GPU timestamps are available."""
         return "timestamp-query" in self.device.features
 
     def wait(self) -> None:
-        """Return when all submitted work is done."""
+        """Block until all submitted work is done."""
         # By a read: the queue's own call for this is unusable in wgpu 0.32.
         self.device.queue.read_buffer(self._last)
 
     def apart(self) -> Device:
-        """Another device on the same adapter, whose queue waits for nothing in this one's."""
+        """Second device on the same adapter, with an independent queue."""
         return replace(self, device=_requested(self.adapter))
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Flat textures: long arrays in rows of ``FLAT_WIDTH`` texels, read by ``textureLoad`` only."""
+"""Flat textures: 1-D arrays in rows of ``FLAT_WIDTH`` texels, read by ``textureLoad``."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from airlight.gpu.emit.shader_types import FLAT_WIDTH
 Float32Array = NDArray[np.float32]
 
 #: Number of rows that every browser allows.
-MOST_ROWS: Final = 8192
+MAX_ROWS: Final = 8192
 #: Format of a flat texture by number of channels.
 FORMATS: Final = {1: "r32float", 4: "rgba32float"}
 #: Type and number of channels of the formats that can be read back.
@@ -44,7 +44,7 @@ def flat_rows(count: int) -> int:
 
 
 def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
-    """Make a flat texture from an array; the rest of its last row is 0.
+    """Flat texture from an array, zero-padded to full rows.
 
     It can be read by a shader, rendered to, updated by ``update_flat`` and read back.
 
@@ -74,7 +74,7 @@ def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
 
 
 def empty_flat_texture(device: Device, count: int, channels: int, label: str = "") -> Any:
-    """Make a flat texture of zeros for ``count`` texels of one channel or four.
+    """Flat texture of zeros for ``count`` texels of one or four channels.
 
     Parameters
     ----------
@@ -99,8 +99,8 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
 
     if channels not in FORMATS:
         raise ParameterError("channels", channels, "1 or 4")
-    if not 0 <= count <= FLAT_WIDTH * MOST_ROWS:
-        raise ParameterError("count", count, f"at most {FLAT_WIDTH * MOST_ROWS} texels")
+    if not 0 <= count <= FLAT_WIDTH * MAX_ROWS:
+        raise ParameterError("count", count, f"at most {FLAT_WIDTH * MAX_ROWS} texels")
     use = wgpu.TextureUsage
     return device.device.create_texture(
         label=label,
@@ -111,7 +111,7 @@ def empty_flat_texture(device: Device, count: int, channels: int, label: str = "
 
 
 def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> None:
-    """Overwrite texels of a flat texture from index ``start`` on; the others stay unchanged.
+    """Overwrite texels of a flat texture from index ``start`` on.
 
     Parameters
     ----------

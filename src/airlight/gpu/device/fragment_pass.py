@@ -1,4 +1,4 @@
-"""Fragment pass: one function of a shader, run once for every texel of its targets."""
+"""Fragment pass: a fragment shader over all texels of its render targets."""
 
 from __future__ import annotations
 
@@ -145,7 +145,7 @@ def _shader_error(source: str, label: str, report: str) -> ShaderError:
 
 
 class FragmentPass:
-    """Fragment entry point with its render targets, ready to run.
+    """Render pipeline of a fragment entry point.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ class FragmentPass:
         ]
 
     def bind(self, resources: Mapping[str, Any]) -> list[Any]:
-        """Make bind groups of named resources, for ``run``; they can be reused.
+        """Bind groups of named resources, for ``run``; reusable.
 
         Parameters
         ----------
@@ -293,7 +293,7 @@ class FragmentPass:
         begun.end()
 
     def draw(self, resources: Mapping[str, Any], views: Sequence[Any]) -> None:
-        """Bind, run and submit at once, for a pass that runs only once.
+        """Bind, run and submit a pass that runs once.
 
         Parameters
         ----------
@@ -327,7 +327,7 @@ def _view(given: Any) -> Any:
 
 
 def _without_frame(report: str) -> str:
-    """Last lines of the device's message about a pipeline."""
+    """Last lines of a pipeline error message."""
     lines = [line.strip() for line in report.splitlines() if line.strip()]
     return ": ".join(lines[2:]) if len(lines) > 2 else report
 

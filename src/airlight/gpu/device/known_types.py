@@ -1,9 +1,8 @@
-"""Types of wgpu's library, made known all at once.
+"""Preloading of wgpu's types into cffi's cache of parsed type names.
 
-wgpu allocates each structure by the text of its type, ``"WGPUExtent3D *"``, which cffi parses by a
-parser of C in Python, after the names of all of the library's types: 26 ms for each of some fifty
-texts, two thirds of the time until a window's first frame. The arguments of one function have all
-of these types, and take as long as two.
+wgpu allocates structures by type name, such as ``"WGPUExtent3D *"``, which cffi parses with a C
+parser in Python: 26 ms for each of about fifty names, two thirds of the time until a window's first
+frame. One declaration with all types as arguments takes as long as two names.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ _KINDS: Final = ("StructType", "EnumType", "PointerType")
 
 
 def know_types() -> None:
-    """Enter the pointers to wgpu's structures, and arrays, into cffi's table of parsed texts.
+    """Add pointers to wgpu's structures, and arrays, to cffi's cache.
 
     The table is no public part of cffi; without it, or with another, texts are parsed as before.
     """
@@ -40,7 +39,7 @@ def know_types() -> None:
 
 
 def _kind(ffi: Any, name: str) -> str:
-    """Kind of one of the library's types: of a structure, a handle or an enumeration, or empty."""
+    """Kind of a type: structure, handle or enumeration; empty for others."""
     declared = ffi._parser._declarations.get(f"typedef {name}", (None,))[0]
     kind = type(declared).__name__
     return kind if name.startswith("WGPU") and kind in _KINDS else ""

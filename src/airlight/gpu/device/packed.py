@@ -1,4 +1,4 @@
-"""Packed textures: texels of eight bits a channel, which shaders decode from sRGB."""
+"""Packed textures: 8-bit sRGB texels, decoded in the shader."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from airlight.color.texels import CHANNELS
 from airlight.errors import ParameterError
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import MOST_ROWS
+from airlight.gpu.device.flat import MAX_ROWS
 from airlight.gpu.emit.shader_types import PACKED_WIDTH
 
 #: Format of ``airlight.color.texels``. That by which a device decodes sRGB itself is off by up to
@@ -24,7 +24,7 @@ _BAND: Final = 64
 def packed_rows(count: int) -> int:
     """Number of rows of a packed texture of ``count`` texels, never a power of two.
 
-    Software devices recompile a shader, which takes them seconds to minutes, when a texture's
+    Software GPUs recompile a shader, which takes them seconds to minutes, when a texture's
     height becomes a power of two or ceases to be one.
 
     Parameters
@@ -42,7 +42,7 @@ def packed_rows(count: int) -> int:
 
 
 def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -> Any:
-    """Make a packed texture; the rest of its last row is 0.
+    """Packed texture from an array, zero-padded to full rows.
 
     Parameters
     ----------
@@ -67,8 +67,8 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
 
     count = texels.size // CHANNELS
     rows = packed_rows(count)
-    if rows > MOST_ROWS:
-        raise ParameterError("count", count, f"at most {PACKED_WIDTH * MOST_ROWS} texels")
+    if rows > MAX_ROWS:
+        raise ParameterError("count", count, f"at most {PACKED_WIDTH * MAX_ROWS} texels")
     use = wgpu.TextureUsage
     texture = device.device.create_texture(
         label=label,

@@ -1,4 +1,4 @@
-"""Duration of passes on the device itself, by its own clock."""
+"""Duration of passes by GPU timestamps."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _BYTES: Final = 8
 
 
 class PassTimes:
-    """Timers of passes: name them while recording, read them after the submission.
+    """Timestamp queries of passes, named while recording and read after submission.
 
     Parameters
     ----------
@@ -87,9 +87,9 @@ class PassTimes:
             encoder.resolve_query_set(self._set, 0, 2 * len(self._names), self._buffer, 0)
 
     def read(self) -> dict[str, float]:
-        """Seconds by name since the last reading; passes with the same name are added. [s]
+        """Durations by name since the last reading, summed over equal names. [s]
 
-        Waits until the device has finished the submission, and resets the timers.
+        Blocks until the submission is complete, and resets the queries.
         """
         names, self._names = self._names, []
         if not names:
@@ -104,7 +104,7 @@ class PassTimes:
 
 
 def _tick(device: Device) -> float:
-    """Duration of a tick of the clock; browsers count nanoseconds, native APIs do not. [ns]"""
+    """Timestamp period; 1 in browsers, adapter-dependent in native APIs. [ns]"""
     from wgpu.backends.wgpu_native import lib
 
     return float(lib.wgpuQueueGetTimestampPeriod(device.device.queue._internal))

@@ -1,7 +1,6 @@
-"""Syntax in which the target languages differ: types, declarations, heads, casts, selections.
+"""Dialects: syntax that differs between target languages.
 
-The emitter asks a ``Dialect`` wherever languages differ; what they share — operators, brackets,
-``if``, ``for``, ``while``, assignments — it writes itself.
+The emitter writes what they share: operators, brackets, ``if``, ``for``, ``while``, assignments.
 """
 
 from __future__ import annotations
@@ -15,17 +14,17 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
+    StructValue,
     TupleType,
     Value,
 )
 
 #: A name and its type.
-Named = tuple[str, Scalar | LocalArray | TupleType | Table]
+Named = tuple[str, Scalar | LocalArray | TupleType | ShaderTable]
 
 
 class Dialect(ABC):
@@ -36,17 +35,16 @@ class Dialect(ABC):
     name : str
         Name of the language.
     reserved : frozenset of str
-        Keywords of the language, and names that the emitted text calls.
+        Keywords and built-in functions in use.
     mathematics : mapping
-        Names in the language by Python function, or a Python function that is emitted in its
-        place.
+        Built-in function by Python function, or a Python function to emit instead.
     module_arrays : bool
-        Whether arrays of a function are declared in the module, and each function is written once
-        for the arrays that it is called with: for languages that would copy them.
+        Whether arrays are module variables and functions are specialised for them, for languages
+        that pass arrays by value.
     unrolls : bool
-        Whether innermost loops are unrolled four times.
+        Whether innermost loops are unrolled by four.
     largest : float
-        Largest literal allowed.
+        Largest literal.
     """
 
     name: ClassVar[str]
@@ -57,79 +55,79 @@ class Dialect(ABC):
     largest: ClassVar[float] = 3.4e38
 
     @abstractmethod
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         """Name of a type."""
 
     @abstractmethod
     def declared(self, name: str, kind: Scalar | LocalArray) -> str:
-        """Declare a variable that is assigned later."""
+        """Declaration of an uninitialised variable."""
 
     @abstractmethod
-    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
-        """Declare a name for a constant value."""
+    def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
+        """Declaration of an immutable variable."""
 
     @abstractmethod
     def variable(self, name: str, kind: Scalar, text: str) -> str:
-        """Declare a variable with its initial value."""
+        """Declaration of a mutable variable with its initial value."""
 
     @abstractmethod
     def head(
         self, name: str, parameters: Sequence[Named], result: Scalar | TupleType | None
     ) -> str:
-        """First line of a function, including the brace."""
+        """Function header with the opening brace."""
 
     @abstractmethod
     def struct(self, kind: TupleType) -> str:
-        """Declare the type of a tuple; empty if the language needs none."""
+        """Declaration of the struct of a tuple; empty if the language has tuples."""
 
     @abstractmethod
-    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
-        """Tuple of these parts."""
+    def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
+        """Tuple expression."""
 
     @abstractmethod
     def part(self, text: str, index: int) -> str:
-        """Part of a tuple."""
+        """Element of a tuple."""
 
     @abstractmethod
-    def converted(self, text: str, wanted: Scalar) -> str:
-        """Convert a number to another type."""
+    def convert(self, text: str, wanted: Scalar) -> str:
+        """Conversion to another scalar type."""
 
     @abstractmethod
-    def chosen(self, test: str, yes: str, no: str) -> str:
-        """Select one of two values."""
+    def select(self, test: str, yes: str, no: str) -> str:
+        """Selection of one of two values."""
 
     @abstractmethod
     def quotient(self, first: str, second: str) -> str:
-        """Quotient of integers, rounded down."""
+        """Integer division, rounded down."""
 
     @abstractmethod
-    def rest(self, first: str, second: str) -> str:
-        """Remainder of that quotient, with the divisor's sign."""
+    def modulo(self, first: str, second: str) -> str:
+        """Remainder of ``quotient``, with the sign of the divisor."""
 
     def unused(self, text: str) -> str:
-        """Statement that calls a function and discards its result."""
+        """Call statement with a discarded result."""
         return f"{text};"
 
     def array_argument(self, text: str) -> str:
-        """Pass a local array as an argument."""
+        """Local array as an argument."""
         return text
 
-    def array(self, name: str, *, handed_over: bool) -> str:
-        """Array as written before its index, local or passed as an argument."""
+    def array(self, name: str, *, is_argument: bool) -> str:
+        """Array in front of an index."""
         return name
 
     def at_run_time(self, value: Value) -> bool:
-        """Whether a value is passed when a function is called."""
+        """Whether a value is a run-time argument."""
         if isinstance(value, LocalArray):
             return not value.variable
-        return not isinstance(value, (Constant, Table, Bundle))
+        return not isinstance(value, (Constant, ShaderTable, StructValue))
 
     def element(self, table: str, index: str) -> str:
         """Element of a table."""
         return f"read_{table}({index})"
 
     def texel(self, table: str, row: str, column: str) -> str:
-        """Texel of a picture."""
+        """Texel of an image."""
         return f"read_{table}({row}, {column})"
 
     def length(self, table: str, axis: str) -> str:
@@ -137,79 +135,78 @@ class Dialect(ABC):
         return f"size_{table}_{axis}()"
 
     def uniform(self, text: str, kind: Scalar) -> str:
-        """Convert the float in a uniform to a number of its type."""
+        """Uniform, converted from float to its type."""
         if kind == I32:
-            return self.converted(text, I32)
+            return self.convert(text, I32)
         return f"({text} > 0.5)" if kind == BOOL else text
 
 
 class ShaderDialect(Dialect):
-    """Shading language: it also has textures, uniforms and entry points."""
+    """Shading language, with textures, uniforms and entry points."""
 
-    #: Integer functions that every shader needs.
-    whole_numbers: ClassVar[str]
-    #: Vertex function of all passes: one triangle that covers the target, with the corners
-    #: (-1, -1), (3, -1), (-1, 3).
+    #: Integer division functions of every shader.
+    integer_functions: ClassVar[str]
+    #: Vertex shader of all passes: one triangle (-1, -1), (3, -1), (-1, 3) that covers the target.
     triangle: ClassVar[str]
 
     def quotient(self, first: str, second: str) -> str:
-        """Quotient of integers, rounded down; the language's own rounds towards 0."""
-        return f"whole_quotient({first}, {second})"
+        """Integer division, rounded down; that of the language rounds towards 0."""
+        return f"floor_div({first}, {second})"
 
-    def rest(self, first: str, second: str) -> str:
-        """Remainder of that quotient, with the divisor's sign."""
-        return f"whole_rest({first}, {second})"
-
-    @abstractmethod
-    def fetched(self, texture: str, index: str, shift: int) -> str:
-        """Texel of a texture with rows of 2^shift texels; the index is a name or a number."""
+    def modulo(self, first: str, second: str) -> str:
+        """Remainder of ``quotient``, with the sign of the divisor."""
+        return f"floor_mod({first}, {second})"
 
     @abstractmethod
-    def image_fetched(self, texture: str, row: str, column: str) -> str:
-        """Texel of a picture; row and column are names or numbers."""
+    def fetch(self, texture: str, index: str, shift: int) -> str:
+        """Texel fetch by flat index (a simple expression), with rows of 2^shift texels."""
 
     @abstractmethod
-    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
-        """Texel of a texture of three dimensions; the places are names or numbers."""
+    def fetch_image(self, texture: str, row: str, column: str) -> str:
+        """Texel fetch from an image; row and column are simple expressions."""
+
+    @abstractmethod
+    def fetch_volume(self, texture: str, x: str, y: str, z: str) -> str:
+        """Texel fetch from a 3-D texture; the indices are simple expressions."""
 
     @abstractmethod
     def image_length(self, texture: str, axis: str) -> str:
-        """Number of rows, axis 0, or columns of a picture."""
+        """Number of rows (axis 0) or columns of an image."""
 
     @abstractmethod
     def texture_name(self, name: str, group: int, binding: int) -> str:
-        """Name of a texture inside functions."""
+        """Identifier of a texture."""
 
     @abstractmethod
     def texture(self, name: str, group: int, binding: int) -> str:
-        """Declare a texture."""
+        """Declaration of a texture."""
 
     @abstractmethod
     def volume(self, name: str, group: int, binding: int) -> str:
-        """Declare a texture of three dimensions."""
+        """Declaration of a 3-D texture."""
 
     @abstractmethod
     def uniforms(
         self, name: str, fields: Sequence[str | tuple[str, int]], group: int, binding: int
     ) -> str:
-        """Declare a struct of vectors and arrays of vectors, and a uniform of that type."""
+        """Declaration of a uniform struct of vectors and vector arrays."""
 
     @abstractmethod
     def fragment(self, name: str, targets: int, body: Sequence[str], results: Sequence[str]) -> str:
-        """Entry point: its statements, which can read ``at``, and a vector for each target."""
+        """Fragment entry point: statements, with the texel ``at``, and a vector for each target."""
 
     @abstractmethod
     def module(self, parts: Sequence[str]) -> str:
-        """Join parts to a complete shader."""
+        """Complete shader from its parts."""
 
     def function(
         self, name: str, parameters: Sequence[Named], result: Scalar, lines: Sequence[str]
     ) -> str:
-        """Function whose last line is its result."""
+        """Function whose last line is its result expression."""
         *before, last = lines
         body = "".join(f"  {line}\n" for line in before)
         return f"{self.head(name, parameters, result)}\n{body}  return {last};\n}}\n"
 
 
-#: Names of the types in C-like languages.
+#: Type names in GLSL and HLSL.
 PLAIN_NAMES = {F32: "float", I32: "int", BOOL: "bool", VEC4: "vec4"}

@@ -1,12 +1,11 @@
-"""Emitter from restricted Python to other languages, of the functions that Numba compiles.
+"""Emitter of Numba kernels to shading languages and JavaScript.
 
-A function is emitted for the types that it is called with, as a compiler would do: tables,
-constants and NamedTuples are bound when the shader is written and do not exist at run time. The
-subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c else y``, ``if``,
-``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels, tables
-(``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``) and the
-lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything else is refused with
-file and line.
+A kernel is specialised for its argument types; tables, constants and NamedTuples are bound at
+emission. The Python subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c
+else y``, ``if``, ``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels,
+tables (``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``) and
+the lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything else raises an
+error with file and line.
 """
 
 from __future__ import annotations
@@ -22,7 +21,14 @@ from typing import Any, Final
 from airlight.gpu.emit import single_precision
 from airlight.gpu.emit.dialect import Dialect, ShaderDialect
 from airlight.gpu.emit.scope import SubsetError
-from airlight.gpu.emit.shader_types import LocalArray, Scalar, Table, TupleType, Uniform, Value
+from airlight.gpu.emit.shader_types import (
+    LocalArray,
+    Scalar,
+    ShaderTable,
+    TupleType,
+    UniformValue,
+    Value,
+)
 from airlight.gpu.emit.statements import Emitted, FunctionBody
 from airlight.gpu.emit.wgsl import WGSL
 
@@ -34,7 +40,7 @@ _OWN: Final = frozenset(vars(single_precision))
 
 @dataclass
 class Emitter:
-    """Collector of the functions of one shader, or of one module of another language.
+    """Emitter of kernels to one shader or module of the target language.
 
     Parameters
     ----------
@@ -62,27 +68,26 @@ class Emitter:
     _in_progress: set[Any] = field(default_factory=set)
 
     def add(self, function: Callable[..., Any], *arguments: Value, name: str = "") -> Emitted:
-        """Emit a function for arguments of these types, and all functions that it calls.
+        """Emit a function for these argument types, with all its callees.
 
         Parameters
         ----------
         function : kernel or inlined function
-            Function to emit; a plain Python function also serves.
+            Kernel, or plain Python function.
         *arguments : Value
             Type or value of each parameter.
         name : str
-            Name in the shader; by default the function's own, numbered where it is emitted for
-            several types.
+            Name in the shader; by default that of the function, numbered for further types.
 
         Returns
         -------
         Emitted
-            Function from an earlier call with these types, if there was one.
+            Emitted function, cached by argument types.
 
         Raises
         ------
         SubsetError
-            With file and line, if the function leaves the subset.
+            If the function is outside the subset.
         """
         plain = getattr(function, "py_func", function)
         parameters = plain.__code__.co_varnames[: plain.__code__.co_argcount]
@@ -92,7 +97,7 @@ class Emitter:
                 f"{len(parameters)} parameters"
             )
         bound = tuple(
-            _handed_over(one, parameter, self.dialect)
+            _lower_argument(one, parameter, self.dialect)
             for one, parameter in zip(arguments, parameters, strict=True)
         )
         key = (plain, bound)
@@ -127,7 +132,7 @@ class Emitter:
         return self.tuples.setdefault(several.name, several)
 
     def module_array(self, name: str, kind: LocalArray) -> LocalArray:
-        """Array declared in the module, where the language needs that; otherwise unchanged.
+        """Array declared at module scope in languages that require it; otherwise unchanged.
 
         Parameters
         ----------
@@ -142,21 +147,21 @@ class Emitter:
         return self.arrays.setdefault(name, replace(kind, variable=name))
 
     def functions_text(self) -> str:
-        """Structs, arrays of the module and functions, callees first."""
+        """Structs, module arrays and functions, callees first."""
         structs = [self.dialect.struct(several) for several in self.tuples.values()]
         arrays = [f"{self.dialect.declared(*one)}\n" for one in self.arrays.items()]
         functions = "\n".join(one.text for one in self.emitted.values())
         return "".join([*structs, *arrays]) + functions
 
     def module(self) -> str:
-        """Complete module: the common functions, then those that were emitted."""
-        before = self.dialect.whole_numbers if isinstance(self.dialect, ShaderDialect) else ""
+        """Complete module: integer functions, then emitted functions."""
+        before = self.dialect.integer_functions if isinstance(self.dialect, ShaderDialect) else ""
         return before + self.functions_text()
 
 
 @cache
 def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
-    """Parse the source of a function, once for all shaders and languages.
+    """Syntax tree of a function, cached for all shaders and languages.
 
     Generated functions carry their source (``kernel.choice``).
     """
@@ -166,8 +171,8 @@ def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
     return tree
 
 
-def _handed_over(value: Value, parameter: str, dialect: Dialect) -> Value:
-    """Value as the called function receives it: a uniform becomes a plain number."""
-    if isinstance(value, Table) and dialect.at_run_time(value):
+def _lower_argument(value: Value, parameter: str, dialect: Dialect) -> Value:
+    """Argument as a parameter of the callee; uniforms become scalars."""
+    if isinstance(value, ShaderTable) and dialect.at_run_time(value):
         return replace(value, name=parameter)
-    return value.scalar if isinstance(value, Uniform) else value
+    return value.scalar if isinstance(value, UniformValue) else value

@@ -1,4 +1,4 @@
-"""Expressions of restricted Python as text, with their types."""
+"""Emission of expressions of restricted Python, with type inference."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
+    StructValue,
     TupleType,
-    Uniform,
+    UniformValue,
     Value,
     joined,
 )
@@ -33,10 +33,10 @@ _OPERATORS: Final[dict[type[ast.operator], str]] = {
 
 
 class Expressions(Calls):
-    """Writer of the expressions of one function; see ``Names`` for the parameters."""
+    """Emitter of expressions; see ``Scope`` for the parameters."""
 
     def write(self, node: ast.expr) -> tuple[str, Value | None]:
-        """Write an expression; return text and type, None for a call without result."""
+        """Emit an expression: text and type, None for a call without result."""
         folded = self.fold(node)
         if folded is not None:
             return self.literal(node, folded), Constant(folded)
@@ -65,25 +65,25 @@ class Expressions(Calls):
         raise self.refuse(node, f"{type(node).__name__} has no translation")
 
     def name(self, node: ast.Name | ast.Attribute) -> tuple[str, Value]:
-        """Write a variable, a parameter, or a field of a bundle."""
+        """Emit a variable, parameter or struct field."""
         if isinstance(node, ast.Attribute) and node.attr == "size":
             owner = self.bound(node.value)
-            if isinstance(owner, Table) and owner.rank == 1:
+            if isinstance(owner, ShaderTable) and owner.rank == 1:
                 return self.dialect.length(owner.name, "0"), I32
         found = self.bound(node)
-        if isinstance(found, Uniform):
+        if isinstance(found, UniformValue):
             return self.dialect.uniform(found.text, found.scalar), found.scalar
-        if isinstance(found, (Table, Bundle)):
+        if isinstance(found, (ShaderTable, StructValue)):
             return "", found
         if isinstance(found, LocalArray):
             return self.array_name(node)[0], found
         if isinstance(found, (Scalar, TupleType)):
             assert isinstance(node, ast.Name)
-            return self.spelled(node.id), found
+            return self.mangle(node.id), found
         raise self.refuse(node, "is not known here")
 
     def operation(self, node: ast.BinOp) -> tuple[str, Value]:
-        """Write a sum, difference, product, quotient or power."""
+        """Emit an arithmetic operation."""
         if isinstance(node.op, ast.Pow):
             return self.power(node)
         left, left_type = self.write(node.left)
@@ -94,7 +94,7 @@ class Expressions(Calls):
                 raise self.refuse(node, "is for whole numbers only")
             if isinstance(node.op, ast.FloorDiv):
                 return self.dialect.quotient(left, right), I32
-            return self.dialect.rest(left, right), I32
+            return self.dialect.modulo(left, right), I32
         sign = _OPERATORS.get(type(node.op))
         if sign is None:
             raise self.refuse(node, "has no translation")
@@ -107,7 +107,7 @@ class Expressions(Calls):
         return f"({left} {sign} {right})", kind
 
     def power(self, node: ast.BinOp) -> tuple[str, Value]:
-        """Write small integer powers as products, which also accept negative bases."""
+        """Emit a power; squares and cubes as products, which allow negative bases."""
         base = self.as_scalar(node.left, F32)
         exponent = self.fold(node.right)
         if exponent in (2, 3):
@@ -116,7 +116,7 @@ class Expressions(Calls):
         return self.mathematics(pow, [base, self.as_scalar(node.right, F32)]), F32
 
     def comparison(self, node: ast.Compare) -> tuple[str, Value]:
-        """Write one comparison or a chain of them."""
+        """Emit a comparison or a chain of comparisons."""
         parts = []
         left = node.left
         for op, right in zip(node.ops, node.comparators, strict=True):
@@ -134,7 +134,7 @@ class Expressions(Calls):
         return (parts[0] if len(parts) == 1 else f"({' && '.join(parts)})"), BOOL
 
     def choice(self, test: ast.expr, body: ast.expr, orelse: ast.expr) -> tuple[str, Value | None]:
-        """Write ``x if c else y``: both are evaluated, one is selected."""
+        """Emit ``x if c else y`` as a selection, which evaluates both."""
         known = self.known(test)
         if known is not None:
             return self.write(body if known else orelse)
@@ -143,19 +143,19 @@ class Expressions(Calls):
         kinds = self.number(body, yes_type), self.number(orelse, no_type)
         wanted = BOOL if BOOL in kinds else joined(*kinds)
         yes, no = self.cast(yes, yes_type, wanted), self.cast(no, no_type, wanted)
-        return self.dialect.chosen(self.as_scalar(test, BOOL), yes, no), wanted
+        return self.dialect.select(self.as_scalar(test, BOOL), yes, no), wanted
 
     def element(self, node: ast.Subscript) -> tuple[str, Value]:
-        """Write an element of a table or array, or the length of an axis."""
+        """Emit an element of a table or array, or an axis length."""
         if isinstance(node.value, ast.Attribute) and node.value.attr == "shape":
             owner = self.bound(node.value.value)
             axis = self.fold(node.slice)
-            if isinstance(owner, Table) and isinstance(axis, int) and axis < owner.rank:
+            if isinstance(owner, ShaderTable) and isinstance(axis, int) and axis < owner.rank:
                 return self.dialect.length(owner.name, str(axis)), I32
             if isinstance(owner, LocalArray) and axis == 0:
                 return str(owner.size), Constant(owner.size)
         owner = self.bound(node.value)
-        if isinstance(owner, Table):
+        if isinstance(owner, ShaderTable):
             if owner.image:
                 places = self.indices(node, owner)
                 return self.dialect.texel(owner.name, *places), owner.element
@@ -164,15 +164,15 @@ class Expressions(Calls):
             return self.dialect.element(owner.name, self.flat_index(node, owner)), F32
         return self.place(node)
 
-    def indices(self, node: ast.Subscript, table: Table) -> list[str]:
-        """Indices of a table's element."""
+    def indices(self, node: ast.Subscript, table: ShaderTable) -> list[str]:
+        """Index expressions of a table element."""
         indices = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         if len(indices) != table.rank:
             raise self.refuse(node, f"needs {table.rank} indices")
         return [self.as_scalar(one, I32) for one in indices]
 
-    def flat_index(self, node: ast.Subscript, table: Table) -> str:
-        """Index of a table's element in its texture."""
+    def flat_index(self, node: ast.Subscript, table: ShaderTable) -> str:
+        """Flat index of a table element in its texture."""
         flat, *others = self.indices(node, table)
         for axis, one in enumerate(others, start=1):
             length = self.dialect.length(table.name, str(axis))
@@ -180,8 +180,8 @@ class Expressions(Calls):
         return flat
 
     def place(self, node: ast.Subscript) -> tuple[str, Scalar]:
-        """Write an element of an array, to read or to assign."""
+        """Emit an array element as an lvalue or rvalue."""
         owner = self.bound(node.value)
         if not isinstance(owner, LocalArray):
-            raise self.refuse(node, "is neither a table nor a room")
-        return f"{self.room(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element
+            raise self.refuse(node, "is neither a table nor an array")
+        return f"{self.array_text(node.value)}[{self.as_scalar(node.slice, I32)}]", owner.element

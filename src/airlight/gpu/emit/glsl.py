@@ -1,9 +1,8 @@
 """GLSL ES 3.00, the language of WebGL2.
 
-It has no pointers: an array that a function fills would be copied in and out, element by element,
-at every call, and compilers are slow on that (Mesa took 264 s for the table of the sky). Hence
-arrays are declared in the module, and each function names those that it is called with. No function
-calls itself, and each array is written before it is read, so that nothing else changes.
+GLSL passes arrays by value, which compilers handle slowly (Mesa took 264 s for the sky-view LUT).
+Arrays are therefore global variables, and functions are specialised for them. This is equivalent,
+as no function is recursive and every array is written before it is read.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
     TupleType,
 )
 from airlight.gpu.emit.single_precision import MATHEMATICS
@@ -36,7 +35,7 @@ _RESERVED: Final = """
     pow exp log exp2 log2 sqrt inversesqrt abs sign floor trunc round roundEven ceil fract mod modf
     min max clamp mix step smoothstep isnan isinf length distance dot cross normalize faceforward
     reflect refract transpose inverse determinant any all not equal texture texelFetch main texel
-    angle_of arc_cosine arc_sine arc_tangent cosine cubed sine squared whole_quotient whole_rest
+    angle_of arc_cosine arc_sine arc_tangent cosine cubed sine squared floor_div floor_mod
 """
 
 
@@ -47,12 +46,12 @@ class Glsl(ShaderDialect):
     reserved = frozenset(re.findall(r"\w+", _RESERVED))
     mathematics = MATHEMATICS
     module_arrays = True
-    whole_numbers: ClassVar[str] = """\
-int whole_quotient(int a, int b) {
+    integer_functions: ClassVar[str] = """\
+int floor_div(int a, int b) {
   int towards_zero = a / b;
   return towards_zero * b != a && (a < 0) != (b < 0) ? towards_zero - 1 : towards_zero;
 }
-int whole_rest(int a, int b) { return a - b * whole_quotient(a, b); }
+int floor_mod(int a, int b) { return a - b * floor_div(a, b); }
 """
     triangle: ClassVar[str] = """\
 #version 300 es
@@ -61,7 +60,7 @@ void main() {
 }
 """
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)}[{kind.size}]"
         return PLAIN_NAMES[kind] if isinstance(kind, Scalar) else kind.name
@@ -71,11 +70,11 @@ void main() {
             return f"{self.type_name(kind.element)} {name}[{kind.size}];"
         return f"{self.type_name(kind)} {name};"
 
-    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
+    def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"{self.type_name(kind)} {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
-        return self.kept(name, kind, text)
+        return self.let(name, kind, text)
 
     def head(
         self, name: str, parameters: Sequence[Named], result: Scalar | TupleType | None
@@ -87,26 +86,26 @@ void main() {
         parts = " ".join(f"{self.type_name(item)} v{i};" for i, item in enumerate(kind.items))
         return f"struct {kind.name} {{ {parts} }};\n"
 
-    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
+    def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"{kind.name}({', '.join(parts)})"
 
     def part(self, text: str, index: int) -> str:
         return f"{text}.v{index}"
 
-    def converted(self, text: str, wanted: Scalar) -> str:
+    def convert(self, text: str, wanted: Scalar) -> str:
         return f"{PLAIN_NAMES[wanted]}({text})"
 
-    def chosen(self, test: str, yes: str, no: str) -> str:
+    def select(self, test: str, yes: str, no: str) -> str:
         return f"({test} ? {yes} : {no})"
 
-    def fetched(self, texture: str, index: str, shift: int) -> str:
+    def fetch(self, texture: str, index: str, shift: int) -> str:
         place = f"{index} & {(1 << shift) - 1}, {index} >> {shift}"
         return f"texelFetch({texture}, ivec2({place}), 0)"
 
-    def image_fetched(self, texture: str, row: str, column: str) -> str:
+    def fetch_image(self, texture: str, row: str, column: str) -> str:
         return f"texelFetch({texture}, ivec2({column}, {row}), 0)"
 
-    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
+    def fetch_volume(self, texture: str, x: str, y: str, z: str) -> str:
         return f"texelFetch({texture}, ivec3({x}, {y}, {z}), 0)"
 
     def image_length(self, texture: str, axis: str) -> str:

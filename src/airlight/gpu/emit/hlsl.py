@@ -1,7 +1,7 @@
 """HLSL of shader model 5 and later, the language of Direct3D, Unreal and Unity.
 
-Functions and textures that a host's shader includes; entry points are the host's. Arrays are
-declared in the module, as in GLSL.
+Functions and textures for inclusion in a host shader, without entry points. Arrays are global
+variables, as in GLSL.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from airlight.gpu.emit.shader_types import (
     VEC4,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
     TupleType,
 )
 from airlight.gpu.emit.single_precision import MATHEMATICS
@@ -43,23 +43,23 @@ _RESERVED: Final = """
     dot exp exp2 floor fmod frac isfinite isinf isnan length lerp log log10 log2 mad max min modf
     mul normalize pow radians rcp reflect refract round rsqrt saturate sign sin sincos sinh
     smoothstep sqrt step tan tanh transpose trunc texel angle_of arc_cosine arc_sine arc_tangent
-    cosine cubed sine squared whole_quotient whole_rest main fixed image smooth
+    cosine cubed sine squared floor_div floor_mod main fixed image smooth
 """
 
 
 class Hlsl(ShaderDialect):
-    """HLSL: a struct is made by a function of its own, as the language has no constructors."""
+    """HLSL: structs are built by functions, as the language has no constructors."""
 
     name = "HLSL"
     reserved = frozenset(re.findall(r"\w+", _RESERVED))
     mathematics = MATHEMATICS
     module_arrays = True
-    whole_numbers: ClassVar[str] = """\
-int whole_quotient(int a, int b) {
+    integer_functions: ClassVar[str] = """\
+int floor_div(int a, int b) {
   int towards_zero = a / b;
   return towards_zero * b != a && (a < 0) != (b < 0) ? towards_zero - 1 : towards_zero;
 }
-int whole_rest(int a, int b) { return a - b * whole_quotient(a, b); }
+int floor_mod(int a, int b) { return a - b * floor_div(a, b); }
 """
     triangle: ClassVar[str] = """\
 float4 main(uint vertex : SV_VertexID) : SV_Position {
@@ -67,7 +67,7 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
 }
 """
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         if isinstance(kind, LocalArray):
             return f"{self.type_name(kind.element)}[{kind.size}]"
         return _NAMES[kind] if isinstance(kind, Scalar) else kind.name
@@ -77,11 +77,11 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
             return f"static {self.type_name(kind.element)} {name}[{kind.size}];"
         return f"{self.type_name(kind)} {name};"
 
-    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
+    def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"{self.type_name(kind)} {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
-        return self.kept(name, kind, text)
+        return self.let(name, kind, text)
 
     def head(
         self, name: str, parameters: Sequence[Named], result: Scalar | TupleType | None
@@ -100,26 +100,26 @@ float4 main(uint vertex : SV_VertexID) : SV_Position {
             f"{{ {kind.name} made; {filled} return made; }}\n"
         )
 
-    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
+    def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"make_{kind.name}({', '.join(parts)})"
 
     def part(self, text: str, index: int) -> str:
         return f"{text}.v{index}"
 
-    def converted(self, text: str, wanted: Scalar) -> str:
+    def convert(self, text: str, wanted: Scalar) -> str:
         return f"(({_NAMES[wanted]})({text}))"
 
-    def chosen(self, test: str, yes: str, no: str) -> str:
+    def select(self, test: str, yes: str, no: str) -> str:
         return f"({test} ? {yes} : {no})"
 
-    def fetched(self, texture: str, index: str, shift: int) -> str:
+    def fetch(self, texture: str, index: str, shift: int) -> str:
         place = f"{index} & {(1 << shift) - 1}, {index} >> {shift}"
         return f"{texture}.Load(int3({place}, 0))"
 
-    def image_fetched(self, texture: str, row: str, column: str) -> str:
+    def fetch_image(self, texture: str, row: str, column: str) -> str:
         return f"{texture}.Load(int3({column}, {row}, 0))"
 
-    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
+    def fetch_volume(self, texture: str, x: str, y: str, z: str) -> str:
         return f"{texture}.Load(int4({x}, {y}, {z}, 0))"
 
     def image_length(self, texture: str, axis: str) -> str:

@@ -1,8 +1,7 @@
-"""JavaScript, in double precision, for the calculations of a page on the CPU.
+"""JavaScript in double precision, for CPU computations of a page.
 
-A tuple is an array, a table an object with flat ``values`` and a ``shape``, and an array is passed
-by reference. Lanes are one wavelength: an array of lanes is one of numbers, and a host calls the
-function for each wavelength. Each function is exported.
+Tuples are arrays, tables are objects with flat ``values`` and a ``shape``. A lane is one
+wavelength; the host calls functions for each wavelength. All functions are exported.
 """
 
 from __future__ import annotations
@@ -17,11 +16,11 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
+    StructValue,
     TupleType,
     Value,
 )
@@ -50,7 +49,7 @@ class JavaScript(Dialect):
     unrolls = False
     largest = math.inf
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         return kind.name
 
     def declared(self, name: str, kind: Scalar | LocalArray) -> str:
@@ -58,7 +57,7 @@ class JavaScript(Dialect):
             return f"const {name} = new Float64Array({kind.size});"
         return f"let {name};"
 
-    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
+    def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"const {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
@@ -72,20 +71,20 @@ class JavaScript(Dialect):
     def struct(self, kind: TupleType) -> str:
         return ""
 
-    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
+    def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"[{', '.join(parts)}]"
 
     def part(self, text: str, index: int) -> str:
         return f"{text}[{index}]"
 
-    def converted(self, text: str, wanted: Scalar) -> str:
+    def convert(self, text: str, wanted: Scalar) -> str:
         return {I32: f"Math.trunc({text})", F32: f"Number({text})", VEC4: text}[wanted]
 
-    def chosen(self, test: str, yes: str, no: str) -> str:
+    def select(self, test: str, yes: str, no: str) -> str:
         return f"({test} ? {yes} : {no})"
 
     def at_run_time(self, value: Value) -> bool:
-        return not isinstance(value, (Constant, Bundle))
+        return not isinstance(value, (Constant, StructValue))
 
     def element(self, table: str, index: str) -> str:
         return f"{table}.values[{index}]"
@@ -96,7 +95,7 @@ class JavaScript(Dialect):
     def quotient(self, first: str, second: str) -> str:
         return f"Math.floor({first} / {second})"
 
-    def rest(self, first: str, second: str) -> str:
+    def modulo(self, first: str, second: str) -> str:
         return f"({first} - {second} * Math.floor({first} / {second}))"
 
 

@@ -1,7 +1,7 @@
-"""Scope of a function in restricted Python: meaning of its names, and values known in advance.
+"""Scope of a function in restricted Python: types of variables, constants and constant folding.
 
-Parameters and variables have types; constants of the module, tables, bundles and switches have
-values when the shader is written, and conditions of such values are decided there.
+Parameters and variables have types; module constants, tables, struct values and boolean constants
+are known at emission, and conditions on them are folded.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from airlight.gpu.emit.shader_types import (
     F32,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
+    StructValue,
     TupleType,
-    Uniform,
+    UniformValue,
     Value,
     joined,
     run_time,
@@ -46,22 +46,22 @@ COMPARISONS: Final[dict[type[ast.cmpop], str]] = {
 
 
 class SubsetError(AirlightError):
-    """Function outside the subset; the message names file, line and reason."""
+    """Construct outside the Python subset, with file, line and reason."""
 
 
 class Callee(Protocol):
-    """Function in the shader; see ``statements.Emitted``."""
+    """Emitted function; see ``statements.Emitted``."""
 
     name: str
     parameters: tuple[tuple[str, Value], ...]
     result: Scalar | TupleType | None
 
-    def handed(self, dialect: Dialect) -> list[list[Named]]:
-        """Names and types of what a call hands over, for each parameter."""
+    def argument_lists(self, dialect: Dialect) -> list[list[Named]]:
+        """Run-time arguments of each parameter: names and types."""
 
 
 class Functions(Protocol):
-    """Emitter of the functions that are called; see ``emitter.Emitter``."""
+    """Interface of ``emitter.Emitter`` for emitting callees."""
 
     @property
     def dialect(self) -> Dialect:
@@ -69,7 +69,7 @@ class Functions(Protocol):
 
     @property
     def taken(self) -> set[str]:
-        """Names of functions in use."""
+        """Function names in use."""
 
     def add(self, function: Callable[..., Any], *arguments: Value) -> Callee:
         """Emit a function."""
@@ -81,8 +81,8 @@ class Functions(Protocol):
         """Array declared in the module."""
 
 
-class Names:
-    """Names of one function, with what is known of them when the shader is written.
+class Scope:
+    """Scope of one function: values and types of its names.
 
     Parameters
     ----------
@@ -91,15 +91,14 @@ class Names:
     function : callable
         Plain Python function; its module provides the constants.
     names : dict from str to Value
-        Values and types of the parameters; variables are added as they are met.
+        Values and types of the parameters; variables are added on assignment.
     arrays : set of str
-        Receives the arrays of bundles that are used; see ``statements.Emitted``.
+        Receives the arrays of struct values in use; see ``statements.Emitted``.
 
     Raises
     ------
     SubsetError
-        From the methods of this class and its subclasses: with file and line, where an
-        expression leaves the subset.
+        From methods, for an expression outside the subset.
     """
 
     def __init__(
@@ -121,15 +120,15 @@ class Names:
         text = " ".join(ast.unparse(node).split())[:80]
         return SubsetError(f"{self.function.__code__.co_filename}:{line}: {text!r}: {why}")
 
-    def spelled(self, name: str) -> str:
-        """Spell a Python name for the shader."""
+    def mangle(self, name: str) -> str:
+        """Identifier in the target language for a Python name."""
         taken = name in self.dialect.reserved or name in self.emitter.taken
         return f"{name}_1" if taken else name.lstrip("_")
 
-    def learn(self, node: ast.AST, name: str, found: Value) -> None:
-        """Record the type of an assigned name, or the wider of two types."""
+    def declare(self, node: ast.AST, name: str, found: Value) -> None:
+        """Set the type of a variable, promoted if it already has one."""
         before = self.names.get(name)
-        if isinstance(before, Uniform):
+        if isinstance(before, UniformValue):
             before = before.scalar
         if isinstance(before, Constant):
             before = run_time(before)
@@ -149,7 +148,7 @@ class Names:
             raise self.refuse(node, f"{name} was {before} and would be {found}")
 
     def literal(self, node: ast.AST, value: float | int | bool) -> str:
-        """Number as text."""
+        """Literal of a number."""
         if isinstance(value, (bool, np.bool_)):
             return "true" if value else "false"
         if isinstance(value, (int, np.integer)):
@@ -162,8 +161,8 @@ class Names:
         return text if any(mark in text for mark in ".en") else f"{text}.0"
 
     def cast(self, text: str, found: Value | None, wanted: Scalar) -> str:
-        """Convert text to another type where Python would do so implicitly."""
-        if found is None or isinstance(found, (Table, Bundle, LocalArray, TupleType)):
+        """Expression with an implicit conversion to another type."""
+        if found is None or isinstance(found, (ShaderTable, StructValue, LocalArray, TupleType)):
             raise SubsetError(f"{self.function.__qualname__}: {text} is not a number")
         kind = run_time(found)
         if kind == wanted:
@@ -171,18 +170,18 @@ class Names:
         if wanted == F32 and kind in (I32, BOOL):
             if isinstance(found, Constant):
                 return f"{float(found.value)!r}"
-            return self.dialect.converted(text, F32)
+            return self.dialect.convert(text, F32)
         if wanted == VEC4 and kind in (F32, I32):
-            return self.dialect.converted(self.cast(text, found, F32), VEC4)
+            return self.dialect.convert(self.cast(text, found, F32), VEC4)
         raise SubsetError(f"{self.function.__qualname__}: {text} is {kind}, not {wanted}")
 
     def known(self, node: ast.expr) -> bool | None:
-        """Value of a condition if the emitter can tell, or None."""
+        """Constant value of a condition; None if it is not constant."""
         value = self.fold(node)
         return None if value is None else bool(value)
 
     def fold(self, node: ast.expr) -> float | int | bool | None:
-        """Value of an expression of constants, or None."""
+        """Value of a constant expression; None if it is not constant."""
         match node:
             case ast.Constant(value=bool() | int() | float() as value):
                 return value
@@ -223,7 +222,7 @@ class Names:
         return None
 
     def bound(self, node: ast.expr) -> Any:
-        """Object bound to a name or attribute: a Value, a function, a module; None if unknown."""
+        """Value, function or module bound to a name or attribute; None if unknown."""
         if isinstance(node, ast.Name):
             if node.id in self.names:
                 return self.names[node.id]
@@ -235,7 +234,7 @@ class Names:
             return found
         if isinstance(node, ast.Attribute):
             owner = self.bound(node.value)
-            if isinstance(owner, Bundle):
+            if isinstance(owner, StructValue):
                 return owner.fields.get(node.attr)
             if isinstance(owner, LocalArray) and node.attr == "size":
                 return Constant(owner.size)

@@ -1,4 +1,4 @@
-"""Values as the emitter sees them: a type, or the table or constant that a name stands for."""
+"""Emission-time values: types, constants, uniforms, tables, arrays and structs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PACKED_WIDTH: Final = 1 << PACKED_SHIFT
 
 @dataclass(frozen=True)
 class Scalar:
-    """Number at run time, or a number at four wavelengths.
+    """Run-time scalar, or vector of four wavelengths.
 
     Attributes
     ----------
@@ -36,21 +36,21 @@ VEC4: Final = Scalar("vec4f")
 
 @dataclass(frozen=True)
 class Constant:
-    """Number known when the shader is written."""
+    """Compile-time constant."""
 
     value: float | int | bool
 
 
 @dataclass(frozen=True)
-class Uniform:
-    """Number in a uniform, where all numbers are floats.
+class UniformValue:
+    """Field of the uniform struct, stored as float.
 
     Attributes
     ----------
     text : str
-        Expression of the float, the same in all shading languages.
+        Field expression, the same in all shading languages.
     scalar : Scalar
-        Type that it represents: integers are truncated, and a switch is on above 0.5.
+        Represented type: integers are truncated, booleans are true above 0.5.
     """
 
     text: str
@@ -58,11 +58,10 @@ class Uniform:
 
 
 @dataclass(frozen=True)
-class Table:
+class ShaderTable:
     """Read-only array in a texture.
 
-    The shader's function ``read_NAME(index)`` returns an element, ``size_NAME_AXIS()`` the length
-    of an axis.
+    ``read_NAME(index)`` returns an element, ``size_NAME_AXIS()`` an axis length.
 
     Attributes
     ----------
@@ -71,9 +70,9 @@ class Table:
     rank : int
         Number of axes.
     spectral : bool
-        Whether an element holds four wavelengths rather than one number.
+        Whether elements are vectors of four wavelengths.
     image : bool
-        Whether it is a picture: ``read_NAME(row, column)`` returns a texel.
+        Whether it is an image: ``read_NAME(row, column)`` returns a texel.
     """
 
     name: str
@@ -89,7 +88,7 @@ class Table:
 
 @dataclass(frozen=True)
 class LocalArray:
-    """Array of the function itself, or of its caller.
+    """Local array, or array parameter.
 
     Attributes
     ----------
@@ -98,7 +97,7 @@ class LocalArray:
     element : Scalar
         Type of the elements.
     variable : str
-        Name of the module's variable, in languages that keep arrays there.
+        Module variable, in languages with module arrays.
     """
 
     size: int
@@ -112,8 +111,8 @@ class LocalArray:
 
 
 @dataclass(frozen=True)
-class Bundle:
-    """NamedTuple whose fields are bound when the shader is written.
+class StructValue:
+    """NamedTuple with fields bound at emission.
 
     Attributes
     ----------
@@ -129,33 +128,33 @@ class Bundle:
 
 @dataclass(frozen=True)
 class TupleType:
-    """Tuple of values, as functions return them."""
+    """Type of a tuple result."""
 
     items: tuple[Scalar, ...]
 
     @property
     def name(self) -> str:
-        """Name of the struct that represents it."""
-        return "Several_" + "_".join(item.name for item in self.items)
+        """Name of its struct."""
+        return "Tuple_" + "_".join(item.name for item in self.items)
 
 
-Value = Scalar | Constant | Uniform | Table | LocalArray | Bundle | TupleType
+Value = Scalar | Constant | UniformValue | ShaderTable | LocalArray | StructValue | TupleType
 
 
 def run_time(value: Value) -> Scalar | LocalArray | TupleType:
-    """Type of a value in the shader.
+    """Run-time type of a value.
 
     Parameters
     ----------
     value : Value
-        Value as the emitter knows it.
+        Emission-time value.
 
     Raises
     ------
     TypeError
-        If it is a table or a bundle.
+        If it is a table or a struct value.
     """
-    if isinstance(value, Uniform):
+    if isinstance(value, UniformValue):
         return value.scalar
     if isinstance(value, Constant):
         if isinstance(value.value, bool):
@@ -167,7 +166,7 @@ def run_time(value: Value) -> Scalar | LocalArray | TupleType:
 
 
 def joined(first: Scalar, second: Scalar) -> Scalar:
-    """Type of a sum of two numbers.
+    """Promoted type of an arithmetic operation.
 
     Parameters
     ----------

@@ -1,9 +1,8 @@
-"""Angles and their functions in single precision, for languages whose own are too inaccurate.
+"""Trigonometric functions in single precision, where built-in ones are too inaccurate.
 
-Accurate to 1e-7 and 3e-7. WGSL's own sine may err by 5e-4, its arc tangent by 4096 units in the
-last place; a driver in use errs by 4e-4 in asin. The polynomials of sine, cosine and arc tangent
-are those of Moshier's Cephes library in single precision. The functions are emitted like kernels,
-where they are called.
+Accurate to 1e-7, inverse functions to 3e-7; WGSL allows errors of 5e-4 in sine and 4096 ulp in
+atan, and a driver in use has 4e-4 in asin. The polynomials of sine, cosine and arc tangent are
+those of Moshier's Cephes library. The functions are emitted like kernels.
 """
 
 from __future__ import annotations
@@ -38,15 +37,15 @@ def cosine_of_quarter(x):
     return 1.0 - 0.5 * y + tail
 
 
-def rest_of_quarter(x, turns):
-    """Angle less ``turns`` times π/2, which is split into three parts to keep all digits."""
+def reduced_angle(x, turns):
+    """Cody-Waite range reduction: x - ``turns`` π/2, with π/2 split into three parts. [rad]"""
     return ((x - turns * 1.5703125) - turns * 4.837512969970703e-4) - turns * 7.549789948768648e-8
 
 
 def sine(x):
     """Sine."""
     turns = math.floor(x * 0.63661977236758 + 0.5)
-    rest = rest_of_quarter(x, float(turns))
+    rest = reduced_angle(x, float(turns))
     quarter = turns % 4
     value = cosine_of_quarter(rest) if quarter % 2 == 1 else sine_of_quarter(rest)
     return -value if quarter >= 2 else value
@@ -55,14 +54,14 @@ def sine(x):
 def cosine(x):
     """Cosine."""
     turns = math.floor(x * 0.63661977236758 + 0.5)
-    rest = rest_of_quarter(x, float(turns))
+    rest = reduced_angle(x, float(turns))
     quarter = turns % 4
     value = sine_of_quarter(rest) if quarter % 2 == 1 else cosine_of_quarter(rest)
     return -value if quarter == 1 or quarter == 2 else value
 
 
 def angle_of(y, x):
-    """Angle of a point from the x axis. [rad]"""
+    """Two-argument arc tangent, atan2(y, x). [rad]"""
     a = abs(x)
     b = abs(y)
     slope = min(a, b) / max(max(a, b), 1e-37)

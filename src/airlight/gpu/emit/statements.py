@@ -1,7 +1,7 @@
-"""Statements of one function of restricted Python as text: body, head, variables.
+"""Emission of statements and functions of restricted Python.
 
-Every variable is declared at the top of the function, with the widest type of all its assignments;
-hence a body is written until its types no longer change.
+Variables are declared at the top with the promoted type of all their assignments; the body is
+emitted repeatedly until the types are stable.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from airlight.gpu.emit.scope import Functions, SubsetError
 from airlight.gpu.emit.shader_types import (
     BOOL,
     I32,
-    Bundle,
     Constant,
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
+    StructValue,
     TupleType,
-    Uniform,
+    UniformValue,
     Value,
     joined,
     run_time,
@@ -33,32 +33,31 @@ from airlight.gpu.emit.shader_types import (
 _SHORT: Final = frozenset(
     {"load", "store", "splat", "float32", "between", "min", "max", "abs", "int"}
 )
-#: Turns of a loop that are written out.
+#: Unrolling factor of innermost loops.
 _UNROLLED: Final = 4
-#: Operations of a loop that is unrolled at most: drivers expand every call of a function, and what
-#: is written five times in it takes them five times as long to compile.
+#: Largest number of operations of an unrolled loop: drivers inline every call, so that unrolling
+#: multiplies their compile time.
 _MOST_OPERATIONS: Final = 20
 
 
 @dataclass
 class Emitted:
-    """Function in the shader.
+    """Emitted function.
 
     Attributes
     ----------
     name : str
         Name in the shader.
     function : callable
-        Python function that it was emitted from.
+        Python function.
     parameters : tuple of (str, Value)
-        All parameters, including the bound ones.
+        All parameters, including those bound to constants.
     result : Scalar, TupleType or None
         Type of the result; None if the function only fills arrays.
     text : str
-        Text in the language of the emitter.
+        Source in the target language.
     arrays : set of str
-        Arrays of bundles that the function uses, by the names of their parameters: only these are
-        handed over.
+        Array fields of struct values in use, by parameter name; only these are passed.
     """
 
     name: str
@@ -68,8 +67,8 @@ class Emitted:
     text: str = ""
     arrays: set[str] = field(default_factory=set)
 
-    def handed(self, dialect: Dialect) -> list[list[Named]]:
-        """Names and types of what a call hands over, for each parameter.
+    def argument_lists(self, dialect: Dialect) -> list[list[Named]]:
+        """Run-time arguments of each parameter: names and types.
 
         Parameters
         ----------
@@ -79,33 +78,33 @@ class Emitted:
         handed: list[list[Named]] = []
         for name, value in self.parameters:
             several: list[Named] = []
-            if isinstance(value, Bundle):
+            if isinstance(value, StructValue):
                 for one, kind in value.fields.items():
                     array = f"{name}_{one}"
                     if isinstance(kind, LocalArray) and array in self.arrays:
                         several += [(array, kind)] if dialect.at_run_time(kind) else []
             elif dialect.at_run_time(value):
-                several.append((name, value if isinstance(value, Table) else run_time(value)))
+                several.append((name, value if isinstance(value, ShaderTable) else run_time(value)))
             handed.append(several)
         return handed
 
 
 class FunctionBody:
-    """Writer of the statements of one function.
+    """Emitter of the body of one function.
 
     Parameters
     ----------
     emitter : Functions
         Emitter of the functions that are called.
     made : Emitted
-        Function to write; ``write`` fills in its result and text.
+        Function; ``write`` sets its result and text.
     tree : ast.FunctionDef
         Source of the function.
 
     Raises
     ------
     SubsetError
-        From its methods: with file and line, where a statement leaves the subset.
+        From methods, for a statement outside the subset.
     """
 
     def __init__(self, emitter: Functions, made: Emitted, tree: ast.FunctionDef) -> None:
@@ -118,7 +117,7 @@ class FunctionBody:
         self.temporaries = 0
 
     def write(self) -> None:
-        """Write the body, at most three times: each pass uses the types that the last one found."""
+        """Emit the body; up to three passes, until the inferred types are stable."""
         parameters = {name for name, _ in self.made.parameters}
         for _ in range(3):
             before = dict(self.names)
@@ -127,11 +126,11 @@ class FunctionBody:
             self.block(self.tree.body, 1)
             if self.names == before:
                 break
-        spell = self.expressions.spelled
+        spell = self.expressions.mangle
         heads: list[Named] = []
         copies: list[str] = []
         changed = _assigned(self.tree)
-        handed = self.made.handed(self.dialect)
+        handed = self.made.argument_lists(self.dialect)
         for name, kind in (one for several in handed for one in several):
             if isinstance(kind, Scalar) and name in changed:
                 given = f"{spell(name)}_given"
@@ -139,7 +138,7 @@ class FunctionBody:
                 now = self.names[name]
                 assert isinstance(now, Scalar)
                 if now != kind:
-                    given = self.dialect.converted(given, now)
+                    given = self.dialect.convert(given, now)
                 copies.append(f"  {self.dialect.variable(spell(name), now, given)}")
             else:
                 heads.append((spell(name), kind))
@@ -152,11 +151,11 @@ class FunctionBody:
         self.made.text = "\n".join([head, *copies, *self.lines, "}\n"])
 
     def refuse(self, node: ast.AST, why: str) -> SubsetError:
-        """Error for a node; see ``Names.refuse``."""
+        """Error for a node; see ``Scope.refuse``."""
         return self.expressions.refuse(node, why)
 
     def block(self, body: Sequence[ast.stmt], depth: int) -> bool:
-        """Write statements up to the first that always returns; return whether there is one."""
+        """Emit statements up to the first unconditional return; whether there is one."""
         for statement in body:
             if isinstance(statement, ast.If):
                 known = self.expressions.known(statement.test)
@@ -174,7 +173,7 @@ class FunctionBody:
         self.lines.append("  " * depth + text)
 
     def statement(self, node: ast.stmt, depth: int) -> None:
-        """Write one statement of any kind."""
+        """Emit a statement."""
         match node:
             case ast.Expr(value=ast.Constant()) | ast.Pass():
                 return
@@ -209,12 +208,12 @@ class FunctionBody:
     def condition(self, test: ast.expr) -> str:
         """Condition of ``if`` and ``while``."""
         text, value = self.expressions.write(test)
-        if value is None or not isinstance(value, (Scalar, Uniform, Constant)):
+        if value is None or not isinstance(value, (Scalar, UniformValue, Constant)):
             raise self.refuse(test, "is not a condition")
         return text if run_time(value) == BOOL else f"{text} != 0"
 
     def branch(self, node: ast.If, depth: int) -> None:
-        """Write ``if`` and ``else`` that are decided at run time."""
+        """Emit a run-time branch."""
         self.put(depth, f"if ({self.condition(node.test)}) {{")
         self.block(node.body, depth + 1)
         if node.orelse:
@@ -223,7 +222,7 @@ class FunctionBody:
         self.put(depth, "}")
 
     def loop(self, node: ast.For, depth: int) -> None:
-        """Write ``for … in range(…)``."""
+        """Emit ``for … in range(…)``."""
         call, target = node.iter, node.target
         plain = (
             isinstance(call, ast.Call)
@@ -244,8 +243,8 @@ class FunctionBody:
             sign = ">"
         if self.single_turn(node, target, call.args, depth):
             return
-        self.expressions.learn(node, target.id, I32)
-        name = self.expressions.spelled(target.id)
+        self.expressions.declare(node, target.id, I32)
+        name = self.expressions.mangle(target.id)
         turns = self.known_turns(call.args)
         short = turns is not None and len(turns) < _UNROLLED
         if self.dialect.unrolls and len(ends) < 3 and not short and not _stays_rolled(node):
@@ -258,7 +257,7 @@ class FunctionBody:
         self.put(depth, "}")
 
     def known_turns(self, ends: Sequence[ast.expr]) -> range | None:
-        """Turns of a loop over these arguments of ``range``, None where a shader computes them."""
+        """Constant iteration range of a loop; None if it is not constant."""
         known = [self.expressions.fold(one) for one in ends]
         numbers = [one for one in known if isinstance(one, int)]
         return range(*numbers) if len(numbers) == len(known) else None
@@ -266,9 +265,9 @@ class FunctionBody:
     def single_turn(
         self, node: ast.For, target: ast.Name, ends: Sequence[ast.expr], depth: int
     ) -> bool:
-        """Write the body of a loop that is known to have one turn; return whether it is one.
+        """Emit a loop of exactly one iteration without the loop; whether it is one.
 
-        So a loop over groups of lanes, of which a device has one, costs it nothing.
+        Loops over lane groups, of which the GPU has one, disappear.
         """
         turns = self.known_turns(ends)
         parts = [inside for statement in node.body for inside in ast.walk(statement)]
@@ -285,13 +284,13 @@ class FunctionBody:
         return True
 
     def unrolled(self, node: ast.For, name: str, first: str, last: str, depth: int) -> None:
-        """Write an innermost loop unrolled four times, and a loop over the remainder.
+        """Emit an innermost loop unrolled by four, and a remainder loop.
 
         Mesa's software renderer ends all loops of a shader after 65 535 iterations in total.
         """
         self.temporaries += 1
         end = f"end_{self.temporaries}"
-        self.put(depth, self.dialect.kept(end, I32, last))
+        self.put(depth, self.dialect.let(end, I32, last))
         self.put(
             depth,
             f"for ({name} = {first}; {name} + {_UNROLLED - 1} < {end}; {name} = {name} + 1) {{",
@@ -306,7 +305,7 @@ class FunctionBody:
         self.put(depth, "}")
 
     def give_back(self, node: ast.Return, depth: int) -> None:
-        """Write ``return`` of nothing, a number or a tuple."""
+        """Emit ``return``."""
         if node.value is None:
             self.put(depth, "return;")
             return
@@ -322,7 +321,7 @@ class FunctionBody:
                 for (text, value), item in zip(written, several.items, strict=True)
             ]
             self.made.result = several
-            self.put(depth, f"return {self.dialect.several(several, parts)};")
+            self.put(depth, f"return {self.dialect.tuple_expr(several, parts)};")
             return
         text, value = self.expressions.write(node.value)
         if isinstance(value, TupleType):
@@ -336,7 +335,7 @@ class FunctionBody:
         self.put(depth, f"return {self.expressions.cast(text, value, kind)};")
 
     def assign(self, target: ast.expr, value: ast.expr, depth: int) -> None:
-        """Assign a value to a name or to an element of an array."""
+        """Emit an assignment to a name or an array element."""
         if isinstance(target, ast.Subscript):
             place, kind = self.expressions.place(target)
             self.put(depth, f"{place} = {self.expressions.as_scalar(value, kind)};")
@@ -347,11 +346,11 @@ class FunctionBody:
         self.keep(target, text, found, depth)
 
     def keep(self, target: ast.Name, text: str, found: Value | None, depth: int) -> None:
-        """Assign the value of an expression to a name: at run time, or for the emitter alone."""
+        """Bind a name to an expression, at run time or at emission."""
         if found is None:
             raise self.refuse(target, "nothing to assign")
-        if isinstance(found, (Table, Bundle)):
-            self.expressions.learn(target, target.id, found)
+        if isinstance(found, (ShaderTable, StructValue)):
+            self.expressions.declare(target, target.id, found)
             return
         kind = run_time(found)
         if isinstance(kind, TupleType):
@@ -362,41 +361,41 @@ class FunctionBody:
             if self.dialect.module_arrays and not kind.variable:
                 name = f"{self.made.name}_{target.id}"
                 kind = self.expressions.emitter.module_array(name, kind)
-            self.expressions.learn(target, target.id, kind)
+            self.expressions.declare(target, target.id, kind)
             return
-        self.expressions.learn(target, target.id, kind)
+        self.expressions.declare(target, target.id, kind)
         now = self.names[target.id]
         assert isinstance(now, Scalar)
-        spelled = self.expressions.spelled(target.id)
-        self.put(depth, f"{spelled} = {self.expressions.cast(text, found, now)};")
+        mangle = self.expressions.mangle(target.id)
+        self.put(depth, f"{mangle} = {self.expressions.cast(text, found, now)};")
 
     def unpack(self, target: ast.Tuple, value: ast.expr, depth: int) -> None:
-        """Unpack a tuple, a bundle or a result of several numbers."""
+        """Emit an unpacking assignment."""
         if isinstance(value, ast.Tuple):
             if len(value.elts) != len(target.elts):
                 raise self.refuse(target, "another number of values")
             written = [self.expressions.write(one) for one in value.elts]
             fixed: list[tuple[str, Value | None]] = []
             for text, found in written:
-                if found is None or isinstance(found, (Table, Bundle, LocalArray)):
+                if found is None or isinstance(found, (ShaderTable, StructValue, LocalArray)):
                     fixed.append((text, found))
                     continue
                 self.temporaries += 1
                 now, kind = f"now_{self.temporaries}", run_time(found)
                 if isinstance(kind, LocalArray):
                     raise self.refuse(target, "an array has one name")
-                self.put(depth, self.dialect.kept(now, kind, text))
+                self.put(depth, self.dialect.let(now, kind, text))
                 fixed.append((now, kind))
             for one, (text, found) in zip(target.elts, fixed, strict=True):
                 self.one_of_several(one, text, found, depth)
             return
         text, found = self.expressions.write(value)
-        if isinstance(found, Bundle):
+        if isinstance(found, StructValue):
             if len(found.fields) != len(target.elts):
                 raise self.refuse(target, f"{len(found.fields)} fields")
             for one, member in zip(target.elts, found.fields.values(), strict=True):
                 written_member = ""
-                if isinstance(member, Uniform):
+                if isinstance(member, UniformValue):
                     written_member = self.dialect.uniform(member.text, member.scalar)
                 if isinstance(member, Constant):
                     written_member = self.expressions.literal(one, member.value)
@@ -406,12 +405,12 @@ class FunctionBody:
             raise self.refuse(target, "another number of values")
         self.temporaries += 1
         several = f"several_{self.temporaries}"
-        self.put(depth, self.dialect.kept(several, found, text))
+        self.put(depth, self.dialect.let(several, found, text))
         for i, (one, kind) in enumerate(zip(target.elts, found.items, strict=True)):
             self.one_of_several(one, self.dialect.part(several, i), kind, depth)
 
     def one_of_several(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
-        """Assign one part of a tuple to a name or to an element of an array."""
+        """Emit the assignment of one tuple element."""
         if isinstance(target, ast.Name):
             if target.id != "_":
                 self.keep(target, text, found, depth)
@@ -434,7 +433,7 @@ def _stays_rolled(node: ast.For) -> bool:
 
 
 def _is_long_call(node: ast.AST) -> bool:
-    """Whether a node calls a function other than one of numbers, lanes or four nodes of a field."""
+    """Whether a node calls a kernel, apart from scalar, lane and field-interpolation calls."""
     if not isinstance(node, ast.Call):
         return False
     called = node.func
@@ -443,7 +442,7 @@ def _is_long_call(node: ast.AST) -> bool:
 
 
 def _assigned(tree: ast.FunctionDef) -> set[str]:
-    """Names that a function assigns to."""
+    """Variables that a function assigns."""
     return {
         node.id
         for node in ast.walk(tree)
@@ -452,7 +451,7 @@ def _assigned(tree: ast.FunctionDef) -> set[str]:
 
 
 def _as_read(target: ast.expr) -> ast.expr:
-    """Expression that reads the target of an assignment."""
+    """Assignment target as an expression in load context."""
     copied = ast.parse(ast.unparse(target), mode="eval").body
     for node in ast.walk(copied):
         node.lineno = target.lineno  # type: ignore[attr-defined]

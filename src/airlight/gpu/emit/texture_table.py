@@ -1,4 +1,4 @@
-"""Table in a flat texture: its type for the emitter, and its reader in each language."""
+"""Table in a texture: its type for the emitter, and its read functions."""
 
 from __future__ import annotations
 
@@ -6,37 +6,37 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.shader_types import F32, FLAT_SHIFT, I32, PACKED_SHIFT, VEC4, Table
+from airlight.gpu.emit.shader_types import F32, FLAT_SHIFT, I32, PACKED_SHIFT, VEC4, ShaderTable
 
 
 @dataclass(frozen=True)
 class TextureTable:
-    """Array in a flat texture, or a picture in a texture of its own.
+    """Array in a flat texture, or image in its own texture.
 
     Attributes
     ----------
     name : str
-        Its functions in the shader are ``read_NAME`` and, for each axis, ``size_NAME_AXIS``.
+        Name; functions are ``read_NAME`` and, for each axis, ``size_NAME_AXIS``.
     texture : str
-        Texture that holds it.
+        Name of the texture.
     rank : int
         Number of axes.
     spectral : bool
-        Whether an element is a texel of four wavelengths rather than a single number.
+        Whether elements are texels of four wavelengths.
     start : str
-        Expression of its first texel, a float; empty if it begins the texture.
+        Float expression of the first texel; empty for 0.
     lengths : str
-        Expression of a vector with the lengths of its axes, as floats; empty if none is read.
+        Expression of a float vector of axis lengths; empty if no length is read.
     first : int
-        Component of that vector that holds the first axis.
+        Component of ``lengths`` with the first axis.
     pair : bool
-        Whether the last axis, which does not fit into the vector, has the length two.
+        Whether the last axis has length two, as it does not fit into ``lengths``.
     by_number : bool
-        Whether single numbers are read from texels of four.
+        Whether scalars are read from texels of four.
     packed : bool
-        Whether the texture is one of packed texels, which has longer rows.
+        Whether the texture has packed texels, with longer rows.
     image : bool
-        Whether the texture is a picture, read at row and column.
+        Whether it is an image, read by row and column.
     """
 
     name: str
@@ -52,12 +52,12 @@ class TextureTable:
     image: bool = False
 
     @property
-    def table(self) -> Table:
+    def table(self) -> ShaderTable:
         """Table for the emitter."""
-        return Table(self.name, self.rank, self.spectral, self.image)
+        return ShaderTable(self.name, self.rank, self.spectral, self.image)
 
     def reader(self, dialect: ShaderDialect, texture: str) -> str:
-        """Functions with which a shader reads the table.
+        """Source of the read and size functions.
 
         Parameters
         ----------
@@ -68,31 +68,31 @@ class TextureTable:
         """
         if self.image:
             return self._image_reader(dialect, texture)
-        start = f" + {dialect.converted(self.start, I32)}" if self.start else ""
+        start = f" + {dialect.convert(self.start, I32)}" if self.start else ""
         at = "(index >> 2)" if self.by_number else "index"
         kind = VEC4 if self.spectral else F32
         component = "[index & 3]" if self.by_number else "" if self.spectral else ".x"
         lines = [
-            dialect.kept("place", I32, f"{at}{start}"),
-            dialect.fetched(texture, "place", PACKED_SHIFT if self.packed else FLAT_SHIFT)
+            dialect.let("place", I32, f"{at}{start}"),
+            dialect.fetch(texture, "place", PACKED_SHIFT if self.packed else FLAT_SHIFT)
             + component,
         ]
         read = dialect.function(f"read_{self.name}", [("index", I32)], kind, lines)
         return self._sizes(dialect, self._lengths(dialect)) + read
 
     def _image_reader(self, dialect: ShaderDialect, texture: str) -> str:
-        fetched = dialect.image_fetched(texture, "row", "column")
+        fetched = dialect.fetch_image(texture, "row", "column")
         places = [("row", I32), ("column", I32)]
         sizes = self._sizes(dialect, [dialect.image_length(texture, str(axis)) for axis in (0, 1)])
         return sizes + dialect.function(f"read_{self.name}", places, VEC4, [fetched])
 
     def _lengths(self, dialect: ShaderDialect) -> list[str]:
-        """Length of each axis, as a constant element of the vector: drivers need not search it."""
+        """Length of each axis, by constant index into ``lengths``."""
         if not self.lengths:
             return []
         named = self.rank - 1 if self.pair else self.rank
         places = [f"{self.lengths}[{axis + self.first}]" for axis in range(named)]
-        return [dialect.converted(one, I32) for one in places] + ["2"] * self.pair
+        return [dialect.convert(one, I32) for one in places] + ["2"] * self.pair
 
     def _sizes(self, dialect: ShaderDialect, lengths: Sequence[str]) -> str:
         return "".join(

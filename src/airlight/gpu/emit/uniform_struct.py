@@ -1,7 +1,7 @@
-"""Uniform struct and textures of shaders, from the fields of the NamedTuples that formulas take.
+"""Uniform struct and texture layout of shaders, from the fields of kernel NamedTuples.
 
-A number is a float of the struct. A table lies behind others in its texture; a vec4f of the struct
-has its start and the lengths of its first three axes.
+Scalars are floats of the struct. Tables are concatenated in textures; a vec4f of the struct has the
+start of each and its first three axis lengths.
 """
 
 from __future__ import annotations
@@ -16,14 +16,23 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.gpu.emit.dialect import ShaderDialect
-from airlight.gpu.emit.shader_types import BOOL, F32, I32, Bundle, Constant, Scalar, Uniform, Value
+from airlight.gpu.emit.shader_types import (
+    BOOL,
+    F32,
+    I32,
+    Constant,
+    Scalar,
+    StructValue,
+    UniformValue,
+    Value,
+)
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.kernel.shader_fields import CHOICE, Always, InTexture, ShaderField, shader_fields
 
 Float32Array = NDArray[np.float32]
-#: Start of a table in its texture, and lengths of its axes.
+#: Start of a table in its texture, and axis lengths.
 Place = tuple[int, ...]
-#: Numbers whose values are known when a shader is written.
+#: Scalars bound as constants.
 Fixed = tuple[tuple[str, int | bool], ...]
 
 _SCALARS: Final = {float: F32, int: I32, bool: BOOL}
@@ -31,27 +40,27 @@ _SCALARS: Final = {float: F32, int: I32, bool: BOOL}
 
 @dataclass(frozen=True, eq=False)
 class UniformStruct:
-    """Numbers and tables of a group of shaders.
+    """Scalars and tables of a group of shaders.
 
     Parameters
     ----------
     name : str
         Name of the uniform.
     bundles : tuple of type
-        NamedTuples with the numbers and tables; two may share a number.
+        NamedTuples with the scalars and tables; they may share scalars.
     more : tuple of str
-        Vectors of the host alone: numbers of four wavelengths.
+        Further vectors of four wavelengths.
 
     Attributes
     ----------
     numbers : dict from str to Scalar
-        Numbers with their types.
+        Scalars with their types.
     tables : dict from str to TextureTable
         Tables by name.
     choices : tuple of str
-        Switches, and indices that are fixed for a whole picture.
+        Booleans, and indices that are constant over a frame.
     textures : dict from str to int
-        Textures of the tables, in the order of the declarations, with their numbers per texel.
+        Textures of the tables in declaration order, with their channels.
     """
 
     name: str
@@ -99,8 +108,8 @@ class UniformStruct:
 
     # --- in the shader ------------------------------------------------------------------------
 
-    def uniform(self, name: str) -> Uniform:
-        """Number of the struct, for the emitter.
+    def uniform(self, name: str) -> UniformValue:
+        """Scalar of the struct, for the emitter.
 
         Parameters
         ----------
@@ -108,23 +117,23 @@ class UniformStruct:
             Name from ``numbers``.
         """
         vector, component = self._places[name]
-        return Uniform(f"{self.name}.{vector}.{component}", self.numbers[name])
+        return UniformValue(f"{self.name}.{vector}.{component}", self.numbers[name])
 
-    def bundle(self, kind: Any, fixed: Fixed = ()) -> Bundle:
-        """NamedTuple for the emitter: its fields are tables, uniforms or constants.
+    def struct_value(self, kind: Any, fixed: Fixed = ()) -> StructValue:
+        """NamedTuple for the emitter, with tables, uniforms and constants as fields.
 
         Parameters
         ----------
         kind : type
-            NamedTuple from ``bundles``, or a group of fields inside one.
+            NamedTuple from ``bundles``, or a nested one.
         fixed : tuple
-            Names and values of numbers that are bound as constants.
+            Names and values of scalars bound as constants.
         """
         known = dict(fixed)
         fields: dict[str, Value] = {}
         for one in shader_fields(kind):
             if _is_group(one):
-                fields[one.name] = self.bundle(one.kind, fixed)
+                fields[one.name] = self.struct_value(one.kind, fixed)
             elif isinstance(one.mark, Always):
                 fields[one.name] = Constant(one.mark.value)
             elif one.name in known:
@@ -133,7 +142,7 @@ class UniformStruct:
                 fields[one.name] = self.tables[one.name].table
             else:
                 fields[one.name] = self.uniform(one.name)
-        return Bundle(fields)
+        return StructValue(fields)
 
     def read_by(self, body: str) -> list[TextureTable]:
         """Tables that emitted functions read.
@@ -147,27 +156,27 @@ class UniformStruct:
         return [table for name, table in self.tables.items() if name in called]
 
     def vectors(self) -> tuple[str, ...]:
-        """Names of all vec4f of the struct, in order."""
+        """Fields of the struct, all vec4f, in order."""
         numbers = dict.fromkeys(vector for vector, _ in self._places.values())
         placed = (name for name, table in self.tables.items() if table.start)
         return (*numbers, *(f"table_{name}" for name in placed))
 
     def text(self, dialect: ShaderDialect, binding: int = 0) -> str:
-        """Struct and its declaration.
+        """Declaration of the struct.
 
         Parameters
         ----------
         dialect : ShaderDialect
             Shading language.
         binding : int
-            Slot in group 0.
+            Binding in group 0.
         """
         return dialect.uniforms(self.name, self.vectors(), 0, binding)
 
     # --- on the host --------------------------------------------------------------------------
 
     def layout(self) -> dict[str, Any]:
-        """Position of each number in the struct, in floats, for a host in another language."""
+        """Offset of each scalar and table in the struct, in floats, as JSON."""
         return self._layout
 
     def _laid(self) -> dict[str, Any]:
@@ -184,12 +193,12 @@ class UniformStruct:
         return {"floats": 4 * len(names), "numbers": numbers, "tables": tables}
 
     def fixed(self, numbers: Mapping[str, float]) -> Fixed:
-        """Choices bound as constants, which a software device need not test for every pixel.
+        """``choices`` with their values, to bind as constants for a software GPU.
 
         Parameters
         ----------
         numbers : mapping
-            Values by name; those left out are 0.
+            Values by name; 0 by default.
         """
         return tuple(
             (name, bool(value) if self.numbers[name] == BOOL else int(value))
@@ -199,19 +208,19 @@ class UniformStruct:
     def laid_out(
         self, arrays: Mapping[str, NDArray[Any]]
     ) -> tuple[dict[str, Float32Array], dict[str, Place]]:
-        """Contents of textures from the arrays of their tables, one behind the other.
+        """Texture contents with the tables concatenated.
 
         Parameters
         ----------
         arrays : mapping
-            Arrays of numbers, any shape, or of texels, shape (n, 4), by the names of tables.
+            Arrays of scalars, any shape, or of texels, shape (n, 4), by table name.
 
         Returns
         -------
         textures : dict
-            Texels of each texture that has a table among them, shape (n, 1) or (n, 4).
+            Texels of each texture, shape (n, 1) or (n, 4).
         places : dict
-            Start and lengths of the axes of each table.
+            Start and axis lengths of each table.
         """
         parts: dict[str, list[Float32Array]] = {}
         places: dict[str, Place] = {}
@@ -226,19 +235,19 @@ class UniformStruct:
         return {name: np.concatenate(part) for name, part in parts.items()}, places
 
     def packed(self, values: Mapping[str, float], places: Mapping[str, Place]) -> Float32Array:
-        """Values of the struct as an array of floats.
+        """Contents of the struct.
 
         Parameters
         ----------
         values : mapping
-            Values of the numbers of ``layout``; those left out are 0.
+            Values of the scalars; 0 by default.
         places : mapping
-            Places of tables from ``laid_out``.
+            Positions of tables from ``laid_out``.
 
         Raises
         ------
         ParameterError
-            If a name is not in the struct, or a number is not representable in single precision.
+            If a name is unknown, or a value is not representable in single precision.
         """
         where = self.layout()
         out = np.zeros(where["floats"], np.float32)
@@ -260,7 +269,7 @@ def _is_group(one: ShaderField) -> bool:
 
 
 def _leaves(bundle: Any) -> Iterable[ShaderField]:
-    """Numbers and tables of a NamedTuple and of those inside it."""
+    """Scalars and tables of a NamedTuple, including nested ones."""
     for one in shader_fields(bundle):
         if _is_group(one):
             yield from _leaves(one.kind)

@@ -10,7 +10,7 @@ from airlight.gpu.emit.dialect import Named, ShaderDialect
 from airlight.gpu.emit.shader_types import (
     LocalArray,
     Scalar,
-    Table,
+    ShaderTable,
     TupleType,
 )
 from airlight.gpu.emit.single_precision import MATHEMATICS
@@ -22,7 +22,7 @@ _RESERVED: Final = """
     inverse inverseSqrt layout length let log log2 loop main max min mix mod normalize out output
     override pow precision radians reflect refract return round sample sampler select shared sign
     sin sine smooth sqrt squared step struct switch tan texture trunc true u32 uniform var vec4f
-    while active centroid common whole_quotient whole_rest filter half fixed image interface packed
+    while active centroid common floor_div floor_mod filter half fixed image interface packed
     partition public static superp target template this union unsigned using volatile highp lowp
     mediump flat buffer texel
 """
@@ -34,12 +34,12 @@ class Wgsl(ShaderDialect):
     name = "WGSL"
     reserved = frozenset(re.findall(r"\w+", _RESERVED))
     mathematics = MATHEMATICS
-    whole_numbers: ClassVar[str] = """\
-fn whole_quotient(a: i32, b: i32) -> i32 {
+    integer_functions: ClassVar[str] = """\
+fn floor_div(a: i32, b: i32) -> i32 {
   let towards_zero = a / b;
   return select(towards_zero, towards_zero - 1, towards_zero * b != a && (a < 0) != (b < 0));
 }
-fn whole_rest(a: i32, b: i32) -> i32 { return a - b * whole_quotient(a, b); }
+fn floor_mod(a: i32, b: i32) -> i32 { return a - b * floor_div(a, b); }
 """
     triangle: ClassVar[str] = """\
 @vertex
@@ -50,7 +50,7 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
 }
 """
 
-    def type_name(self, kind: Scalar | LocalArray | TupleType | Table) -> str:
+    def type_name(self, kind: Scalar | LocalArray | TupleType | ShaderTable) -> str:
         return (
             f"array<{kind.element.name}, {kind.size}>"
             if isinstance(kind, LocalArray)
@@ -60,7 +60,7 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
     def declared(self, name: str, kind: Scalar | LocalArray) -> str:
         return f"var {name}: {self.type_name(kind)};"
 
-    def kept(self, name: str, kind: Scalar | TupleType, text: str) -> str:
+    def let(self, name: str, kind: Scalar | TupleType, text: str) -> str:
         return f"let {name} = {text};"
 
     def variable(self, name: str, kind: Scalar, text: str) -> str:
@@ -82,16 +82,16 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
         parts = ", ".join(f"v{i}: {item.name}" for i, item in enumerate(kind.items))
         return f"struct {kind.name} {{ {parts} }}\n"
 
-    def several(self, kind: TupleType, parts: Sequence[str]) -> str:
+    def tuple_expr(self, kind: TupleType, parts: Sequence[str]) -> str:
         return f"{kind.name}({', '.join(parts)})"
 
     def part(self, text: str, index: int) -> str:
         return f"{text}.v{index}"
 
-    def converted(self, text: str, wanted: Scalar) -> str:
+    def convert(self, text: str, wanted: Scalar) -> str:
         return f"{wanted.name}({text})"
 
-    def chosen(self, test: str, yes: str, no: str) -> str:
+    def select(self, test: str, yes: str, no: str) -> str:
         return f"select({no}, {yes}, {test})"
 
     def unused(self, text: str) -> str:
@@ -100,17 +100,17 @@ fn full_screen_triangle(@builtin(vertex_index) index: u32) -> @builtin(position)
     def array_argument(self, text: str) -> str:
         return f"&{text}"
 
-    def array(self, name: str, *, handed_over: bool) -> str:
-        return f"(*{name})" if handed_over else name
+    def array(self, name: str, *, is_argument: bool) -> str:
+        return f"(*{name})" if is_argument else name
 
-    def fetched(self, texture: str, index: str, shift: int) -> str:
+    def fetch(self, texture: str, index: str, shift: int) -> str:
         place = f"{index} & {(1 << shift) - 1}, {index} >> {shift}"
         return f"textureLoad({texture}, vec2i({place}), 0)"
 
-    def image_fetched(self, texture: str, row: str, column: str) -> str:
+    def fetch_image(self, texture: str, row: str, column: str) -> str:
         return f"textureLoad({texture}, vec2i({column}, {row}), 0)"
 
-    def volume_fetched(self, texture: str, x: str, y: str, z: str) -> str:
+    def fetch_volume(self, texture: str, x: str, y: str, z: str) -> str:
         return f"textureLoad({texture}, vec3i({x}, {y}, {z}), 0)"
 
     def image_length(self, texture: str, axis: str) -> str:

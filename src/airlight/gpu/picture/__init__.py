@@ -1,1 +1,1 @@
-"""Pictures of a solution on a graphics device."""
+"""Rendering and display of a solution on the GPU."""

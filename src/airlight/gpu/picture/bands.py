@@ -1,4 +1,4 @@
-"""Rows of a picture that show only sky, or no star: work that a software device can skip."""
+"""Bands of rows without ground, star or edges, for which a software GPU can skip work."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ _STEP: Final = 16
 
 
 class Band(NamedTuple):
-    """Rows that are drawn together.
+    """Contiguous rows with the same shader.
 
     Attributes
     ----------
     first, rows : int
         First row and number of rows. [pixel]
     ground, star, edge : bool
-        Whether ground, the star's disc or the edge of the ground may be visible in them.
+        Whether the ground, the star's disc or the ground's edge may be visible.
     """
 
     first: int
@@ -34,18 +34,18 @@ class Band(NamedTuple):
 def bands(
     scene: Scene, lowest_up: float, star: tuple[float, float, float], reach: float
 ) -> list[Band]:
-    """Rows of a picture by what may be visible in them; the classification is conservative.
+    """Bands of a frame by what may be visible in them, conservatively.
 
     Parameters
     ----------
     scene : Scene
         Scene with the camera.
     lowest_up : float
-        Sine of the elevation of the horizon, or of the planet's limb seen from outside. [1]
+        Sine of the elevation of the horizon or, from outside, of the limb. [1]
     star : (float, float, float)
         Apparent direction of the star. [1]
     reach : float
-        Largest angle between that direction and a visible point of the disc. [rad]
+        Largest angle between ``star`` and a visible point of its disc. [rad]
     """
     camera = scene.camera
     assert camera.field_of_view is not None

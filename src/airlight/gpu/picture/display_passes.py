@@ -1,4 +1,4 @@
-"""Passes from a picture in linear light to what a display shows: glare, then its values."""
+"""Display passes of a frame: glare, exposure, tone map and encoding."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from airlight.gpu.picture.display_shaders import coarser_shader, display_shader,
 from airlight.gpu.picture.shaders import Shader
 from airlight.gpu.picture.uniforms import FRAME
 
-#: Format of pictures in linear light: half precision ends below the radiance of the sun's disc.
+#: Format of linear radiance; half precision overflows at the radiance of the sun's disc.
 LINEAR: Final = "rgba32float"
 
 
 class DisplayPasses:
-    """Picture in linear light and its glare, kept for as long as only its display changes.
+    """Display of a cached frame of linear radiance, with its glare.
 
     Parameters
     ----------
@@ -28,29 +28,29 @@ class DisplayPasses:
 
     Attributes
     ----------
-    drawn : hashable
-        Everything on which the light of the picture depends; None before it is drawn.
+    rendered : hashable
+        Key of the cached radiance; None before it is rendered.
     """
 
     def __init__(self, device: Device) -> None:
         self.device = device
-        self.drawn: Hashable = None
+        self.rendered: Hashable = None
         self._size = (0, 0)
         self._spread: Hashable = None
         self._picture: Any = None
-        self._levels: list[Any] = []  # pictures in texels of 2, 4, 8 … pixels
-        self._spreads: list[Any] = []  # what each of them and the coarser ones spread
+        self._levels: list[Any] = []  # pyramid in texels of 2, 4, 8 … pixels
+        self._spreads: list[Any] = []  # spread light of each level and all coarser ones
         self._uniforms: dict[int, Any] = {}
         self._passes: dict[tuple[Shader, str], FragmentPass] = {}
         self._groups: dict[tuple[FragmentPass, int], list[Any]] = {}
 
     def picture(self, width: int, height: int) -> Any:
-        """View of the picture in linear light, to be drawn into.
+        """View of the texture of linear radiance, as a render target.
 
         Parameters
         ----------
         width, height : int
-            Size; another one than before leaves the picture black. [pixel]
+            Size; a change clears the texture. [pixel]
         """
         if (width, height) != self._size:
             for one in (self._picture, *self._levels, *self._spreads):
@@ -58,45 +58,45 @@ class DisplayPasses:
                     one.destroy()
             self._picture = self._texture(width, height, "picture")
             self._levels, self._spreads = [], []
-            self._size, self.drawn, self._spread = (width, height), None, None
+            self._size, self.rendered, self._spread = (width, height), None, None
             self._groups.clear()
         return self._picture.create_view()
 
-    def show(
-        self, numbers: Mapping[str, float], pixel_angle: float, view: Any, target_format: str
+    def display(
+        self, uniforms: Mapping[str, float], pixel_angle: float, view: Any, target_format: str
     ) -> None:
-        """Display the picture.
+        """Display the cached radiance.
 
         Parameters
         ----------
-        numbers : mapping
+        uniforms : mapping
             Uniforms of the display, by name; ``glare`` among them.
         pixel_angle : float
-            Angle of a pixel, for glare; 0 for none. [rad]
+            Pixel angle for glare; 0 disables it. [rad]
         view : wgpu.GPUTextureView
-            View of the target, of the picture's size.
+            View of the target, of the same size.
         target_format : str
             Format of the target.
         """
         shorter = float(min(self._size))
-        count = glare_levels(pixel_angle, shorter) if numbers.get("glare", 0.0) > 0.0 else 0
+        count = glare_levels(pixel_angle, shorter) if uniforms.get("glare", 0.0) > 0.0 else 0
         shares = [glare_share(level, pixel_angle, shorter) for level in range(1, count + 1)]
         encoder = self.device.device.create_command_encoder()
-        wanted = self.drawn, pixel_angle
-        if shares and (self._spread != wanted or self.drawn is None):
+        wanted = self.rendered, pixel_angle
+        if shares and (self._spread != wanted or self.rendered is None):
             self._spread_light(encoder, shares)
             self._spread = wanted
         fixed: Fixed = ()
-        if self.device.software:  # which would evaluate every tone map for each pixel
-            fixed = tuple(one for one in FRAME.fixed(numbers) if one[0] in Display._fields)
+        if self.device.software:  # evaluates every tone map for each pixel otherwise
+            fixed = tuple(one for one in FRAME.fixed(uniforms) if one[0] in Display._fields)
         one = self._pass(display_shader(fixed), target_format)
-        self._write(0, {**numbers, "glare_total": float(sum(shares))})
+        self._write(0, {**uniforms, "glare_total": float(sum(shares))})
         coarser = self._spreads[0] if self._spreads else self._picture
         one.run(encoder, self._bound(one, 0, picture=self._picture, coarser=coarser), [view])
         self.device.device.queue.submit([encoder.finish()])
 
     def _spread_light(self, encoder: Any, shares: list[float]) -> None:
-        """Record the passes of glare: level by level coarser, then back."""
+        """Record the glare passes: down the pyramid, then up."""
         if not self._levels:
             width, height = self._size
             for level in range(1, len(shares) + 1):
@@ -126,7 +126,7 @@ class DisplayPasses:
         )
 
     def _buffer(self, level: int) -> Any:
-        """Uniforms of a level, or of the display, number 0."""
+        """Uniform buffer of a pyramid level, or of the display (0)."""
         import wgpu
 
         if level not in self._uniforms:
@@ -135,12 +135,12 @@ class DisplayPasses:
             self._uniforms[level] = self.device.device.create_buffer(size=size, usage=use)
         return self._uniforms[level]
 
-    def _write(self, level: int, numbers: Mapping[str, float]) -> None:
+    def _write(self, level: int, uniforms: Mapping[str, float]) -> None:
         gpu = self.device.device
-        gpu.queue.write_buffer(self._buffer(level), 0, FRAME.packed(numbers, {}))
+        gpu.queue.write_buffer(self._buffer(level), 0, FRAME.packed(uniforms, {}))
 
     def _bound(self, one: FragmentPass, number: int, **textures: Any) -> list[Any]:
-        """Bind groups of a pass for a level, made once for the textures of a size."""
+        """Cached bind groups of a pass for a level."""
         key = one, number
         if key not in self._groups:
             self._groups[key] = one.bind({"frame": self._buffer(number), **textures})

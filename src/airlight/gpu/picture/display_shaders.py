@@ -1,4 +1,4 @@
-"""Shaders of what lies between a picture in linear light and a display: glare, then its values."""
+"""Shaders of the display passes: glare, exposure, tone map and encoding."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from airlight.color.displayed import Display, displayed
 from airlight.color.glare import coarser_texel, glared_texel, spread_texel
 from airlight.gpu.emit.dialect import ShaderDialect
 from airlight.gpu.emit.emitter import Emitter
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, Bundle, TupleType, Value
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, StructValue, TupleType, Value
 from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.shaders import (
@@ -27,7 +27,7 @@ from airlight.gpu.picture.uniforms import FRAME, Lens
 
 @cache
 def coarser_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of a level of glare's pyramid, from the level before.
+    """Shader of the next coarser level of the glare pyramid.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def coarser_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the light that a level and all coarser ones spread.
+    """Shader of the light spread by a level and all coarser ones.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def spread_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def added_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the sum of two pictures in linear light.
+    """Shader of the sum of two frames of linear radiance.
 
     Parameters
     ----------
@@ -67,36 +67,36 @@ def _level_shader(
     name: str,
     function: Callable[..., Any],
     tables: tuple[str, ...],
-    numbers: tuple[str, ...],
+    uniforms: tuple[str, ...],
     dialect: ShaderDialect,
 ) -> Shader:
-    """Shader with one entry point, of the shader's name: a function of tables, place, numbers."""
+    """Shader with one entry point: a kernel of tables, row, column and uniforms."""
     emitter = Emitter(dialect)
-    lens = FRAME.bundle(Lens)
-    text = _called(emitter, function, lens, tables, numbers)
+    lens = FRAME.struct_value(Lens)
+    text = _called(emitter, function, lens, tables, uniforms)
     return assembled(name, {name: dialect.fragment(name, 1, [], [text])}, emitter)
 
 
 def _called(
     emitter: Emitter,
     function: Callable[..., Any],
-    lens: Bundle,
+    lens: StructValue,
     tables: tuple[str, ...],
-    numbers: tuple[str, ...],
+    uniforms: tuple[str, ...],
 ) -> str:
-    """Call of a function of tables, row, column, numbers."""
+    """Call of a kernel of tables, row, column and uniforms."""
     dialect = emitter.dialect
     given: list[Value] = [lens.fields[one] for one in tables]
-    values = [FRAME.uniform(one) for one in numbers]
+    values = [FRAME.uniform(one) for one in uniforms]
     made = emitter.add(function, *given, I32, I32, *values)
-    places = [dialect.converted(f"at.{axis}", I32) for axis in "yx"]
+    places = [dialect.convert(f"at.{axis}", I32) for axis in "yx"]
     texts = [dialect.uniform(one.text, one.scalar) for one in values]
     return f"{made.name}({', '.join([*places, *texts])})"
 
 
 @cache
 def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the displayed values of a picture in linear light, with glare.
+    """Shader of displayed values from linear radiance and glare.
 
     Parameters
     ----------
@@ -105,15 +105,15 @@ def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
     """
     emitter = Emitter(dialect)
     light = _called(
-        emitter, glared_texel, FRAME.bundle(Lens), ("picture", "coarser"),
+        emitter, glared_texel, FRAME.struct_value(Lens), ("picture", "coarser"),
         ("glare", "glare_total", "circle"),
     )  # fmt: skip
-    display = FRAME.bundle(Display, fixed)
+    display = FRAME.struct_value(Display, fixed)
     shown = emitter.add(displayed, F32, F32, F32, F32, F32, display, name="displayed")
     assert isinstance(shown.result, TupleType)
     lines = [
-        dialect.kept("light", VEC4, light),
-        dialect.kept("seen", shown.result, f"{shown.name}(light.x, light.y, light.z, at.x, at.y)"),
+        dialect.let("light", VEC4, light),
+        dialect.let("seen", shown.result, f"{shown.name}(light.x, light.y, light.z, at.x, at.y)"),
     ]
     parts = [dialect.part("seen", i) for i in range(3)]
     entry = f"{dialect.type_name(VEC4)}({', '.join(parts)}, 1.0)"
@@ -123,7 +123,7 @@ def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
 
 
 def all_shaders() -> tuple[Shader, ...]:
-    """All shaders of the pictures."""
+    """All shaders of rendering and display."""
     return (
         sky_air_shader(),
         sky_peaks_shader(),

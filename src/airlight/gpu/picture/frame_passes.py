@@ -1,4 +1,4 @@
-"""Passes over the pixels of a picture or of a table of it, with what they read."""
+"""Fragment passes of rendering, with their pipelines and bindings."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from airlight.gpu.picture.uniforms import FRAME
 
 
 class FramePasses:
-    """Compiled passes, kept between pictures, and what they read.
+    """Cached pipelines and bind groups of the rendering passes.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class FramePasses:
         places: Mapping[str, tuple[int, ...]],
         light: int = 0,
     ) -> None:
-        """Set the textures that the passes of a light read, and the places of tables in them."""
+        """Set the input textures of a light, and the positions of tables in them."""
         self._textures[light], self._places = textures, places
         self._groups = {key: one for key, one in self._groups.items() if key[1] != light}
 
@@ -48,24 +48,24 @@ class FramePasses:
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         return self._device.device.create_buffer(size=FRAME.packed({}, {}).nbytes, usage=use)
 
-    def packed(self, numbers: Mapping[str, float]) -> NDArray[np.float32]:
-        """Content of the uniform buffer for the numbers of a picture."""
-        # Above the ground as the shader has it: its radii are accurate to half a metre.
-        r = float(np.float32(numbers["bottom"])) + (numbers["r"] - numbers["bottom"])
-        return FRAME.packed({**numbers, "r": r}, dict(self._places))
+    def packed(self, uniforms: Mapping[str, float]) -> NDArray[np.float32]:
+        """Contents of the uniform buffer."""
+        # Relative to the ground radius in single precision, which is accurate to half a metre.
+        r = float(np.float32(uniforms["bottom"])) + (uniforms["r"] - uniforms["bottom"])
+        return FRAME.packed({**uniforms, "r": r}, dict(self._places))
 
     def run(
         self,
         shader: Shader,
         entry: str,
-        numbers: Mapping[str, float],
+        uniforms: Mapping[str, float],
         views: Sequence[Any],
         formats: tuple[str, ...],
         area: tuple[int, int, int, int] | None = None,
         keep: bool = False,
         light: int = 0,
     ) -> None:
-        """Draw into a part of some targets; the rest becomes black or is kept.
+        """Run a shader on an area of its targets.
 
         Parameters
         ----------
@@ -73,22 +73,22 @@ class FramePasses:
             Shader of the pass.
         entry : str
             Its entry point.
-        numbers : mapping
+        uniforms : mapping
             Uniforms by name.
         views : sequence of wgpu.GPUTextureView
             Views of the targets, of the ``formats``.
         formats : tuple of str
             Formats of the targets.
         area : (int, int, int, int), optional
-            First column, first row, number of columns and of rows; by default all of the target.
+            First column, first row, number of columns and of rows; by default the whole target.
         keep : bool
-            Whether the rest of the target is kept.
+            Whether the other texels are preserved; otherwise they are cleared.
         light : int
-            Number of the light whose textures are read.
+            Index of the light whose textures are bound.
         """
         device = self._device.device
         one = self._pass(shader, entry, formats)
-        device.queue.write_buffer(self._uniforms, 0, self.packed(numbers))
+        device.queue.write_buffer(self._uniforms, 0, self.packed(uniforms))
         encoder = device.create_command_encoder()
         one.run(encoder, self._bound(one, light), list(views), area, keep)
         device.queue.submit([encoder.finish()])

@@ -1,4 +1,4 @@
-"""Pictures by several lights on a device, and their sum."""
+"""Sum over lights of linear radiance on the GPU."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from airlight.gpu.picture.uniforms import FRAME
 
 
 class LightSum:
-    """Pictures in linear light, added two by two.
+    """Accumulation of the frames of several lights.
 
     Parameters
     ----------
@@ -28,19 +28,19 @@ class LightSum:
         self._size = (0, 0)
         self._passes: dict[str, FragmentPass] = {}
 
-    def draw(
+    def render(
         self,
         parts: Sequence[Callable[[Any, str], None]],
         view: Any,
         size: tuple[int, int],
         target_format: str,
     ) -> None:
-        """Draw the sum of pictures; one alone goes straight into the target.
+        """Render the sum over lights into the target.
 
         Parameters
         ----------
         parts : sequence of callable
-            ``part(view, format)`` draws the picture of one light.
+            ``part(view, format)`` renders the frame of one light.
         view : wgpu.GPUTextureView
             View of the target.
         size : (int, int)
@@ -51,7 +51,7 @@ class LightSum:
         if len(parts) == 1:
             parts[0](view, target_format)
             return
-        # of two pictures the sum is the target, and needs no texture of its own
+        # the last sum is written to the target: two lights need no third texture
         one, other, *spare = self._sized(size, min(len(parts), 3))
         parts[0](one.create_view(), LINEAR)
         for number, part in enumerate(parts[1:], start=2):
@@ -68,14 +68,14 @@ class LightSum:
 
     @cached_property
     def _frame(self) -> Any:
-        """Uniforms, of which the sum reads none."""
+        """Uniform buffer; the shader reads no uniform."""
         import wgpu
 
         size = FRAME.packed({}, {}).nbytes
         return self._device.device.create_buffer(size=size, usage=wgpu.BufferUsage.UNIFORM)
 
     def _sized(self, size: tuple[int, int], count: int) -> list[Any]:
-        """Textures of a size, at least as many as are asked for."""
+        """At least ``count`` textures of a size."""
         import wgpu
 
         if size != self._size or count > len(self._pictures):

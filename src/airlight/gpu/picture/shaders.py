@@ -1,6 +1,6 @@
-"""Complete shaders: textures, emitted functions and entry points of each.
+"""Shaders of rendering: sky-view LUT and pixels, with textures, functions and entry points.
 
-They do not depend on the planet: sizes are uniforms.
+They are independent of the planet, as sizes are uniforms.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from airlight.gpu.emit.shader_types import (
     FLAT_WIDTH,
     I32,
     VEC4,
-    Bundle,
     Constant,
     LocalArray,
+    StructValue,
 )
 from airlight.gpu.emit.uniform_struct import Fixed
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.pixels.ground import GROUND_VALUES
-from airlight.pixels.pixel import Screen
+from airlight.pixels.pixel import ViewUniforms
+from airlight.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
 from airlight.pixels.samples import light_of_centre, sampled_light
-from airlight.pixels.shown import MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS
-from airlight.pixels.sky_table import Observer, sky_texel
-from airlight.pixels.sky_window import SkyWindow
+from airlight.pixels.sky_view_lut import Observer, sky_view_texel
+from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
 
-#: A reach that leaves out no pixel: shaders look for the star's disc in all. [rad]
+#: Angular distance from the star that no pixel exceeds. [rad]
 _NO_REACH: Final = 4.0
 
 
@@ -47,13 +47,13 @@ class Shader:
     dialect : ShaderDialect
         Shading language.
     functions : str
-        Part common to all its entry points: uniforms, textures and functions.
+        Declarations shared by all entry points: uniforms, textures and functions.
     entries : dict from str to str
         Text of each entry point, a fragment function.
     textures : tuple of str
-        Textures that it reads, in the order of its bindings after the uniforms.
+        Textures in binding order, after the uniforms.
     emitter : Emitter
-        Emitter with its functions and their sources.
+        Emitter of its functions.
     """
 
     name: str
@@ -65,11 +65,11 @@ class Shader:
 
     @property
     def text(self) -> str:
-        """Shader with all its entry points, for a language that allows several."""
+        """Source with all entry points, for languages that allow several."""
         return self.dialect.module([self.functions, *self.entries.values()])
 
     def entry_text(self, entry: str) -> str:
-        """Shader with one entry point.
+        """Source with one entry point.
 
         Parameters
         ----------
@@ -80,18 +80,16 @@ class Shader:
 
 
 def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
-    """Assemble a shader from its entry points and the functions that were emitted for them.
-
-    It has the tables that all of them read.
+    """Shader from its entry points, their emitted functions and the tables that these read.
 
     Parameters
     ----------
     name : str
         Name of the shader.
     entries : dict from str to str
-        Text of its entry points.
+        Source of each entry point.
     emitter : Emitter
-        Emitter with the functions that the entry points call, in a shading language.
+        Emitter of the functions that the entry points call.
     """
     dialect = emitter.dialect
     assert isinstance(dialect, ShaderDialect)
@@ -110,7 +108,7 @@ def assembled(name: str, entries: dict[str, str], emitter: Emitter) -> Shader:
 
 @cache
 def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the air's own light and that of a white ground behind it, a line of sight a texel.
+    """Sky-view LUT shader: radiance of the air, and of a white Lambert ground behind it.
 
     Parameters
     ----------
@@ -122,7 +120,7 @@ def sky_air_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of single scattering by the two peaked constituents, without phase functions.
+    """Sky-view LUT shader: single scattering by separated constituents, without phase function.
 
     Parameters
     ----------
@@ -134,7 +132,7 @@ def sky_peaks_shader(dialect: ShaderDialect = WGSL) -> Shader:
 
 @cache
 def sky_polarised_shader(dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of the air's light plus its Q, and plus its U.
+    """Sky-view LUT shader: I + Q and I + U of the air.
 
     Parameters
     ----------
@@ -159,42 +157,43 @@ def _sky_shader(
     emitter = Emitter(dialect)
     found = emitter.module_array("result", LocalArray(6 if polarised else 4, VEC4))
     made = emitter.add(
-        sky_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
-        FRAME.bundle(Observer), FRAME.bundle(MarchTables), march_workspace(emitter), found,
+        sky_view_texel, I32, I32, I32, I32, Constant(air), Constant(peaks), Constant(polarised),
+        FRAME.struct_value(Observer), FRAME.struct_value(MarchTables), march_workspace(emitter),
+        found,
         name=function,
     )  # fmt: skip
     columns, rows = (
         dialect.uniform(FRAME.uniform(one).text, I32) for one in ("sky_columns", "sky_rows")
     )
     places = ("number % columns", "number / columns", "columns", rows)
-    x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
+    x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
     body = [
-        dialect.kept("columns", I32, columns),
-        dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
+        dialect.let("columns", I32, columns),
+        dialect.let("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
         *filled_by(made, places, dialect),
     ]
     entry = dialect.fragment(name, 2, body, [f"result[{layer}]" for layer in layers])
     return assembled(name, {name: entry}, emitter)
 
 
-def march_workspace(emitter: Emitter) -> Bundle:
-    """Workspace of a line, for the emitter.
+def march_workspace(emitter: Emitter) -> StructValue:
+    """March workspace of one line of sight, for the emitter.
 
     Parameters
     ----------
     emitter : Emitter
         Emitter of the shader.
     """
-    numbers = workspace_sizes(MOST_CONSTITUENTS, MOST_POINTS, MOST_TERMS)
+    numbers = workspace_sizes(MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS)
     arrays = {name: LocalArray(size) for name, size in numbers.items()}
-    arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MOST_CONSTITUENTS).items()}
-    return Bundle({
+    arrays |= {name: LocalArray(n, VEC4) for name, n in spectral_sizes(MAX_CONSTITUENTS).items()}
+    return StructValue({
         name: emitter.module_array(f"work_{name}", kind) for name, kind in arrays.items()
     })  # fmt: skip
 
 
 def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -> list[str]:
-    """Statements in which a function fills arrays, which they declare.
+    """Statements that declare arrays and call a function that fills them.
 
     Parameters
     ----------
@@ -205,31 +204,31 @@ def filled_by(made: Emitted, arguments: Sequence[str], dialect: ShaderDialect) -
     dialect : ShaderDialect
         Shading language.
     """
-    handed = [one for several in made.handed(dialect) for one in several]
+    handed = [one for several in made.argument_lists(dialect) for one in several]
     arrays = [(name, kind) for name, kind in handed if isinstance(kind, LocalArray)]
     given = [*arguments, *(dialect.array_argument(name) for name, _ in arrays)]
     declared = [dialect.declared(name, kind) for name, kind in arrays]
     return [*declared, f"{made.name}({', '.join(given)});"]
 
 
-def _whole_window() -> Bundle:
-    """Window of a complete table of the sky, for the emitter; see ``SkyWindow``."""
+def _whole_window() -> StructValue:
+    """``SkyViewWindow`` of the complete LUT, for the emitter."""
     columns, rows, first = FRAME.uniform("sky_columns"), FRAME.uniform("sky_rows"), Constant(0)
     values = (columns, rows, first, columns, first, rows, first, rows)
-    return Bundle(dict(zip(SkyWindow._fields, values, strict=True)))
+    return StructValue(dict(zip(SkyViewWindow._fields, values, strict=True)))
 
 
 @cache
 def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of a pixel's light, linear: from the table, or by its own march.
+    """Shader of linear radiance of pixels, from the sky-view LUT or marched.
 
     Parameters
     ----------
     exact : bool
-        Whether each pixel is marched.
+        Whether every pixel is marched.
     fixed : tuple of (str, value)
-        Integers and switches of the uniforms that are known, bound instead of read: a software
-        device evaluates both sides of every branch.
+        Integer and boolean uniforms bound as constants: a software GPU evaluates both sides of
+        every branch otherwise.
     dialect : ShaderDialect
         Shading language.
     """
@@ -241,8 +240,9 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
         light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
-        _whole_window(), FRAME.bundle(Observer, fixed), FRAME.bundle(Screen, fixed),
-        FRAME.bundle(MarchTables, fixed), march_workspace(emitter), *arrays,
+        _whole_window(), FRAME.struct_value(Observer, fixed),
+        FRAME.struct_value(ViewUniforms, fixed),
+        FRAME.struct_value(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip
     column, row = (f"at.{at} + {FRAME.uniform(name).text}" for at, name in (
@@ -250,7 +250,7 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     ))  # fmt: skip
     lines = [
         *filled_by(made, (column, row), dialect),
-        *(dialect.kept(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
+        *(dialect.let(one, F32, f"dot(result[0], frame.{one})") for one in CHANNELS),
     ]
     light = f"{dialect.type_name(VEC4)}({', '.join(CHANNELS)}, 1.0)"
     entry = dialect.fragment("linear_picture", 1, lines, [light])

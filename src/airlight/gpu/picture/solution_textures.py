@@ -1,4 +1,4 @@
-"""Tables of a solution in textures, and the position of each."""
+"""Upload of a solution: textures, and positions of the tables in them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from airlight.color.texels import CHANNELS
 from airlight.gpu.device.device import Device
-from airlight.gpu.device.flat import MOST_ROWS, flat_rows, flat_texture
+from airlight.gpu.device.flat import MAX_ROWS, flat_rows, flat_texture
 from airlight.gpu.device.packed import packed_texture
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.uniform_struct import Place
@@ -18,8 +18,8 @@ from airlight.gpu.picture.uniforms import FRAME
 from airlight.gpu.solver.solver import fields_on
 from airlight.kernel.large_arrays import release
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.picture_numbers import map_numbers, overlay_numbers, overlay_size
-from airlight.pixels.shown import as_texels, shown_solution
+from airlight.pixels.render_tables import pack_texels, render_tables
+from airlight.pixels.view_uniforms import map_uniforms, overlay_size_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
 from airlight.solvers.moments.march_tables import MarchTables
@@ -28,11 +28,11 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 @dataclass(frozen=True)
 class SolutionTables:
-    """Tables of a solution as the shaders read them, still in memory.
+    """Tables of a solution in the layout of the shaders, in CPU memory.
 
     Attributes
     ----------
-    numbers : dict
+    uniforms : dict
         Values of uniforms.
     textures : dict
         Contents of the textures ``scalars``, ``spectra`` and ``fields``, shape (n, 1) or (n, 4).
@@ -40,20 +40,20 @@ class SolutionTables:
         Start and axes of each table.
     """
 
-    numbers: dict[str, float]
+    uniforms: dict[str, float]
     textures: dict[str, NDArray[np.float32]]
     places: dict[str, Place]
 
     @classmethod
-    def of(cls, solution: MomentsSolution, shown: MarchTables | None = None) -> SolutionTables:
-        """Make the tables of a solution; ``shown`` if it is known already.
+    def of(cls, solution: MomentsSolution, tables: MarchTables | None = None) -> SolutionTables:
+        """Tables of a solution.
 
         Parameters
         ----------
         solution : MomentsSolution
             Solution of at most four wavelengths.
-        shown : MarchTables, optional
-            The same solution, prepared for a march.
+        tables : MarchTables, optional
+            Tables from ``render_tables``; computed by default.
 
         Raises
         ------
@@ -61,34 +61,34 @@ class SolutionTables:
             If the wavelengths or constituents exceed the capacity of the shaders.
         """
         count = solution.wavelengths.size
-        if shown is None:
-            shown = shown_solution(solution)
-        check_capacity(count, shown.constituents)
-        values = shown._asdict() | shown.ground._asdict()
-        tables = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
+        if tables is None:
+            tables = render_tables(solution)
+        check_capacity(count, tables.constituents)
+        values = tables._asdict() | tables.ground._asdict()
+        layout = {name: FRAME.tables[name] for name in values if name in FRAME.tables}
         textures, places = FRAME.laid_out(
             {
-                name: as_texels(values[name], count) if table.spectral else values[name]
-                for name, table in tables.items()
+                name: pack_texels(values[name], count) if table.spectral else values[name]
+                for name, table in layout.items()
             }
         )
-        numbers = {name: float(values[name]) for name in values if name in FRAME.numbers}
-        return cls(numbers, textures, places)
+        uniforms = {name: float(values[name]) for name in values if name in FRAME.numbers}
+        return cls(uniforms, textures, places)
 
 
 @dataclass(frozen=True)
 class SolutionTextures:
-    """Tables of a solution on a device, with the ground's map.
+    """Tables of a solution on the GPU, with the ground maps.
 
     Attributes
     ----------
-    numbers, places : dict
-        Values as in ``SolutionTables``, including those of the map.
+    uniforms, places : dict
+        Values as in ``SolutionTables``, and those of the maps.
     textures : dict
         Textures by their names in the shaders.
     """
 
-    numbers: dict[str, float]
+    uniforms: dict[str, float]
     places: dict[str, Place]
     textures: dict[str, Any]
 
@@ -97,30 +97,30 @@ class SolutionTextures:
         cls,
         device: Device,
         solution: MomentsSolution,
-        shown: MarchTables | None = None,
+        tables: MarchTables | None = None,
         before: SolutionTextures | None = None,
         *,
         maps: bool = True,
     ) -> SolutionTextures:
-        """Upload a solution; an unchanged map of the ground is not uploaded again.
+        """Upload a solution; unchanged ground maps are reused.
 
         Parameters
         ----------
         device : Device
             Device from ``open_device``.
-        solution, shown : MomentsSolution, MarchTables
+        solution, tables : MomentsSolution, MarchTables
             Arguments of ``SolutionTables.of``.
         before : SolutionTextures, optional
-            Textures shown previously, for their map.
+            Previous textures, whose maps are reused.
         maps : bool
-            Whether the maps of the ground are drawn.
+            Whether ground maps are used.
 
         Raises
         ------
         ParameterError
-            Errors of ``SolutionTables.of``.
+            As ``SolutionTables.of``.
         """
-        medium, made = solution.medium, SolutionTables.of(solution, shown)
+        medium, made = solution.medium, SolutionTables.of(solution, tables)
         solved = fields_on(device, solution)
         textures: dict[str, Any] = {} if solved is None else {"fields": solved}
         for one, contents in made.textures.items():
@@ -144,20 +144,20 @@ class SolutionTextures:
             textures["overlay"] = packed_texture(device, texels, "overlay")
             release(texels)
         textures["overlay of"] = over
-        sizes = map_numbers(found) | overlay_size(overlay)
-        numbers = made.numbers | {key: float(n) for key, n in sizes.items()}
-        numbers |= overlay_numbers(solution)
-        return cls(numbers, made.places, textures)
+        sizes = map_uniforms(found) | overlay_size_uniforms(overlay)
+        uniforms = made.uniforms | {key: float(n) for key, n in sizes.items()}
+        uniforms |= overlay_uniforms(solution)
+        return cls(uniforms, made.places, textures)
 
 
 def _uneven(texels: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Texels with an additional row where the number of rows is a power of two.
+    """Texels padded so that the number of rows is not a power of two.
 
-    Software devices recompile a shader, which takes them seconds to minutes, when a texture's
-    height becomes a power of two or ceases to be one: so none is.
+    Mesa recompiles a shader, which takes seconds to minutes, when a texture's height changes to or
+    from a power of two.
     """
     rows = flat_rows(len(texels))
-    if rows & (rows - 1) or rows == MOST_ROWS:
+    if rows & (rows - 1) or rows == MAX_ROWS:
         return texels
     more = FLAT_WIDTH * (rows + (2 if rows == 1 else 1)) - len(texels)
     return np.pad(texels, ((0, more), (0, 0)))

@@ -1,4 +1,4 @@
-"""The single uniform struct of all shaders of pictures, with their tables."""
+"""Uniform struct and tables of all rendering and display shaders."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ import numpy as np
 from airlight.color.displayed import Display
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.kernel.shader_fields import image
-from airlight.pixels.pixel import Screen
-from airlight.pixels.sky_table import Observer
+from airlight.pixels.pixel import ViewUniforms
+from airlight.pixels.sky_view_lut import Observer
 from airlight.solvers.moments.march_tables import MarchTables
 
-#: Separate vectors: contributions of the wavelengths to a channel.
+#: Colour matrix: weights of the wavelengths in each channel.
 CHANNELS: Final = ("red", "green", "blue")
 
 
 class Strip(NamedTuple):
-    """Strip of a picture.
+    """Position of a strip within the frame.
 
     Attributes
     ----------
     first_row, first_column : float
-        Row and column of the picture that are the target's first. [pixel]
+        Row and column of the target's first texel. [pixel]
     """
 
     first_row: float
@@ -31,22 +31,22 @@ class Strip(NamedTuple):
 
 
 class Lens(NamedTuple):
-    """Picture in linear light, and the pyramid of its glare.
+    """Linear radiance, and the pyramid of its glare.
 
     Attributes
     ----------
     glare : float
-        Amount of glare. [1]
+        Glare relative to a typical lens. [1]
     glare_total : float
-        Sum of the shares of all levels. [1]
+        Sum of the weights of all levels. [1]
     circle : bool
-        Whether the picture ends at a circle.
+        Whether the image circle is smaller than the frame.
     level_share : float
-        Share of the level that is spread. [1]
+        Weight of the level. [1]
     level_more : bool
         Whether there is a coarser level.
     picture, level, coarser : array, shape (height, width)
-        Linear sRGB of the picture, of a level, and what the next coarser ones have spread.
+        Linear sRGB of the frame, of a level, and spread light of the next coarser levels.
         [W m⁻² sr⁻¹]
     """
 
@@ -60,11 +60,11 @@ class Lens(NamedTuple):
     coarser: Annotated[np.ndarray, image("coarser")]
 
 
-#: Numbers and tables that the shaders of pictures may read.
+#: Uniforms and tables of the rendering shaders.
 FRAME: Final = UniformStruct(
-    "frame", (MarchTables, Observer, Screen, Display, Lens, Strip), CHANNELS
+    "frame", (MarchTables, Observer, ViewUniforms, Display, Lens, Strip), CHANNELS
 )
-#: Textures of the table of the sky: those of the air, of its two peaks, and of Q and U.
+#: Textures of the sky-view LUT: air and ground, separated constituents, Q and U.
 LAYERS: Final = tuple(
     table.texture
     for table in FRAME.tables.values()

@@ -1,7 +1,6 @@
-"""Texels of the solver's passes, from the radiances of rays to the moments of the light.
+"""Kernels of the solver passes from ray radiances to moments, for the first and later orders.
 
-They serve the first order and each later one; ``rays`` explains how a texel is related to its
-index.
+See ``rays`` for the index.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from airlight.kernel import inlined
 from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import direct_reflectance
-from airlight.pixels.shown import MOST_CONSTITUENTS
+from airlight.pixels.render_tables import MAX_CONSTITUENTS
 from airlight.solvers.moments.first_order import direct_light
 from airlight.solvers.moments.harmonics import EVEN, POLARISED, degree_of, polarised_function
 from airlight.solvers.moments.ray_optics import mu_r_at_end, sky_at, star_at_end, star_from_ray
@@ -29,8 +28,8 @@ def ray_and_star(index, sizes, tables):
     ----------
     index : int
         Index of the texel.
-    sizes, tables : Sizes, Tables
-        Inputs from the host.
+    sizes, tables : GridSizes, Tables
+        Inputs of the host.
 
     Returns
     -------
@@ -49,16 +48,15 @@ def ray_and_star(index, sizes, tables):
 
 @inlined
 def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs, depths):
-    """Light of a ray that has been scattered or reflected once. [sr⁻¹]
+    """Single-scattering radiance of a ray, including ground reflection. [sr⁻¹]
 
-    Texels (radius, direction, sun, azimuth): I, and Q in the frame of the plane through ray and
-    star.
+    Texels (radius, direction, sun, azimuth): I, and Q in the plane of ray and star.
     """
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
-    phases = lane_array(MOST_CONSTITUENTS)
-    phase_f12 = lane_array(MOST_CONSTITUENTS)
+    phases = lane_array(MAX_CONSTITUENTS)
+    phase_f12 = lane_array(MAX_CONSTITUENTS)
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
     fill_phase_f12(tables.polarised_moments, nu, sizes.constituents, phase_f12)
     radiance, scattering_q = scattered_once(
@@ -103,9 +101,9 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
 
 @inlined
 def row(index, sizes, tables, first_point, factors, packed):
-    """Moments at a point of a ray, contracted with their contribution along the ray. [1]
+    """Moments at a ray point, contracted with ``factor``. [1]
 
-    Texels (point, sun, ``rows`` of ``gathered``); the points of one span of radii.
+    Texels (point, sun, ``rows`` of ``gathered``); points of one radius range.
     """
     block = sizes.degree + 2 + POLARISED
     part = index % block
@@ -145,7 +143,7 @@ def row(index, sizes, tables, first_point, factors, packed):
 
 @inlined
 def radiance_again(index, sizes, tables, first_point, shares, rows, bounces, irradiances):
-    """Radiance of a ray by light that was scattered or reflected in earlier orders. [sr⁻¹]
+    """Multiple-scattering radiance of a ray, from the previous iterate. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
     """
@@ -177,7 +175,7 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, bounces, irr
 
 @inlined
 def polarised_again(index, sizes, tables, first_point, shares, rows):
-    """Q and U of a ray by light that was scattered or reflected in earlier orders. [sr⁻¹]
+    """Multiple-scattering Q and U of a ray, from the previous iterate. [sr⁻¹]
 
     Texels (radius, direction, sun, azimuth).
     """
@@ -235,7 +233,7 @@ def azimuthal_weight(tables, part, b, degree):
 
 @inlined
 def azimuthal(index, sizes, tables, radiances, stokes_qs, stokes_us):
-    """Fourier integrals over azimuth of the light of a ray. [sr⁻¹]
+    """Fourier integrals of the Stokes parameters over azimuth. [sr⁻¹]
 
     Texels (radius, direction, sun, integral): ∫ I cos mφ dφ, then ∫ Q cos mφ dφ of m = 0 to 2, and
     ∫ U sin mφ dφ of m = 1 and 2.
@@ -257,7 +255,7 @@ def azimuthal(index, sizes, tables, radiances, stokes_qs, stokes_us):
 
 @inlined
 def gathered_moment(index, sizes, projections, azimuthals):
-    """Moment of the incoming light, or irradiance of a level surface from above. [1]
+    """Moment of the radiance, or downward irradiance. [1]
 
     Texels (radius, sun, moment), and after them (radius, sun).
     """

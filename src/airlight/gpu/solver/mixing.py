@@ -1,20 +1,20 @@
-"""Texels of the solver's passes for Anderson acceleration: the next guess from the last iterates.
+"""Kernels of Anderson acceleration: the next guess from the last iterates.
 
-See ``rays`` for how a texel is related to its index.
+See ``rays`` for the index.
 """
 
 from __future__ import annotations
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.convergence import is_near
 from airlight.solvers.moments.stopping import PASS_ITERATES
 
 
 @inlined
 def mean(index, sizes, iterate, guess):
-    """Mean radiances and irradiances of an iterate and its guess, monitored by the host. [1]
+    """Mean radiances and irradiances of an iterate and its guess, read by the host. [1]
 
     Texels (iterate or guess, mean radiance or irradiance, radius, sun).
     """
@@ -30,9 +30,9 @@ def mean(index, sizes, iterate, guess):
 
 @inlined
 def mixed(index, weights, iterates):
-    """One number of the linear combination of iterates.
+    """Component of the linear combination of iterates.
 
-    ``weights`` and each of ``iterates`` are read as single numbers.
+    ``weights`` and ``iterates`` are read as scalars.
     """
     lane = index % WAVELENGTHS
     return (
@@ -46,9 +46,9 @@ def mixed(index, weights, iterates):
 
 @inlined
 def sound(index, sizes, weights, iterates):
-    """Return 1 where ``is_near`` accepts the combination of iterates, otherwise 0.
+    """1 where ``is_near`` accepts the combination of iterates, otherwise 0.
 
-    Numbers (mean radiance or irradiance, radius, sun, lane); ``iterate_0`` is the latest.
+    Scalars (mean radiance or irradiance, radius, sun, lane); ``iterate_0`` is the latest.
     """
     numbers = sizes.radii * sizes.sun_angles * WAVELENGTHS
     lane = index % WAVELENGTHS

@@ -1,6 +1,6 @@
-"""Texels of passes that pack the field: at all levels, for rational interpolation.
+"""Kernels that pack a radiance field: refinement to all radii, and rational interpolation.
 
-See ``rays`` for how a texel is related to its index.
+See ``rays`` for the index.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from math import sqrt
 
 from airlight.kernel import inlined
 from airlight.kernel.lanes import LANES, load
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.levels import between_levels, cubic_bend, smoothness
 from airlight.solvers.moments.packing import floor_below, rational_scale
 
@@ -22,7 +22,7 @@ def largest_of(index, sizes, count, values):
     ----------
     index : int
         Index of a number (mean radiance or irradiance, sun, lane).
-    sizes : Sizes
+    sizes : GridSizes
         Sizes of the axes.
     count : int
         Number of radii.

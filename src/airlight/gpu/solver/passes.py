@@ -1,8 +1,7 @@
-"""Passes of the solver as data, and their shaders.
+"""Solver passes as data, and their shaders.
 
-A pass fills one or two flat textures with the texels of one function of ``rays``, ``light``,
-``packing`` or ``mixing``. Its inputs are named here; a host, in Python or in a browser, needs the
-list of passes, the shaders and the numbers of ``plan``, and no physics.
+A pass fills one or two flat textures by a kernel of ``rays``, ``light``, ``packing`` or ``mixing``.
+A host in Python or a browser needs only this list, the shaders and the ``plan``.
 """
 
 from __future__ import annotations
@@ -18,18 +17,18 @@ from airlight.gpu.emit.shader_types import (
     FLAT_WIDTH,
     I32,
     VEC4,
-    Bundle,
-    Table,
+    ShaderTable,
+    StructValue,
     TupleType,
     Value,
 )
 from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver import light, mixing, packing, rays
-from airlight.gpu.solver.tables import SOLVE, Sizes, Tables
+from airlight.gpu.solver.tables import SOLVE, GridSizes, Tables
 from airlight.solvers.moments.stopping import PASS_ITERATES
 
-#: Ways to read a texture: four wavelengths a texel, or single numbers.
+#: Element types of an input texture: four wavelengths a texel, or scalars.
 View = Literal["lanes", "numbers"]
 
 #: Iterates of the light, the latest first.
@@ -37,17 +36,17 @@ ITERATES: Final = tuple(f"iterate_{i}" for i in range(PASS_ITERATES))
 
 
 @dataclass(frozen=True)
-class Reading:
-    """Texture that a pass reads.
+class TextureInput:
+    """Input texture of a pass.
 
     Attributes
     ----------
     texture : str
         Name in the plan.
     view : View
-        Way to read it.
+        Element type: vectors of four wavelengths, or scalars.
     from_sky : bool
-        Whether reading begins at the irradiances of the ground in a packed field.
+        Whether index 0 is the ground's irradiance in a packed field.
     """
 
     texture: str
@@ -64,115 +63,125 @@ class SolverPass:
     name : str
         Name of the pass and of its shader.
     function : callable
-        Function of a texel; arguments: ``index``, those of ``host_inputs``, then the readings.
+        Kernel of one texel; arguments: ``index``, ``host_inputs``, then ``texture_inputs``.
     targets : tuple of str
-        Textures of equal size that it fills, one with each result of the function; at most two,
-        since not every browser writes more than 32 bytes a texel.
+        Target textures of equal size, one for each result of the function; at most two, as some
+        browsers limit a texel of all targets to 32 bytes.
     host_inputs : tuple of str
         Names from ``sizes``, ``tables``, ``first_point``, ``weights``, ``iterates``.
-    readings : tuple of Reading
-        Readings in the order of the function's arguments.
+    texture_inputs : tuple of TextureInput
+        Input textures in the order of the function's arguments.
     spanned : bool
-        Whether it runs once for each span of radii.
+        Whether the pass runs once per radius range.
     """
 
     name: str
     function: Any
     targets: tuple[str, ...]
     host_inputs: tuple[str, ...] = ("sizes", "tables")
-    readings: tuple[Reading, ...] = ()
+    texture_inputs: tuple[TextureInput, ...] = ()
     spanned: bool = False
 
 
 _ALONG: Final = ("sizes", "tables", "first_point")
 
-#: Passes that run once for a solve: the parts common to all orders, and the first order.
+#: Passes that run once per solve: ray optics and the first order.
 ONCE: Final = (
     SolverPass("strength", rays.strength, ("strengths",)),
     SolverPass("factor", rays.factor, ("factors",)),
     SolverPass("share", rays.share, ("shares",)),
     SolverPass("transmittance", rays.transmittance, ("throughs",)),
-    SolverPass("bounce", rays.bounce, ("bounces",), readings=(Reading("throughs"),)),
+    SolverPass("bounce", rays.bounce, ("bounces",), texture_inputs=(TextureInput("throughs"),)),
     SolverPass("projection", rays.projection, ("projections",)),
     SolverPass("depth", rays.depth, ("depths",), _ALONG, spanned=True),
     SolverPass(
         "radiance_once", light.radiance_once, ("radiances", "stokes_qs"), _ALONG,
-        (Reading("shares"), Reading("strengths"), Reading("throughs"), Reading("depths")),
+        (
+            TextureInput("shares"), TextureInput("strengths"), TextureInput("throughs"),
+            TextureInput("depths"),
+        ),
         spanned=True,
     ),
     SolverPass(
         "azimuthal_once", light.azimuthal_once, ("azimuthals",),
-        readings=(Reading("radiances"), Reading("stokes_qs")),
+        texture_inputs=(TextureInput("radiances"), TextureInput("stokes_qs")),
     ),
     SolverPass(
         "gathered_moment", light.gathered_moment, ("first",), ("sizes",),
-        (Reading("projections", "numbers"), Reading("azimuthals")),
+        (TextureInput("projections", "numbers"), TextureInput("azimuthals")),
     ),
 )  # fmt: skip
-#: Passes that prepare a light field for the next sweep and for a march.
+#: Passes that pack a radiance field for the next sweep and for a march.
 PACK: Final = (
     SolverPass(
-        "highest", packing.highest, ("heights",), ("sizes",), (Reading("light", "numbers"),)
+        "highest", packing.highest, ("heights",), ("sizes",), (TextureInput("light", "numbers"),)
     ),
     SolverPass(
-        "floor", packing.floor, ("floors",), ("sizes",), (Reading("heights", "numbers"),)
+        "floor", packing.floor, ("floors",), ("sizes",), (TextureInput("heights", "numbers"),)
     ),
     SolverPass(
         "refined", packing.refined, ("fine",),
-        readings=(Reading("light", "numbers"), Reading("floors", "numbers")),
+        texture_inputs=(TextureInput("light", "numbers"), TextureInput("floors", "numbers")),
     ),
     SolverPass(
         "highest_level", packing.highest_level, ("level_heights",), ("sizes",),
-        (Reading("fine", "numbers"),),
+        (TextureInput("fine", "numbers"),),
     ),
     SolverPass(
         "node_scale", packing.node_scale, ("scales",),
-        readings=(Reading("fine", "numbers"), Reading("level_heights", "numbers")),
+        texture_inputs=(TextureInput("fine", "numbers"), TextureInput("level_heights", "numbers")),
     ),
     SolverPass(
-        "packed", packing.packed, ("packed",), ("sizes",), (Reading("fine"), Reading("scales"))
+        "packed", packing.packed, ("packed",), ("sizes",),
+        (TextureInput("fine"), TextureInput("scales")),
     ),
 )  # fmt: skip
-#: Passes of one more order: from the packed light to its iterate.
+#: Passes of a sweep: from the packed field to the next iterate.
 SWEEP: Final = (
     SolverPass(
-        "row", light.row, ("rows",), _ALONG, (Reading("factors"), Reading("packed")), spanned=True
+        "row", light.row, ("rows",), _ALONG,
+        (TextureInput("factors"), TextureInput("packed")), spanned=True,
     ),
     SolverPass(
         "radiance_again", light.radiance_again, ("radiances",), _ALONG,
         (
-            Reading("shares"), Reading("rows"), Reading("bounces"),
-            Reading("packed", from_sky=True),
+            TextureInput("shares"), TextureInput("rows"), TextureInput("bounces"),
+            TextureInput("packed", from_sky=True),
         ),
         spanned=True,
     ),
     SolverPass(
         "polarised_again", light.polarised_again, ("stokes_qs", "stokes_us"), _ALONG,
-        (Reading("shares"), Reading("rows")), spanned=True,
+        (TextureInput("shares"), TextureInput("rows")), spanned=True,
     ),
     SolverPass(
         "azimuthal", light.azimuthal, ("azimuthals",),
-        readings=(Reading("radiances"), Reading("stokes_qs"), Reading("stokes_us")),
+        texture_inputs=(
+            TextureInput("radiances"), TextureInput("stokes_qs"), TextureInput("stokes_us"),
+        ),
     ),
     SolverPass(
         "gathered_onto", light.gathered_onto, ("iterate",), ("sizes",),
-        (Reading("projections", "numbers"), Reading("azimuthals"), Reading("first")),
+        (TextureInput("projections", "numbers"), TextureInput("azimuthals"), TextureInput("first")),
     ),
-    SolverPass("mean", mixing.mean, ("means",), ("sizes",), (Reading("iterate"), Reading("light"))),
+    SolverPass(
+        "mean", mixing.mean, ("means",), ("sizes",),
+        (TextureInput("iterate"), TextureInput("light")),
+    ),
 )  # fmt: skip
-#: Passes that make the next guess, from the last iterates and the host's weights.
+#: Passes of the Anderson step, with weights from the host.
 MIX: Final = (
     SolverPass("sound", mixing.sound, ("sounds",), ("sizes", "weights", "iterates:numbers")),
     SolverPass(
         "next_guess", mixing.next_guess, ("light",), ("sizes", "weights", "iterates:lanes"),
-        (Reading("sounds"),),
+        (TextureInput("sounds"),),
     ),
 )  # fmt: skip
 PASSES: Final = {one.name: one for one in (*ONCE, *PACK, *SWEEP, *MIX)}
 
 
-def _reading(name: str, one: Reading) -> TextureTable:
-    """Table for an argument, from the texture that a pass reads."""
+def _input_table(name: str, one: TextureInput) -> TextureTable:
+    """Table of a kernel argument in an input texture."""
     start = SOLVE.uniform("received").text if one.from_sky else ""
     spectral = one.view == "lanes"
     return TextureTable(name, one.texture, 1, spectral, start, by_number=not spectral)
@@ -186,7 +195,7 @@ def _weights_reader(dialect: ShaderDialect, spectral: bool) -> str:
 
 @cache
 def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
-    """Write the shader of a pass: bindings, emitted functions, entry point ``fill``.
+    """Shader of a pass: bindings, emitted functions, entry point ``fill``.
 
     Parameters
     ----------
@@ -203,24 +212,26 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
     for given in one.host_inputs:
         kind, _, view = given.partition(":")
         if kind == "sizes":
-            arguments.append(SOLVE.bundle(Sizes))
+            arguments.append(SOLVE.struct_value(GridSizes))
         elif kind == "tables":
-            arguments.append(SOLVE.bundle(Tables))
+            arguments.append(SOLVE.struct_value(Tables))
         elif kind == "first_point":
             arguments.append(I32)
             handed.append(dialect.uniform("span.texels.z", I32))
         elif kind == "weights":
             spectral = name == "next_guess"
-            arguments.append(Table("weights", 1, spectral))
+            arguments.append(ShaderTable("weights", 1, spectral))
             readers.append(_weights_reader(dialect, spectral))
         else:
             as_read: View = "lanes" if view == "lanes" else "numbers"
-            iterates = [_reading(iterate, Reading(iterate, as_read)) for iterate in ITERATES]
-            arguments.append(Bundle({iterate.name: iterate.table for iterate in iterates}))
+            iterates = [
+                _input_table(iterate, TextureInput(iterate, as_read)) for iterate in ITERATES
+            ]
+            arguments.append(StructValue({iterate.name: iterate.table for iterate in iterates}))
             tables += iterates
     parameters = one.function.py_func.__code__.co_varnames[len(arguments) :]
-    for parameter, reading in zip(parameters, one.readings, strict=False):
-        tables.append(_reading(f"{parameter}_table", reading))
+    for parameter, reading in zip(parameters, one.texture_inputs, strict=False):
+        tables.append(_input_table(f"{parameter}_table", reading))
         arguments.append(tables[-1].table)
     emitter = Emitter(dialect)
     made = emitter.add(one.function, *arguments)
@@ -245,19 +256,19 @@ def shader(name: str, dialect: ShaderDialect = WGSL) -> str:
         numbers = ", ".join(f"{made.name}(4 * index + {k}{rest})" for k in range(4))
         found, filled = VEC4, f"{dialect.type_name(VEC4)}({numbers})"
     values = ["value"] if count == 1 else [dialect.part("value", k) for k in range(count)]
-    filled = dialect.kept("value", found, filled)
+    filled = dialect.let("value", found, filled)
     return dialect.module([*lines, *readers, body, _entry(dialect, filled, values)])
 
 
 def _entry(dialect: ShaderDialect, filled: str, values: list[str]) -> str:
-    """Entry point that fills those texels of flat textures whose numbers lie in a span."""
-    x, y = dialect.converted("at.x", I32), dialect.converted("at.y", I32)
+    """Entry point that fills a range of texels of flat textures."""
+    x, y = dialect.convert("at.x", I32), dialect.convert("at.y", I32)
     body = [
-        dialect.kept("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
-        dialect.kept("first", I32, dialect.uniform("span.texels.x", I32)),
-        dialect.kept("last", I32, dialect.uniform("span.texels.y", I32) + " - 1"),
+        dialect.let("number", I32, f"{y} * {FLAT_WIDTH} + {x}"),
+        dialect.let("first", I32, dialect.uniform("span.texels.x", I32)),
+        dialect.let("last", I32, dialect.uniform("span.texels.y", I32) + " - 1"),
         # Discarded invocations may continue: they must not follow rays that do not exist.
-        dialect.kept("index", I32, "min(max(number, first), last)"),
+        dialect.let("index", I32, "min(max(number, first), last)"),
         filled,
         "if (number != index) {",
         "  discard;",

@@ -1,4 +1,4 @@
-"""Plan of a solve on the GPU: the data with which a host runs the passes, in any language."""
+"""``SolverPlan``: data with which a host in any language runs the solver passes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from airlight.gpu.solver.passes import (
     shader,
 )
 from airlight.gpu.solver.tables import SOLVE
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.setup import Setup, WavelengthBatch
 
@@ -30,13 +30,13 @@ Float32Array = NDArray[np.float32]
 
 
 def row_block(sizes: Mapping[str, Any]) -> int:
-    """Number of texels of a point under one sun in the texture ``rows``."""
+    """Texels per point and sun angle in the texture ``rows``."""
     return int(sizes["degree"]) + 2 + POLARISED
 
 
 @dataclass(frozen=True, kw_only=True)
-class Span:
-    """Group of neighbouring radii whose rays are processed together.
+class RadiusRange:
+    """Contiguous radii whose rays are processed by one run of a pass.
 
     Attributes
     ----------
@@ -54,22 +54,22 @@ class Span:
 
 @dataclass(frozen=True, kw_only=True)
 class SolverPlan:
-    """Data with which a host runs the passes of ``passes``.
+    """Sizes, tables and texture layout of a solve.
 
     Attributes
     ----------
     batch : WavelengthBatch
         Set-up of its wavelengths: geometry, degree, grid, rays, tables.
     sizes : dict
-        Values of ``Sizes``, and of the law of reflection, by name.
+        Values of ``GridSizes``, and of the law of reflection, by name.
     places : dict
         Start and axes of each table.
     solve : array, shape (n, 4)
         Values of the uniform ``solve``.
     tables : dict
         Contents of the textures ``scalars`` and ``spectra``, shapes (n, 1) and (n, 4).
-    spans : tuple of Span
-        Groups of radii.
+    spans : tuple of RadiusRange
+        Radius ranges.
     """
 
     batch: WavelengthBatch
@@ -77,7 +77,7 @@ class SolverPlan:
     places: dict[str, Place]
     solve: Float32Array
     tables: dict[str, Float32Array]
-    spans: tuple[Span, ...]
+    spans: tuple[RadiusRange, ...]
 
     @property
     def setup(self) -> Setup:
@@ -96,7 +96,7 @@ class SolverPlan:
 
     @property
     def textures(self) -> dict[str, int]:
-        """Number of texels of each texture that passes fill."""
+        """Texels of each texture that a pass fills."""
         n = self.sizes
         rays = n["radii"] * n["angles"]
         points = self.spans[-1].first_point + self.spans[-1].points
@@ -129,15 +129,15 @@ class SolverPlan:
             **dict.fromkeys(ITERATES, field),
         }
 
-    def texels(self, one: SolverPass, span: Span | None = None) -> tuple[int, int, int]:
-        """First and last texel, past the end, of a pass, and the first point of its rays.
+    def texels(self, one: SolverPass, span: RadiusRange | None = None) -> tuple[int, int, int]:
+        """Texel range of a pass (end exclusive), and first point of its rays.
 
         Parameters
         ----------
         one : SolverPass
             Pass of the solver.
-        span : Span, optional
-            Span of a spanned pass.
+        span : RadiusRange, optional
+            Radius range of a spanned pass.
         """
         if span is None:
             target = ITERATES[0] if one.targets[0] == "iterate" else one.targets[0]
@@ -152,7 +152,7 @@ class SolverPlan:
         return 0, span.points * n["sun_angles"] * row_block(n), span.first_point
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
-        """Passes in running order, spanned ones span by span, with their texels.
+        """Passes in running order with their texels; spanned passes repeat per radius range.
 
         Parameters
         ----------
@@ -181,7 +181,7 @@ class SolverPlan:
         return listed
 
     def as_dict(self) -> dict[str, Any]:
-        """Plan for a host in another language, except three arrays; representable in JSON.
+        """Plan as JSON values, without three arrays.
 
         The arrays are the uniform ``solve``, and the ``tables``, which fill the flat textures
         ``scalars`` and ``spectra``, ``r32float`` and ``rgba32float``. Every other texture is a flat

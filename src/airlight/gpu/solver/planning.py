@@ -11,26 +11,26 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.gpu.solver.plan import SolverPlan, Span, row_block
+from airlight.gpu.solver.plan import RadiusRange, SolverPlan, row_block
 from airlight.gpu.solver.tables import SOLVE
 from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.refracted_geometry import RefractedGeometry
 
 Float32Array = NDArray[np.float32]
 
-#: Largest number of texels in a texture that one span of radii fills: 64 MB.
+#: Largest number of texels of a texture of one radius range: 64 MB.
 _SPAN: Final = 4 << 20
 
 
 def plan_for(
     geometry: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
 ) -> SolverPlan:
-    """Make the plan of a medium's solve.
+    """Plan of the solve of a medium.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def plan_for(
     settings : Settings
         Grid sizes.
     extinction_headroom : float
-        Factor of the air for which nodes and rays are laid out, see ``Setup``. [1]
+        Factor on the extinction for which grids are laid out, see ``Setup``. [1]
 
     Raises
     ------
@@ -100,12 +100,12 @@ def plan_for(
 
 
 def _lanes(flat: Float32Array) -> Float32Array:
-    """Split elements of eight lanes to four, shape (n, 4)."""
+    """Elements of eight lanes cut to four, shape (n, 4)."""
     return flat.reshape(-1, LANES)[:, :WAVELENGTHS]
 
 
-def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
-    """Group radii so that the textures of a group are not too large."""
+def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[RadiusRange, ...]:
+    """Radius ranges that limit the size of textures."""
     angles = sizes["angles"]
     each = max(sizes["sun_angles"] * row_block(sizes), sizes["directions"])
     most = _SPAN // each - 1
@@ -115,7 +115,7 @@ def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[Span, ...]:
             bounds.append(i)
     bounds.append(start.shape[0])
     return tuple(
-        Span(
+        RadiusRange(
             first_point=int(start[low, 0]),
             points=int(start[high - 1, angles] - start[low, 0]),
             first_ray=low * angles,

@@ -1,7 +1,7 @@
-"""Sums over the points of a ray that a device's passes make, one azimuth at a time.
+"""Source integrals along a ray on the GPU, one azimuth at a time.
 
-The processor's loops make them for eight azimuths at once (``solvers.moments.first_order`` and
-``sweep``); both share what a single point sends.
+The CPU computes eight azimuths at once (``solvers.moments.first_order`` and ``sweep``); the source
+functions are shared.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from airlight.solvers.moments.source_function import source_at_point
 
 @inlined
 def star_from_point(turn, point, mu_s, nu):
-    """Cosines of the star's zenith angle and between star and ray, at a point of a ray. [1]
+    """Star-zenith cosine and cosine between star and ray, at a ray point. [1]
 
     ``turn`` is that of ``Rays``; ``mu_s`` and ``nu`` belong to the start of the ray.
     """
@@ -32,21 +32,21 @@ def star_from_point(turn, point, mu_s, nu):
 
 @inlined
 def azimuth_cosine(mu, mu_s, nu):
-    """Cosine of the azimuth between a ray and the star, seen from a point of the ray. [1]"""
+    """Cosine of the azimuth between ray and star at a ray point. [1]"""
     spread = (1.0 - mu) * (1.0 + mu) * (1.0 - mu_s) * (1.0 + mu_s)
     return min(max((nu - mu * mu_s) / sqrt(max(spread, 1e-24)), -1.0), 1.0)
 
 
 @inlined
 def depth_towards(ratios, row, f, place, distance, extinction, constituents):
-    """Optical depth from a point to the top of the shell, in a tabled direction. [1]
+    """Optical depth from a point to the top of the shell, in a tabulated direction. [1]
 
     Parameters
     ----------
     ratios : array, shape (radii, directions, nc, 2)
         Ratios of a ``ColumnTable``, from ``rational_mean_density``.
     row, f : int, float
-        Index of the radius below the point, and the point's fraction of the step above it.
+        Index of the radius below the point, and interpolation fraction.
     place : int
         Index of the direction.
     distance : float
@@ -65,9 +65,9 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
 
 @inlined
 def depth_in_row(ratios, x, q, place, bottom, top, extinction, constituents):
-    """``depth_towards`` from a radius q, whose fractional row is x. [1]
+    """``depth_towards`` from radius q with fractional row x. [1]
 
-    The directions are even in the distance to the top.
+    Directions are equidistant in the distance to the top.
     """
     row = min(int(x), ratios.shape[0] - 2)
     f = x - row
@@ -105,21 +105,18 @@ def scattered_once(
     turn, radii, first, points, strong, strengths, phases, phase_f12, constituents, deep, depths,
     directions, mu_s, nu, bottom, top, star_radius, refraction_table,
 ):  # fmt: skip
-    """Light sent along a ray by its points, from the star's own. [sr⁻¹]
-
-    Results are I, and Q in the frame of the plane through ray and star.
+    """Single-scattering integral along a ray: I, and Q in the plane of ray and star. [sr⁻¹]
 
     Parameters
     ----------
     turn, radii : array
         Arrays ``turn`` and ``radius`` of ``Rays``.
     first, points : int
-        Index of the ray's first point, and number of its points.
+        First point of the ray, and number of points.
     strong, deep : int
-        Index of the first of them in ``strengths`` and ``depths``.
+        Index of the first point in ``strengths`` and ``depths``.
     strengths : array, shape (points·(nc + 1)·8,)
-        Amount of each constituent at a point times the transmittance on the way from it [m], and
-        ``polarised_transmittance_ratio`` on that way [1].
+        Result of ``rays.strength`` [m], and ``polarised_transmittance_ratio`` [1].
     phases, phase_f12 : array, shape (nc·8,)
         Arrays from ``fill_phases`` and ``fill_phase_f12``. [m⁻¹ sr⁻¹]
     constituents : int
@@ -172,16 +169,16 @@ def gathered(
     bright,
     polarised,
 ):
-    """I, Q and U sent along a ray by its points, from light scattered before. [1]
+    """Multiple-scattering integral along a ray: I, Q and U. [1]
 
     Parameters
     ----------
     turn, mu_along : array
         Arrays of ``Rays``.
     first, points : int
-        Index of the ray's first point, and number of its points.
+        First point of the ray, and number of points.
     local : int
-        Index of the first of them in ``rows``.
+        Index of the first point in ``rows``.
     rows : array, shape (points·s·(7 + N)·8,)
         For each point and sun the node of ``source_at_point``.
     mu_s, nu : float
@@ -191,7 +188,7 @@ def gathered(
     sun_angles, degree : int
         Number of sun elevations, and highest degree.
     bright, polarised : bool
-        Whether I, and whether Q and U are found; constants. The others are 0.
+        Constants: whether I, and whether Q and U are computed; otherwise they are 0.
     """
     block = (degree + 2 + POLARISED) * LANES
     radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)

@@ -1,15 +1,13 @@
-"""Texels of the solver's passes that are the same in all orders of scattering: along the rays.
+"""Kernels of the solver passes that do not depend on the order of scattering: ray optics.
 
-A pass fills a flat texture; the functions here and in ``light``, ``packing`` and ``mixing`` derive
-from an index the radius, ray, star or moment of a texel, and leave the rest to those functions of
-``solvers.moments`` that the CPU's loops call too: they are restricted Python, for the GPU and for
-Numba. A function that returns four wavelengths fills a texel, and its index counts texels; one that
-returns a number fills a quarter of a texel, and its index counts numbers. ``LANES`` is 1 on the
-GPU.
+Each kernel here and in ``light``, ``packing`` and ``mixing`` computes one element of a flat
+texture. It decodes radius, ray, sun angle or moment from the index, and calls functions of
+``solvers.moments`` that are shared with the CPU. Kernels with a result of four wavelengths are
+indexed by texel, those with a scalar result by component. ``LANES`` is 1 on the GPU.
 
 ``index`` is that index, ``sizes`` and ``tables`` are those of the module ``tables``,
-``first_point`` is the first point of the current span of radii; every other argument is a flat
-texture that an earlier pass has filled, see ``passes``.
+``first_point`` is the first point of the current radius range; all other arguments are textures of
+earlier passes, see ``passes``.
 """
 
 from __future__ import annotations
@@ -41,7 +39,7 @@ from airlight.solvers.moments.ray_optics import (
 
 @inlined
 def strength(index, sizes, tables):
-    """Amount of a constituent at a point of a ray times the transmittance from there. [m]
+    """Quadrature weight of a constituent at a ray point times the transmittance from there. [m]
 
     Texels (point, constituent), the last of a point its ``polarised_transmittance_ratio``. [1]
     """
@@ -58,10 +56,10 @@ def strength(index, sizes, tables):
 
 @inlined
 def factor(index, sizes, tables):
-    """Contribution of a point to its ray from one moment. [1]
+    """Coefficient of one moment in the source of a ray point. [1]
 
-    Texels (point, moment), even polarised ones by β₁, which couples them with the radiance's of
-    degree 2; after them β₁, α₂ and α₃ themselves, for Q and U.
+    Texels (point, moment); even polarised moments by β₁, which couples them to the radiance moments
+    of degree 2; then β₁, α₂ and α₃, for Q and U.
     """
     point, part = index // (sizes.terms + 1), index % (sizes.terms + 1)
     harmonics = sizes.terms - POLARISED
@@ -97,7 +95,7 @@ def factor(index, sizes, tables):
 
 @inlined
 def share(index, sizes, tables):
-    """Factor that makes the sum over the points of a ray exact. [1]
+    """Correction factor of the quadrature along a ray. [1]
 
     Texels (radius, direction).
     """
@@ -135,7 +133,7 @@ def transmittance(index, sizes, tables):
 
 @inlined
 def bounce(index, sizes, tables, throughs):
-    """Radiance that a ray has from the ground, over the ground's irradiance. [sr⁻¹]
+    """Attenuated ground radiance of a ray per ground irradiance. [sr⁻¹]
 
     Texels (radius, direction); zero for rays that miss the ground.
     """
@@ -148,9 +146,9 @@ def bounce(index, sizes, tables, throughs):
 
 @inlined
 def projection(index, sizes, tables):
-    """Weight of a direction in one moment. [1]
+    """Quadrature weight of a direction in one moment. [1]
 
-    Numbers (radius, direction, harmonic, and the five ``polarised_functions``), and after them
+    Scalars (radius, direction, harmonic, and the five ``polarised_functions``), and after them
     (radius, direction): weight in the irradiance from above.
     """
     rays, width = sizes.radii * sizes.angles, sizes.terms
@@ -180,9 +178,9 @@ def projection(index, sizes, tables):
 
 @inlined
 def depth(index, sizes, tables, first_point):
-    """Optical depth from a point of a ray to the top of the shell. [1]
+    """Optical depth from a ray point to the top of the shell. [1]
 
-    Texels (point, direction); the points of one span of radii, preceded by the ground.
+    Texels (point, direction); the ground, then the points of one radius range.
     """
     local, place = index // sizes.directions, index % sizes.directions
     q, x = sizes.bottom, 0.0

@@ -1,11 +1,9 @@
-"""The moments solver on the GPU: successive orders as fragment passes.
+"""Moments solver on the GPU: successive orders of scattering as fragment passes.
 
-The passes (``passes``) compute what the CPU's sweeps compute, by the same functions; the host runs
-them, reads the mean radiance at the nodes after each order (about 20 kB), and combines the last
-few iterates, and stops, by the rules of the CPU (``stopping``). Synthetic acceleration, with which
-the CPU solves thick air, is omitted: in clear and in dusty air each order changes the light by much
-less than the previous one, and five to fifteen sweeps suffice. Air that needs more orders is left
-to the CPU.
+The passes (``passes``) are emitted from the kernels of the CPU's sweep. After each sweep the host
+reads the mean radiances (about 20 kB), computes the Anderson weights and tests convergence as on
+the CPU (``stopping``). Without synthetic acceleration, clear and dusty air converges in five to
+fifteen sweeps; optically thick air is left to the CPU.
 """
 
 from __future__ import annotations
@@ -19,11 +17,11 @@ from numpy.typing import NDArray
 
 from airlight.errors import AirlightError, Cancelled
 from airlight.gpu.device.device import Device
+from airlight.gpu.solver.gpu_iteration import GpuIteration, pooled_iteration
 from airlight.gpu.solver.passes import ITERATES
 from airlight.gpu.solver.planning import plan_for
-from airlight.gpu.solver.sweeper import GpuSweeper, borrowed_sweeper
 from airlight.kernel.threads import Cancel, Progress
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.energy_balance import energy_error, makes_light
@@ -36,14 +34,14 @@ from airlight.solvers.refracted_geometry import RefractedGeometry
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Vertical depth, each scattering weighted by 1 - g, beyond which orders alone do not end. [1]
+#: Largest vertical transport optical depth, (1 - g) times scattering. [1]
 THICKEST: Final = 2.5
-#: Packed field of each solution, on the device that solved it.
+#: Packed field of each solution, on the GPU that solved it.
 _fields: WeakKeyDictionary[MomentsSolution, tuple[Device, Any]] = WeakKeyDictionary()
 
 
 class ThickAir(AirlightError):
-    """Atmosphere that only the CPU solves: too many orders of scattering, or layers to resolve."""
+    """Air too optically thick for plain successive orders, which only the CPU solves."""
 
     def __init__(self, reason: str = "too thick for the GPU's orders of scattering") -> None:
         super().__init__(f"the atmosphere is {reason}; the CPU solves it")
@@ -73,14 +71,14 @@ def solve_on(
     Returns
     -------
     MomentsSolution
-        Solution equal to that of the CPU's solver within 0.5 %.
+        Solution, equal to that of the CPU within 0.5 %.
 
     Raises
     ------
     ParameterError
         If the wavelengths or constituents exceed the capacity of the shaders.
     ThickAir
-        If light is scattered in the air for many orders, so that only the CPU solves it.
+        If the air is too optically thick.
     ConvergenceError
         If the tolerance is not reached within the orders that ``Stopping`` allows.
     Cancelled
@@ -92,11 +90,11 @@ def solve_on(
         raise ThickAir
     plan = plan_for(geometry, settings)
     count = medium.wavelengths.size
-    with borrowed_sweeper(device) as sweeper:
-        sweeper.load(plan)
-        sweeps, residual = _iterate(sweeper, progress, cancel)
-        field, sky = sweeper.light()
-        fields = sweeper.packed_copy()
+    with pooled_iteration(device) as gpu:
+        gpu.load(plan)
+        sweeps, residual = _iterate(gpu, progress, cancel)
+        field, sky = gpu.light()
+        fields = gpu.packed_copy()
     moments = Moments(
         degree=plan.setup.degree,
         grid=plan.setup.grid,
@@ -135,23 +133,23 @@ def fields_on(device: Device, solution: MomentsSolution) -> Any | None:
 
 
 def _iterate(
-    sweeper: GpuSweeper, progress: Progress | None, cancel: Cancel | None
+    gpu: GpuIteration, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[int, FloatArray]:
     """Sweep until convergence; return the number of sweeps and the remaining change."""
-    plan = sweeper.plan
+    plan = gpu.plan
     iteration = Iteration(Stopping.of_passes(plan.setup.settings), plan.thick, WAVELENGTHS)
-    sweeper.begin()
+    gpu.begin()
     while iteration.unfinished():
         if cancel is not None and cancel():
             raise Cancelled("cancelled")
-        mean, sky, before = sweeper.sweep()
+        mean, sky, before = gpu.sweep()
         if not (mean > 0.0).any():
             return 0, np.zeros(WAVELENGTHS)
         iteration.update(before, mean)
-        sweeper.combine(_weights(iteration.weights(), mean, sky))
+        gpu.combine(_weights(iteration.weights(), mean, sky))
         if progress is not None:
-            still = float(iteration.remaining_error.max())
-            message = f"orders of scattering: remaining error {still:.1e}"
+            error = float(iteration.remaining_error.max())
+            message = f"orders of scattering: remaining error {error:.1e}"
             progress(round(100 * iteration.progress), 100, message)
     return iteration.sweeps, iteration.remaining_error
 

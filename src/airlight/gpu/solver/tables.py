@@ -1,7 +1,6 @@
-"""Inputs of the solver's passes from the host: sizes and tables.
+"""Host inputs of the solver passes: sizes in the uniform ``solve``, tables in two textures.
 
-Numbers are in the uniform ``solve``, tables of numbers in the flat texture ``scalars``, those of
-four wavelengths in ``spectra``.
+The flat texture ``scalars`` holds scalar tables, ``spectra`` those of four wavelengths.
 """
 
 from __future__ import annotations
@@ -13,8 +12,8 @@ from airlight.kernel.shader_fields import SPECTRA, scalars
 from airlight.optics.reflection import Reflection
 
 
-class Sizes(NamedTuple):
-    """Lengths of the axes, and other numbers of the passes.
+class GridSizes(NamedTuple):
+    """Axis lengths and other scalars of the passes.
 
     Attributes
     ----------
@@ -106,5 +105,5 @@ class Tables(NamedTuple):
     ground: Reflection
 
 
-#: Numbers and tables of the solver's passes.
-SOLVE: Final = UniformStruct("solve", (Sizes, Tables))
+#: Scalars and tables of the solver passes.
+SOLVE: Final = UniformStruct("solve", (GridSizes, Tables))

@@ -1,4 +1,4 @@
-"""Projections by name; a new one is a file beside these and a line here."""
+"""Registry of projections; a new projection is a module here and a line below."""
 
 from __future__ import annotations
 

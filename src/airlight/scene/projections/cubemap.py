@@ -21,7 +21,7 @@ def cube_ray(x, y, width, height, field_of_view):
     x, y : float
         Distances from the left and the top edge. [pixel]
     width, height : int
-        Size of the picture: six faces wide, one high. [pixel]
+        Size of the frame: six faces wide, one high. [pixel]
     field_of_view : float
         Angle of a full turn; no other is allowed. [rad]
 

@@ -20,7 +20,7 @@ def panorama_ray(x, y, width, height, field_of_view):
     x, y : float
         Distances from the left and the top edge. [pixel]
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     field_of_view : float
         Angle of a full turn; no other is allowed. [rad]
 

@@ -1,10 +1,9 @@
-r"""Whole sphere on a square whose texels all have the same solid angle.
+r"""Equal-area octahedral map of the sphere on a square.
 
-Each quarter of the upper hemisphere is a triangle beside the middle of the square, and the quarter
-below it the triangle between that and the corner. In the unit triangle with
-:math:`r = a + b \le 1`, a ring of radius r has the length's share of area 2r dr; with
-:math:`z = 1 - r^2` a ring on the sphere has 2π times dz, or 4π r dr: the same share of all. Along a
-ring the azimuth is proportional to b, which keeps areas too.
+Each quarter of the upper hemisphere is a triangle at the centre of the square, and the quarter
+below it the triangle between that and the corner. In the unit triangle with :math:`r = a + b \le
+1`, a ring has the fraction 2r dr of the area; with :math:`z = 1 - r^2` a ring of the hemisphere has
+2π dz, or 4π r dr, the same fraction. Azimuth is linear in b along a ring.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from airlight.scene.projections.projection import Projection
 
 @kernel
 def octahedral_ray(x, y, width, height, field_of_view):
-    """View vector of a point of the square; its middle is above, its corners are below.
+    """View vector of a point of the square; zenith in the middle, nadir in the corners.
 
     Ahead is the bottom edge's middle, on the right the right edge's.
 
@@ -26,7 +25,7 @@ def octahedral_ray(x, y, width, height, field_of_view):
     x, y : float
         Distances from the left and the top edge. [pixel]
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     field_of_view : float
         Angle of a full turn; no other is allowed. [rad]
 
@@ -59,7 +58,7 @@ def octahedral_ray(x, y, width, height, field_of_view):
 
 
 def pixel_angle(width: int, height: int, field_of_view: float) -> float:
-    """Angle of the central pixel, that is overhead. [rad]"""
+    """Angle of the central pixel, at the zenith. [rad]"""
     return 4.0 / height
 
 

@@ -22,7 +22,7 @@ def orthographic_ray(x, y, width, height, field_of_view):
     x, y : float
         Distances from the left and the top edge. [pixel]
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     field_of_view : float
         Angle between the left and the right edge. [rad]
 
@@ -58,7 +58,7 @@ def disc_extent(top_radius: float, width: int, height: int) -> float:
     top_radius : float
         Radius of the top of the air. [m]
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
 
     Examples
     --------

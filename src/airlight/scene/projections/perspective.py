@@ -1,4 +1,4 @@
-"""Pinhole camera: straight lines stay straight."""
+"""Perspective (rectilinear) projection of a pinhole camera."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from airlight.scene.projections.projection import Projection
 
 @kernel
 def perspective_ray(x, y, width, height, field_of_view):
-    """View vector of a point of a flat picture; the field of view is horizontal.
+    """View vector of a point of the image plane; the field of view is horizontal.
 
     Parameters
     ----------
     x, y : float
         Distances from the left and the top edge. [pixel]
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     field_of_view : float
         Angle between the left and the right edge. [rad]
 

@@ -1,4 +1,4 @@
-"""View vectors of any projection by its number: one point, or a grid of pixels."""
+"""View vectors of any projection by index: one point, or a grid of pixels."""
 
 from __future__ import annotations
 
@@ -42,14 +42,14 @@ def projected_rays(
     x, y : array, shape (nx,) and (ny,)
         Pixel coordinates from the left and the top edge. [pixel]
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     field_of_view : float
         Field of view, as the projection's ``ray`` takes it. [rad]
 
     Returns
     -------
     array, shape (ny, nx, 3)
-        Unit vectors (right, up, forward), zero where the picture shows nothing. [1]
+        Unit vectors (right, up, forward), zero outside the projection. [1]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Interface that every projection's file implements."""
+"""Interface of a projection."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, kw_only=True)
 class Projection:
-    """Projection of directions onto a picture.
+    """Mapping between image positions and directions.
 
     Parameters
     ----------
@@ -17,7 +17,7 @@ class Projection:
     ray : kernel
         Scalar function ``ray(x, y, width, height, field_of_view)`` that gives the view vector of a
         point of the picture in the camera's frame (right, up, forward): of unit length, or zero
-        where the picture shows nothing. ``x``, ``y``: distances from the left and the top edge in
+        outside the projection. ``x``, ``y``: distances from the left and the top edge in
         pixels, so that pixel i has its centre at i + 0.5. ``field_of_view``: radians.
     pixel_angle : callable
         Function ``pixel_angle(width, height, field_of_view)`` that gives the angle of one pixel
@@ -60,5 +60,5 @@ class Projection:
     sized: Callable[[int], tuple[int, int]] = lambda number: (number, number)
 
     def fits(self, width: int, height: int) -> bool:
-        """Whether a picture may have this size. [pixel]"""
+        """Whether the projection supports a frame size. [pixel]"""
         return self.aspect is None or width == self.aspect * height

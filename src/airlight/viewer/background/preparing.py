@@ -1,4 +1,4 @@
-"""What is still to be done before the first picture of a viewer, counted."""
+"""Progress until the first frame of a viewer: compilation and solving."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import Final
 from airlight.kernel.compiling import Compiling
 from airlight.render.background_compilation import start_render_compiler
 from airlight.solvers.moments.loops import LOOPS
-from airlight.viewer.background.solving import SolverStatus
+from airlight.viewer.background.solver_thread import SolverStatus
 
-#: Shortest time between two calls that redraw the viewer: it shares the processor. [s]
+#: Shortest time between two redraws, which compete for the CPU. [s]
 _EVERY: Final = 0.2
 
 
 class Preparing:
-    """Compilation of the solver, by this process, and of the renderer, by another.
+    """Compilation of the solver in this process and of the renderer in another.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ class Preparing:
     Attributes
     ----------
     ahead : BackgroundCompiler
-        The other process.
+        Process that compiles the renderer.
     """
 
     def __init__(self, wake: Callable[[], None]) -> None:
@@ -36,9 +36,9 @@ class Preparing:
         self.ahead = start_render_compiler()
         self._both = (self._solver, self.ahead.compiling)
         for one in self._both:
-            one.told = self._told
+            one.on_change = self._progressed
 
-    def _told(self) -> None:
+    def _progressed(self) -> None:
         now = perf_counter()
         if now - self._woken >= _EVERY:
             self._woken = now
@@ -46,22 +46,22 @@ class Preparing:
 
     @property
     def share(self) -> float:
-        """Fraction of the functions that are compiled. [1]"""
+        """Compiled fraction of the functions. [1]"""
         done, total = self._counts()
         return done / total if total else 1.0
 
     def _counts(self) -> tuple[int, int]:
-        """Numbers of functions that are compiled, and of all; both processes need some of them."""
+        """Numbers of compiled functions and of all functions, each counted once."""
         one, other = self._both
         return len(one.finished | other.finished), len(one.names | other.names)
 
     def text(self, status: SolverStatus) -> str:
-        """What is being done, how far it is, and the time left.
+        """Current task, progress and time left.
 
         Parameters
         ----------
         status : SolverStatus
-            What the solver does.
+            Status of the solver.
         """
         done, total = self._counts()
         if done < total:
@@ -71,13 +71,13 @@ class Preparing:
             return f"compiling, once: {done} of {total} functions{about}"
         if status.busy and status.total:
             return f"{status.doing}: {status.done} of at most {status.total} steps"
-        return status.doing or "drawing"
+        return status.doing or "rendering"
 
     def close(self) -> None:
-        """Stop counting, and end the other process."""
+        """Stop counting and end the other process."""
         self._solver.close()
         self.ahead.close()
 
     def finish(self) -> None:
-        """Stop counting; the other process goes on with what is needed later."""
+        """Stop counting; the other process continues."""
         self._solver.close()

@@ -1,4 +1,4 @@
-"""Picture of a page's first view, which a browser shows until it has drawn its own."""
+"""Image of a page's first view, displayed until the browser has rendered it."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ def first_view(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> dict[str, str]:
-    """Picture of a view as a page carries it.
+    """Embedded image of a view.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Solution that the page carries.
+        Solution embedded in the page.
     values : mapping
         View values by path.
     progress, cancel : callable, optional
@@ -42,7 +42,7 @@ def first_view(
     -------
     dict
         ``address``: WebP as a ``data:`` URI; ``fit``: how it fills the window, in CSS: ``cover`` in
-        perspective, ``contain`` where the projection has a shape of its own.
+        perspective, ``contain`` for projections with a fixed aspect ratio.
     """
     scene = scene_of(values, SIDE, SIDE)
     frame = render(
@@ -63,7 +63,7 @@ def first_view(
 
 
 def _webp(pixels: Any) -> bytes:
-    """File in the best quality that its size allows."""
+    """WebP in the best quality within the size limit."""
     from PIL import Image
 
     picture, content = Image.fromarray(pixels), b""

@@ -14,12 +14,12 @@ from airlight.ephemeris import moon_formula, sun_formula
 from airlight.geometry.refraction import apparent_sun_cosine
 from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
-from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, Table, Value
+from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, ShaderTable, Value
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.moon_phase import moon_share
 from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
-from airlight.pixels.light_shown import light_shown
-from airlight.pixels.observer_numbers import observer_numbers
+from airlight.pixels.light_visibility import light_visibility
+from airlight.pixels.observer_uniforms import observer_uniforms
 from airlight.pixels.occulted_light import disc_factor, light_left
 from airlight.scene import flight, great_circle, ground_detail, sun_time
 from airlight.scene.directions import camera_frame, direction_of, filter_axis
@@ -50,10 +50,10 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     camera_frame: (),
     filter_axis: (),
     ground_axes: (),
-    observer_numbers: (),
-    apparent_sun_cosine: (F32, F32, F32, F32, Table("refraction_table", 3)),
+    observer_uniforms: (),
+    apparent_sun_cosine: (F32, F32, F32, F32, ShaderTable("refraction_table", 3)),
     luminance_of: (),
-    exposure_with_stars: (*(Table(one) for one in _STARS), I32, F32, F32),
+    exposure_with_stars: (*(ShaderTable(one) for one in _STARS), I32, F32, F32),
     eased: (),
     left_out: (),
     metering_weight: (I32, *(F32 for _ in range(9))),
@@ -77,7 +77,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     bright_limb: (),
     moon_share: (),
     phase_shading: (),
-    light_shown: (),
+    light_visibility: (),
     light_left: (),
     disc_factor: (),
     change_at: (),
@@ -87,16 +87,22 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     is_near: (),
     floor_below: (),
     acceleration_weight: (),
-    node_value: (F32, F32, F32, Table("first_nodes"), Table("row")),
-    lateral_diffusion_equations: (Table("sun_cosines"), F32, F32, LocalArray(1), LocalArray(1)),
+    node_value: (F32, F32, F32, ShaderTable("first_nodes"), ShaderTable("row")),
+    lateral_diffusion_equations: (
+        ShaderTable("sun_cosines"),
+        F32,
+        F32,
+        LocalArray(1),
+        LocalArray(1),
+    ),
     factorise: (LocalArray(1, VEC4), I32),
     substitute: (LocalArray(1, VEC4), I32, LocalArray(1, VEC4), I32),
     delta_m_scaling: (
-        Table("scattering", 2),
-        Table("absorption", 2),
-        Table("phases", 3),
-        Table("polarised_elements", 3),
-        Table("columns"),
+        ShaderTable("scattering", 2),
+        ShaderTable("absorption", 2),
+        ShaderTable("phases", 3),
+        ShaderTable("polarised_elements", 3),
+        ShaderTable("columns"),
         I32,
         LocalArray(1),
         LocalArray(1),
@@ -129,8 +135,8 @@ def _pixel_angle(projection: str) -> str:
 
 @cache
 def formulas_text() -> str:
-    """Text of ``generated/formulas.js``: formulas, and facts of projections."""
-    angles = ", ".join(f"{json.dumps(name)}: {_pixel_angle(name)}" for name in PROJECTIONS)
+    """Text of ``generated/formulas.js``: formulas, and properties of projections."""
+    angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     connected = [name for name, form in PROJECTIONS.items() if form.connected]
     circular = [name for name, form in PROJECTIONS.items() if form.circular]

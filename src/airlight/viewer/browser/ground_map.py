@@ -24,17 +24,17 @@ def ground_map(found: SurfaceMap | None, *, lossless: bool = False) -> dict[str,
     Parameters
     ----------
     found : SurfaceMap or None
-        Map.
+        Ground map or overlay.
     lossless : bool
-        Whether the colours are kept as they are, as the light of lamps must be: next to a town a
-        JPEG's error is light on a dark sea, and grey pictures are hardly larger without it.
+        Whether compression is lossless, as for city lights: JPEG artefacts around a town would
+        brighten a dark sea, and lossless grey images are hardly larger.
 
     Returns
     -------
     dict or None
-        ``image``, a data URL; ``water``, another of the shares of water, or None; ``rows`` and
-        ``columns``; ``decoded``, the linear values of the 256 values of a colour [1]. None without
-        a map.
+        ``image``, a data URL; ``water``, a data URL of the water fraction, or None; ``rows`` and
+        ``columns``; ``decoded``, linear values of the 256 encoded values [1]. None without a
+        map.
     """
     if found is None:
         return None
@@ -52,7 +52,7 @@ def ground_map(found: SurfaceMap | None, *, lossless: bool = False) -> dict[str,
 
 
 def _colors(pixels: NDArray[np.uint8], lossless: bool) -> str:
-    """Data URL of a JPEG, which is small and which every browser reads, or of a PNG."""
+    """Data URL of a JPEG, or of a PNG if lossless."""
     from PIL import Image
 
     room = io.BytesIO()
@@ -67,7 +67,7 @@ def _colors(pixels: NDArray[np.uint8], lossless: bool) -> str:
 
 
 def _water(shares: NDArray[np.uint8]) -> str | None:
-    """Data URL of a grey picture without loss; None without water."""
+    """Data URL of a lossless grey image of the water fraction; None without water."""
     from PIL import Image
 
     if not shares.any():

@@ -1,4 +1,4 @@
-"""Pictures drawn by a notebook's kernel, for browsers without a graphics card."""
+"""Rendering in the notebook's kernel, for browsers without a GPU."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.color.display import to_display
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.viewer.background.error_line import one_line
 from airlight.viewer.background.preparing import Preparing
@@ -24,12 +24,12 @@ _MOST: Final = 100.0
 
 
 class Order(NamedTuple):
-    """Picture that a browser asks for.
+    """Frame request of a browser.
 
     Attributes
     ----------
     number : int
-        Number of the request, which the answer repeats.
+        Number of the request, repeated in the answer.
     solution : MomentsSolution
     view : mapping
         View values by path.
@@ -44,12 +44,12 @@ class Order(NamedTuple):
 
 
 class KernelPictures:
-    """Thread that draws pictures one after another.
+    """Thread that renders requested frames in order.
 
     Parameters
     ----------
     answer : callable
-        ``answer(drawn)`` is called on the thread: ``number``, and ``png`` with ``exposure`` [EV],
+        ``answer(rendered)``, called on the thread: ``number``, and ``png`` with ``exposure`` [EV],
         or an ``error`` of one line.
     """
 
@@ -62,7 +62,7 @@ class KernelPictures:
         self.preparing: Preparing | None = None
 
     def prepare(self, wake: Callable[[], None]) -> None:
-        """Compile in another process what draws, which leaves this one free to answer.
+        """Compile the renderer in another process, so that this one remains responsive.
 
         Parameters
         ----------
@@ -74,12 +74,12 @@ class KernelPictures:
 
     @property
     def waits(self) -> bool:
-        """Whether the first picture waits for what draws it to be compiled."""
+        """Whether the first frame waits for compilation."""
         preparing = self.preparing
         return preparing is not None and not self._drew and preparing.share < 1.0
 
     def ask(self, order: Order) -> None:
-        """Draw a picture after those asked for before; returns at once."""
+        """Queue a frame; returns immediately."""
         if self._thread is None:
             self._thread = threading.Thread(
                 target=self._work, name="airlight-pictures", daemon=True
@@ -88,7 +88,7 @@ class KernelPictures:
         self._orders.put(order)
 
     def close(self) -> None:
-        """End the thread, after its present picture is cancelled."""
+        """Cancel the current frame and end the thread."""
         self._closing = True
         self._orders.put(None)
         if self._thread is not None and self._thread is not threading.current_thread():
@@ -98,23 +98,23 @@ class KernelPictures:
 
     def _work(self) -> None:
         preparing = self.preparing
-        painter = ScenePainter(ahead=None if preparing is None else preparing.ahead)
+        renderer = Renderer(ahead=None if preparing is None else preparing.ahead)
         while (order := self._orders.get()) is not None and not self._closing:
             try:
-                drawn = self._drawn(painter, order)
+                rendered = self._rendered(renderer, order)
             except Exception as failure:
-                # The thread must survive any failure of one picture, to draw the next.
-                drawn = {"error": one_line(failure)}
+                # The thread must survive any failure of one picture, to render the next.
+                rendered = {"error": one_line(failure)}
             if preparing is not None and not self._drew:
                 preparing.finish()
             self._drew = True
             if not self._closing:
-                self._answer({"number": order.number, **drawn})
-        painter.close()
+                self._answer({"number": order.number, **rendered})
+        renderer.close()
 
-    def _drawn(self, painter: ScenePainter, order: Order) -> dict[str, Any]:
+    def _rendered(self, renderer: Renderer, order: Order) -> dict[str, Any]:
         view, scene = order.view, scene_of(order.view, *order.size)
-        frame = painter.frame(
+        frame = renderer.render(
             order.solution, scene, orders=str(view["light.orders"]), cancel=lambda: self._closing
         )
         exposure = float(view["display.exposure"])
@@ -129,7 +129,7 @@ class KernelPictures:
 
 
 def _png(pixels: NDArray[np.uint8]) -> bytes:
-    """PNG of 8-bit pixels, packed quickly rather than well."""
+    """PNG of 8-bit pixels, with fast compression."""
     from PIL import Image
 
     file = io.BytesIO()

@@ -19,7 +19,7 @@ from airlight.gpu.device.flat import FORMATS
 from airlight.gpu.device.packed import PACKED_FORMAT
 from airlight.gpu.emit.shader_types import FLAT_WIDTH, PACKED_WIDTH
 from airlight.pixels.polarising_filter import ALONG, ASLANT, NONE
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.scene.ground_detail import NOMINAL_ROWS
 from airlight.viewer.browser.formulas import formulas_text
 from airlight.viewer.navigation import keys
@@ -40,7 +40,7 @@ def _keys_module() -> str:
 
 
 def _sizes_module() -> str:
-    """Text of the module with the sizes of textures on which shaders and page must agree."""
+    """Text of the module with texture sizes shared by shaders and page."""
     channels = {form: count for count, form in FORMATS.items()} | {PACKED_FORMAT: 4}
     return (
         f"export const ROW = {FLAT_WIDTH};\nexport const PACKED_ROW = {PACKED_WIDTH};\n"

@@ -1,7 +1,6 @@
 """Viewer in a notebook: JupyterLab, marimo and other hosts of anywidget.
 
-The picture is drawn in the browser, by the page's JavaScript, or by Python where the browser has no
-graphics card; the planet is solved in Python.
+The browser renders with the page's JavaScript, or Python if the browser has no GPU; Python solves.
 Requires the extra ``airlight[notebook]``.
 """
 
@@ -13,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from airlight.errors import AirlightError
-from airlight.paint.drawing_device import any_device
+from airlight.paint.rendering_gpu import any_gpu
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import texel_wavelengths
-from airlight.viewer.background.solving import Solving
+from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.browser.kernel_pictures import KernelPictures, Order
 from airlight.viewer.browser.modules import join_modules, web_file
 from airlight.viewer.browser.package import program, solution_package
@@ -33,7 +32,7 @@ except ImportError as error:
 
 
 def _first_session(planet: str | Path) -> Session:
-    """Session on a planet in its first view, with nothing to undo."""
+    """Session on a planet in its initial view, with an empty history."""
     session = Session(planet)
     session.move(first_view(session))
     session.forget_steps()
@@ -53,15 +52,15 @@ class Viewer(anywidget.AnyWidget):
     height : int
         Height of the widget. [pixel]
     device : str
-        What draws: ``webgpu`` or ``webgl2`` of the browser, the ``kernel``'s processor, or
-        ``auto``: a graphics card of the browser, else the kernel.
+        Renderer: ``webgpu`` or ``webgl2`` of the browser, the CPU of the ``kernel``, or ``auto``:
+        a GPU of the browser, else the kernel.
     solving : callable, optional
-        Factory of the solving thread, with the arguments of ``Solving``.
+        Factory of the solver thread, with the arguments of ``SolverThread``.
 
     Attributes
     ----------
     session : Session
-        Session that is shown; its changes are followed.
+        Displayed session; the viewer observes its changes.
     values : dict
         Values of all parameters by path, synchronised both ways. [parameter.unit]
     status, message : str
@@ -97,7 +96,7 @@ class Viewer(anywidget.AnyWidget):
     device = traitlets.Unicode("auto").tag(sync=True)
     drawer = traitlets.Unicode("").tag(sync=True)
     wanted = traitlets.Dict().tag(sync=True)
-    drawn = traitlets.Dict().tag(sync=True)
+    rendered = traitlets.Dict().tag(sync=True)
     stale = traitlets.Bool(False).tag(sync=True)
 
     _ending: tuple[Callable[[], None], ...] = ()
@@ -109,7 +108,7 @@ class Viewer(anywidget.AnyWidget):
         *,
         height: int = 540,
         device: str = "auto",
-        solving: Callable[..., Solving] = Solving,
+        solving: Callable[..., SolverThread] = SolverThread,
     ) -> None:
         self.session = planet if isinstance(planet, Session) else _first_session(planet)
         self._telling = False
@@ -120,13 +119,13 @@ class Viewer(anywidget.AnyWidget):
             device=device,
             program=program(),
             first=thumbnail_address(str(self.session.planet.source)),
-            **self._told(),
+            **self._state_message(),
         )
         try:
             self._loop: asyncio.AbstractEventLoop | None = asyncio.get_running_loop()
         except RuntimeError:
             self._loop = None
-        unfollow = self.session.follow(lambda versions: self._tell())
+        unsubscribe = self.session.subscribe(lambda versions: self._notify())
         self.observe(self._take_values, "values")
         self.observe(self._take_messages, "messages")
         self.observe(self._take_wanted, "wanted")
@@ -134,11 +133,11 @@ class Viewer(anywidget.AnyWidget):
         self._pictures = KernelPictures(self._answer)
         self._solving = solving(
             self.session,
-            solver=live_solver("auto", any_device()),
+            solver=live_solver("auto", any_gpu()),
             wavelengths=texel_wavelengths,
             on_change=self._wake,
         )
-        self._ending = (unfollow, self._solving.close, self._pictures.close)
+        self._ending = (unsubscribe, self._solving.close, self._pictures.close)
         self._follow_solution()
 
     # --- from Python --------------------------------------------------------------------------
@@ -154,7 +153,7 @@ class Viewer(anywidget.AnyWidget):
         return done
 
     def close(self) -> None:
-        """End the solving thread and close the widget; later calls do nothing to the thread."""
+        """End the solver thread and close the widget; further calls do not affect the thread."""
         ending, self._ending = self._ending, ()
         for end in ending:
             end()
@@ -162,7 +161,7 @@ class Viewer(anywidget.AnyWidget):
 
     # --- to the browser -----------------------------------------------------------------------
 
-    def _told(self) -> dict[str, Any]:
+    def _state_message(self) -> dict[str, Any]:
         session = self.session
         return {
             "title": session.planet_name,
@@ -177,19 +176,19 @@ class Viewer(anywidget.AnyWidget):
             },
         }
 
-    def _tell(self, heard: dict[str, int] | None = None) -> None:
-        """Send the state of the session to the browser, and which messages led to it."""
-        told = self._told() | ({} if heard is None else {"heard": heard})
+    def _notify(self, heard: dict[str, int] | None = None) -> None:
+        """Send the session state to the browser, with the handled messages."""
+        message = self._state_message() | ({} if heard is None else {"heard": heard})
         self._telling = True
         try:
             with self.hold_sync():
-                for name, value in told.items():
+                for name, value in message.items():
                     setattr(self, name, value)
         finally:
             self._telling = False
 
     def _wake(self) -> None:
-        """Pass a new solution from the solving thread to the notebook's event loop."""
+        """Pass a new solution from the solver thread to the notebook's event loop."""
         if self._loop is None or self._loop.is_closed():
             self._follow_solution()
         else:
@@ -221,24 +220,24 @@ class Viewer(anywidget.AnyWidget):
         elif solved is not None:
             self.status = f"{solved.quality}, {solved.seconds:.2f} s"
 
-    def _answer(self, drawn: dict[str, Any]) -> None:
-        """Pass a picture from its thread to the notebook's event loop, and to the browser."""
+    def _answer(self, rendered: dict[str, Any]) -> None:
+        """Pass a frame from its thread via the event loop to the browser."""
         if self._loop is None or self._loop.is_closed():
-            self._show_drawn(drawn)
+            self._show_rendered(rendered)
         else:
-            self._loop.call_soon_threadsafe(self._show_drawn, drawn)
+            self._loop.call_soon_threadsafe(self._show_rendered, rendered)
 
-    def _show_drawn(self, drawn: dict[str, Any]) -> None:
-        self.drawn = drawn
-        self._follow_solution()  # which no longer waits for what draws
+    def _show_rendered(self, rendered: dict[str, Any]) -> None:
+        self.rendered = rendered
+        self._follow_solution()  # which no longer waits for what renders
 
     # --- from the browser ---------------------------------------------------------------------
 
     def _take_messages(self, change: Mapping[str, Any]) -> None:
-        """Act on the browser's messages that have not been heard, in order.
+        """Handle the browser's new messages, in order.
 
-        A host may merge updates, or repeat them: each view therefore sends all its messages until
-        it knows them heard, numbered.
+        As hosts may merge or repeat updates, each view numbers its messages and sends them until
+        they are acknowledged.
         """
         heard = dict(self.heard)
         faults = []
@@ -249,10 +248,10 @@ class Viewer(anywidget.AnyWidget):
                     faults.append(self._act(message))
         if heard != self.heard:
             self.message = next(filter(None, faults), "")
-            self._tell(heard)  # with rejected and adjusted values
+            self._notify(heard)  # with rejected and adjusted values
 
     def _act(self, message: Mapping[str, Any]) -> str:
-        """Follow one message of the browser; returns the error in one line, or an empty string."""
+        """Handle a browser message; returns a one-line error or an empty string."""
         try:
             if "command" in message:
                 self._command(message["command"])
@@ -303,15 +302,15 @@ class Viewer(anywidget.AnyWidget):
             self.message = ""
         except AirlightError as error:
             self.message = str(error)
-        self._tell()
+        self._notify()
 
     def _take_drawer(self, change: Mapping[str, Any]) -> None:
-        """Prepare the kernel for drawing, once the browser has found no graphics card."""
+        """Prepare rendering in the kernel for a browser without GPU."""
         if change["new"] == "kernel":
             self._pictures.prepare(self._wake)
 
     def _take_wanted(self, change: Mapping[str, Any]) -> None:
-        """Draw the picture that the browser asks for, once there is a solution."""
+        """Render the frame that the browser requests, once there is a solution."""
         wanted = change["new"]
         if not wanted:
             return

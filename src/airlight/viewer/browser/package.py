@@ -1,4 +1,4 @@
-"""Data for the viewer in a browser: shaders, plan of the passes, tables.
+"""Data of the browser viewer: shaders, pass plan, tables.
 
 The plan and the shaders are the same for every planet; tables and uniforms belong to a solution.
 The names are those of ``gpu.picture.uniforms`` and ``gpu.picture.shaders``; the data are read by
@@ -24,7 +24,11 @@ from airlight.gpu.picture.display_shaders import (
     display_shader,
     spread_shader,
 )
-from airlight.gpu.picture.pictures import MEDIUM_SKY_SHAPE, QUICK_SKY_SHAPE, SKY_SHAPE
+from airlight.gpu.picture.gpu_renderer import (
+    MEDIUM_SKY_VIEW_SIZE,
+    QUICK_SKY_VIEW_SIZE,
+    SKY_VIEW_SIZE,
+)
 from airlight.gpu.picture.shaders import (
     Shader,
     picture_shader,
@@ -34,8 +38,8 @@ from airlight.gpu.picture.shaders import (
 )
 from airlight.gpu.picture.solution_textures import SolutionTables
 from airlight.gpu.picture.uniforms import FRAME, LAYERS
-from airlight.pixels.picture_numbers import ORDERS, display_numbers, overlay_numbers
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
+from airlight.pixels.view_uniforms import ORDERS, display_uniforms, overlay_uniforms
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.metering import METERED
 from airlight.scene.projections import PROJECTIONS
@@ -58,14 +62,14 @@ _RADII: Final = 1024
 
 
 def plan() -> dict[str, Any]:
-    """Passes of a picture, and offset of each uniform; see ``web/drawing/program.js``."""
-    columns, rows = SKY_SHAPE
+    """Rendering and display passes, and offset of each uniform; see ``web/drawing/program.js``."""
+    columns, rows = SKY_VIEW_SIZE
     where = FRAME.layout()
     places = {name: [start, 1] for name, start in where["numbers"].items()}
     places |= {f"table_{name}": [start, 4] for name, start in where["tables"].items()}
     height = 3 * columns * rows // FLAT_WIDTH
     sky = {"format": _FORMAT, "width": FLAT_WIDTH, "height": height}
-    glance = {"name": "glance", "format": _FORMAT, "width": METERED, "height": METERED}
+    metering = {"name": "metering", "format": _FORMAT, "width": METERED, "height": METERED}
 
     def resized(name: str) -> list[dict[str, Any]]:
         return [{"name": name, "format": _FORMAT, "width": 1, "height": 1}]
@@ -93,7 +97,7 @@ def plan() -> dict[str, Any]:
     own = {"disc": "disc_2", **{name: f"{name}_2" for name in LAYERS}}
 
     def summed(name: str) -> list[dict[str, Any]]:
-        """Passes of a picture by two lights."""
+        """Passes of two lights and their sum."""
         parts = [f"{name}_1", f"{name}_2"]
         return [
             one(parts[0], picture, "linear_picture", resized(parts[0])),
@@ -133,9 +137,9 @@ def plan() -> dict[str, Any]:
                 "sky_polarised",
                 [*map(second_layer, LAYERS[4:])],
             ),
-            one("glance", picture, "linear_picture", [glance]),
+            one("metering", picture, "linear_picture", [metering]),
             one("picture", picture, "linear_picture", resized("picture")),
-            *summed("glance"),
+            *summed("metering"),
             *summed("picture"),
             *(
                 one(
@@ -164,21 +168,21 @@ def plan() -> dict[str, Any]:
 
 
 def program() -> dict[str, Any]:
-    """Data that are the same for every planet, as JSON values."""
+    """Planet-independent data, as JSON values."""
     return {
         "plan": plan(),
         "shaders": web_shaders(),
         "sky": {
-            "full": list(SKY_SHAPE),
-            "medium": list(MEDIUM_SKY_SHAPE),
-            "quick": list(QUICK_SKY_SHAPE),
+            "full": list(SKY_VIEW_SIZE),
+            "medium": list(MEDIUM_SKY_VIEW_SIZE),
+            "quick": list(QUICK_SKY_VIEW_SIZE),
         },
         "layers": list(LAYERS),
-        "glance": METERED,
+        "metering": METERED,
         "projections": {
             name: list(form.field_of_view_limits) for name, form in PROJECTIONS.items()
         },
-        "display": display_numbers(0.0, DEFAULT_TONE_MAP, "srgb"),
+        "display": display_uniforms(0.0, DEFAULT_TONE_MAP, "srgb"),
         "primaries": list(PRIMARIES),
         "orders": ORDERS,
         "view_uniforms": {
@@ -214,10 +218,10 @@ def solution_package(
     """
     made = SolutionTables.of(solution)
     medium = solution.medium
-    uniforms: dict[str, Any] = dict(made.numbers)
+    uniforms: dict[str, Any] = dict(made.uniforms)
     for name, place in made.places.items():
         uniforms[f"table_{name}"] = [*place, 0, 0, 0][:4]
-    uniforms |= overlay_numbers(solution)
+    uniforms |= overlay_uniforms(solution)
     star, mapped = solution.lights[0], medium.surface.map
     shown = np.zeros((WAVELENGTHS, 3))
     shown[: solution.wavelengths.size] = star.colors(weights)
@@ -242,7 +246,7 @@ def solution_package(
 
 
 def refracted_geometry(solution: MomentsSolution) -> dict[str, Any] | None:
-    """Optical radii [m] and refraction table of a planet; None without refraction."""
+    """Optical radii [m] and refraction table of an atmosphere; None without refraction."""
     geometry, medium = solution.geometry, solution.medium
     if geometry.shell is None:
         return None

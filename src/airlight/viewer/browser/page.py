@@ -52,7 +52,7 @@ class Page:
     size : int
         Size of the file. [byte]
     quality : str
-        Quality of the solution; ``preview`` if the requested one is too large for a page.
+        Quality of the solution; ``preview`` if the requested quality is too large for a page.
     """
 
     path: Path
@@ -66,7 +66,7 @@ def page_parameters(*, dated: bool = True) -> tuple[Parameter, ...]:
     Parameters
     ----------
     dated : bool
-        Whether the planet has a ``body``, so that its sun goes by a date.
+        Whether the planet has a ``body``, so that a date determines its sun.
     """
     return tuple(
         one for one in VIEW_VALUES if one.part != "planet" and (dated or one.path not in OF_DATE)
@@ -172,7 +172,7 @@ def export_page(
     wavelengths : str
         Number of wavelengths, ``three`` or ``four``.
     cache : bool
-        Whether solutions are read from and kept on disk.
+        Whether solutions are cached on disk.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 

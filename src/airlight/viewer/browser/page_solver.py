@@ -18,7 +18,7 @@ from airlight.gpu.solver.plan import SolverPlan
 from airlight.gpu.solver.planning import plan_for
 from airlight.gpu.solver.solver import THICKEST
 from airlight.optics.reflection import largest_albedo
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.planets.medium import REFRACTION_COLUMN
 from airlight.solvers.moments import convergence
 from airlight.solvers.moments.delta_m import Optics
@@ -117,7 +117,7 @@ def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> 
 
 
 def _synthetic(plan: SolverPlan) -> dict[str, Any]:
-    """Parameters of synthetic acceleration, with which pages solve thick air as the CPU does."""
+    """Parameters of synthetic acceleration, which pages use for thick air, as the CPU does."""
     setup, degree = plan.setup, int(plan.sizes["degree"])
     cubics = finer_weights(setup.gathering.radii.size, setup.refinement).astype(np.float32)
     return {
@@ -155,10 +155,10 @@ def _tables(plan: SolverPlan, places: dict[str, Any]) -> dict[str, str]:
 
 
 def _four(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values of shape (..., w) at four wavelengths, of which the last may repeat."""
+    """Pad values of shape (..., w) to four wavelengths by repeating the last."""
     return np.asarray(filled(np.asarray(values, np.float64))[..., :WAVELENGTHS])
 
 
 def _table(values: NDArray[np.float64]) -> dict[str, Any]:
-    """Array as the emitted JavaScript reads a table."""
+    """Array in the layout of tables in the emitted JavaScript."""
     return {"values": values.reshape(-1).tolist(), "shape": list(values.shape)}

@@ -32,7 +32,7 @@ def page_text(title: str, data: Mapping[str, Any], first: Mapping[str, str] | No
     data : mapping
         Data for ``web/main.js``, as JSON values.
     first : mapping, optional
-        Picture that is shown at once, see ``first_view``.
+        Image that is shown immediately, see ``first_view``.
 
     Returns
     -------

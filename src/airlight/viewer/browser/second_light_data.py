@@ -1,4 +1,4 @@
-"""Data of a page's second light: the Moon's colours, and those of stars by their temperature."""
+"""Colours of a page's second light: the Moon, and stars by temperature."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.scene.moon_light import MoonLight
 from airlight.scene.star_light import StarLight
 from airlight.solvers.moments.solution import MomentsSolution

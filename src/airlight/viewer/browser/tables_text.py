@@ -25,9 +25,9 @@ def as_text(values: Float32Array, stride: int = 1) -> str:
     Parameters
     ----------
     values : array
-        Values of any shape, which is not kept.
+        Values; their shape is not encoded.
     stride : int
-        Distance to the previous neighbour of a number, in numbers.
+        Distance from a number to its predecessor in the differences, in numbers.
 
     Returns
     -------
@@ -61,14 +61,14 @@ def from_text(text: str) -> Float32Array:
 
 
 def rounded(values: Float32Array, digits: int) -> Float32Array:
-    """Round numbers to binary digits after the first, for a shorter text.
+    """Round the mantissas of numbers, for a shorter text.
 
     Parameters
     ----------
     values : array
         Finite numbers.
     digits : int
-        Binary digits, 1 to 22; the relative error is at most 2 to the power of -digits - 1.
+        Mantissa bits, 1 to 22; the relative error is at most 2 to the power of -digits - 1.
 
     Returns
     -------

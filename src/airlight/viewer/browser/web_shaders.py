@@ -30,7 +30,7 @@ FILL: Final = "fill"
 
 @cache
 def web_shaders() -> dict[str, dict[str, Any]]:
-    """Shaders of a picture drawn from the sky table, for ``web/drawing/program.js``.
+    """Rendering and display shaders, for ``web/drawing/program.js``.
 
     Returns
     -------

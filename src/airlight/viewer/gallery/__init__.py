@@ -1,1 +1,1 @@
-"""Gallery of the presets: their families, and a small picture of each."""
+"""Preset gallery: families and thumbnails."""

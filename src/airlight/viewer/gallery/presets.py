@@ -1,4 +1,4 @@
-"""Presets of the gallery: family, kind, and the view that shows what is characteristic of each."""
+"""Presets of the gallery, with family, kind and a characteristic view."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ HEIGHT: Final = 135
 
 @dataclass(frozen=True, kw_only=True)
 class Look:
-    """Observer, sun and camera of a small picture.
+    """Observer, sun and camera of a thumbnail.
 
     Attributes
     ----------

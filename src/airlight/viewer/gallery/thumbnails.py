@@ -1,4 +1,4 @@
-"""Small pictures of the presets, packaged as WebP."""
+"""Thumbnails of the presets, packaged as WebP."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 
 def thumbnail_file(name: str) -> bytes | None:
-    """File of a preset's small picture, WebP; None for a planet without one.
+    """WebP file of a preset's thumbnail; None without one.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def thumbnail_file(name: str) -> bytes | None:
 
 
 def thumbnail_address(name: str) -> str:
-    """Small picture of a preset as a ``data:`` URI; empty for a planet without one.
+    """Thumbnail as a ``data:`` URI; empty without one.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def thumbnail_address(name: str) -> str:
 
 @cache
 def thumbnail(name: str) -> NDArray[np.uint8] | None:
-    """Pixels of a preset's small picture, encoded sRGB, shape (height, width, 3), or None.
+    """Thumbnail pixels, encoded sRGB, shape (height, width, 3); None without one.
 
     Parameters
     ----------

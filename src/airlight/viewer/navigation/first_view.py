@@ -1,4 +1,4 @@
-"""View with which window, page and notebook begin."""
+"""Initial view of window, page and notebook."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def first_view(session: Editing) -> Mapping[str, float]:
     Parameters
     ----------
     session : Session
-        Session whose planet and place are kept.
+        Session; its planet and location are unchanged.
     """
     bottom, top = (1e3 * float(session.value(f"shell.{end}_radius")) for end in ("bottom", "top"))
     return view_of(FIRST, bottom_radius=bottom, top_radius=top)

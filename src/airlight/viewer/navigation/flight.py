@@ -195,7 +195,7 @@ class Flight:
         self._session.move(_sun(sun_at(latitude, declination, hour)), gesture=gesture)
 
     def pass_time(self, hours: float) -> None:
-        """Move the sun on by some hours, without an undo step: by the date, where it goes by it."""
+        """Advance the sun, or the date that determines it, by some hours, without an undo step."""
         view = self._session.view
         if view[CLOCK]:
             self._session.move(date_later(view, hours))

@@ -1,8 +1,8 @@
-"""Key and mouse bindings on a picture: one table for the window, the page and the notebook.
+"""Key and mouse bindings, shared by window, page and notebook.
 
-Each row is a line of the help and the keys that it binds. Rows that one host cannot offer are
-bound in the other only: a browser reserves Ctrl with a letter (Ctrl+W closes the page), writes no
-planet file and shows one picture; a window has no touch screen.
+Each row is a line of the help with its bindings. Some rows have only some hosts: a browser reserves
+Ctrl with a letter (Ctrl+W closes the page), writes no planet files and has one view; a window has
+no touch screen.
 """
 
 from __future__ import annotations

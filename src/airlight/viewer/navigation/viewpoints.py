@@ -1,8 +1,7 @@
 """Preset viewpoints, from the ground to the whole planet, scaled to the shell's thickness.
 
-Each is an hour of the same day at the place where the viewer begins, ``PLACE``: zenith angle and
-bearing of the sun there are those of a declination between -9° and 0°. Pictures of the whole planet
-have north at the top.
+Each is an hour of one day at ``PLACE``, the initial location, with a solar declination between -9°
+and 0°. Views of the whole planet have north up.
 """
 
 from __future__ import annotations
@@ -75,7 +74,7 @@ FIRST: Final = next(one for one in VIEWPOINTS if one.name == "orbit")
 
 
 def view_of(viewpoint: Viewpoint, *, bottom_radius: float, top_radius: float) -> dict[str, float]:
-    """Camera and sun of a viewpoint, as arguments of ``Session.move``; the place is kept.
+    """Camera and sun of a viewpoint, as arguments of ``Session.move``; the location is unchanged.
 
     Parameters
     ----------

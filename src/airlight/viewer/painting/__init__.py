@@ -1,1 +1,1 @@
-"""Pictures and probes of a session, computed by the processor or the GPU."""
+"""Rendering and probing of a session on the CPU or the GPU, on threads."""

@@ -1,4 +1,4 @@
-"""Request for a picture, the picture, and the protocol of painters that turn one into the other."""
+"""``Request``, ``Picture`` and the protocol ``PictureSource`` of the window's renderers."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ Orders = Literal["all", "single", "multiple"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Request:
-    """Request for a picture.
+    """Request for a displayed picture.
 
     Parameters
     ----------
     solution : MomentsSolution
         Solution of the planet's atmosphere.
     scene : Scene
-        Scene whose camera has the size of the finished picture, in physical pixels.
+        Scene with the size of the final picture, in physical pixels.
     exposure : float
-        Exposure, added to the automatic one if that is on. [EV]
+        Exposure, relative to the automatic exposure if ``automatic``. [EV]
     automatic : bool
-        Whether the exposure adapts to the picture.
+        Whether the exposure is automatic.
     adaptation : Adaptation, optional
-        Exposure of the session, which eases towards the measured one; without it that is used.
+        Exposure that eases towards the metered exposure; by default the metered exposure itself.
     held : bool
-        Whether the automatic exposure stays as it is.
+        Whether the automatic exposure is locked.
     tone_map : str
         Name from ``airlight.color.tone_maps.TONE_MAPS``.
     glare : float
-        Amount of glare, 1 for that of a lens. [1]
+        Glare relative to a typical lens. [1]
     orders : str
         ``all``, ``single`` (scattered or reflected once) or ``multiple`` (all but once).
     uniforms : mapping
@@ -55,7 +55,7 @@ class Request:
     uniforms: Mapping[str, float] = field(default_factory=dict)
 
     def same_light(self, other: Request | None) -> bool:
-        """Whether the other request has the same frame, before exposure and tone map."""
+        """Whether both requests have the same radiance."""
         return (
             other is not None
             and self.solution is other.solution
@@ -64,7 +64,7 @@ class Request:
         )
 
     def same(self, other: Request | None) -> bool:
-        """Whether the other request has the same picture."""
+        """Whether both requests have the same displayed picture."""
         return (
             other is not None
             and self.same_light(other)
@@ -79,7 +79,7 @@ class Request:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Picture:
-    """Finished or coarse picture on the graphics device.
+    """Displayed picture in a texture, coarse or final.
 
     Parameters
     ----------
@@ -92,11 +92,11 @@ class Picture:
     exposure : float
         Exposure applied, including the automatic one. [EV]
     finished : bool
-        False for a coarse picture that a finer one will follow.
+        Whether it is final.
     seconds : float
         Time to compute it. [s]
     by : str
-        Short name of the processor or device that computed it.
+        Short name of the CPU or kind of GPU.
     """
 
     view: Any
@@ -109,18 +109,18 @@ class Picture:
     by: str
 
 
-class Painter(Protocol):
-    """Renderer of pictures; all methods are called on one thread, which is not the window's."""
+class PictureSource(Protocol):
+    """Progressive renderer of requests; used on one thread other than the window's."""
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
-        """Yield pictures of a request, each finer than the one before.
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        """Yield pictures of a request, each finer than the last.
 
         Parameters
         ----------
         request : Request
             Request to render.
         stale : callable
-            ``stale()`` is True once the request is superseded; the rest may then be skipped.
+            ``stale()`` is True once the request is superseded; rendering may then stop.
 
         Yields
         ------
@@ -133,4 +133,4 @@ class Painter(Protocol):
         """
 
     def close(self) -> None:
-        """End the painter's threads."""
+        """End the renderer's threads."""

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.paint.scene_painter import LIVE_FORMAT
+from airlight.paint.renderer import LIVE_FORMAT
 
 
 class PictureTexture:
-    """8-bit picture on the graphics device; its texture is replaced only when the size changes.
+    """8-bit picture on the GPU; its texture is replaced only when the size changes.
 
     Parameters
     ----------

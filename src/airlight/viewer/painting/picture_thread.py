@@ -1,4 +1,4 @@
-"""Thread that renders the latest request, so that the window never waits for a picture."""
+"""Render thread of the window: always renders the latest request."""
 
 from __future__ import annotations
 
@@ -7,22 +7,22 @@ from collections.abc import Callable
 
 from airlight.errors import Cancelled
 from airlight.viewer.background.error_line import one_line
-from airlight.viewer.painting.picture_source import Painter, Picture, Request
+from airlight.viewer.painting.picture_source import Picture, PictureSource, Request
 
 
 class PictureThread:
-    """Thread that runs a painter on the latest request.
+    """Thread that runs a renderer on the latest request.
 
     Parameters
     ----------
-    painter : Painter
+    renderer : PictureSource
         Called on the thread only, and closed there.
     wake : callable
         Function without arguments, called on the thread after each new picture.
     """
 
-    def __init__(self, painter: Painter, wake: Callable[[], None]) -> None:
-        self._painter = painter
+    def __init__(self, renderer: PictureSource, wake: Callable[[], None]) -> None:
+        self._renderer = renderer
         self._wake = wake
         self._news = threading.Condition()
         self._wanted: Request | None = None
@@ -34,7 +34,7 @@ class PictureThread:
         self._thread.start()
 
     def want(self, request: Request) -> None:
-        """Set the request to be shown from now on; returns at once."""
+        """Set the latest request; returns immediately."""
         with self._news:
             if request.same(self._wanted):
                 return
@@ -44,18 +44,18 @@ class PictureThread:
 
     @property
     def picture(self) -> Picture | None:
-        """Newest picture, which may be older than the request."""
+        """Latest picture, possibly of an older request."""
         return self._picture
 
     @property
     def busy(self) -> bool:
-        """Whether a newer or finer picture will follow."""
+        """Whether a newer or finer picture is pending."""
         with self._news:
             return self._working
 
     @property
     def error(self) -> str:
-        """Reason why the request has no picture, in one line; empty if it has one."""
+        """One-line error of the request; empty if it succeeded."""
         return self._error
 
     def close(self) -> None:
@@ -70,7 +70,7 @@ class PictureThread:
         while True:
             request = self._next(last)
             if request is None:
-                self._painter.close()
+                self._renderer.close()
                 return
             error = ""
             try:
@@ -97,7 +97,7 @@ class PictureThread:
         def stale() -> bool:
             return self._closing or self._wanted is not request
 
-        for picture in self._painter.paint(request, stale):
+        for picture in self._renderer.render(request, stale):
             self._picture = picture
             self._wake()
             if stale():

@@ -1,7 +1,7 @@
-"""Values of the light in one direction: spectrum, luminance, colour, optical depths, parts.
+"""Probe of one direction: spectrum, luminance, chromaticity, optical depths, contributions.
 
-Computed on the CPU from the moments of the solution shown, in some milliseconds per direction.
-Each part is integrated separately; none is the difference of others.
+Computed on the CPU from the moments of the displayed solution, in some milliseconds per direction.
+Each contribution is integrated separately, not computed by difference.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from airlight.color.texels import CHANNELS
 from airlight.color.xyz import chromaticity, luminance, rgb_to_xyz
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
-from airlight.pixels.disc_shading import disc_powers, shading_numbers
-from airlight.pixels.lit_scenes import lit_scenes
+from airlight.pixels.disc_shading import disc_powers, shading_uniforms
 from airlight.pixels.occulted_light import DARKEST
-from airlight.render.drawing import color_weights
+from airlight.pixels.scenes_by_light import scenes_by_light
+from airlight.render.cpu_renderer import color_weights
 from airlight.render.sun_disc import leaving_direction, sun_solid_angle
 from airlight.scene import Scene
 from airlight.scene.camera import Camera
@@ -32,7 +32,7 @@ from airlight.solvers.moments.radiance_parts import radiance_parts
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.stokes_frame import to_meridian
 from airlight.tables.columns import columns
-from airlight.viewer.painting.painted_ground import painted_ground
+from airlight.viewer.painting.ground_radiance import ground_radiance
 from airlight.viewer.painting.probed_clouds import probed_clouds
 
 FloatArray = NDArray[np.float64]
@@ -45,8 +45,8 @@ STAR: Final = "solar disc"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Part:
-    """Part of the light in one direction.
+class Contribution:
+    """Contribution to the radiance in one direction.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Part:
 
 @dataclass(frozen=True, kw_only=True)
 class Probe:
-    """Values of the light in one direction.
+    """Radiometric and photometric values of one direction.
 
     Attributes
     ----------
@@ -93,8 +93,8 @@ class Probe:
     distance : float
         Straight distance to the ground; infinite if the line of sight misses it. [m]
     latitude, longitude : float or None
-        Coordinates of the ground that is seen; None without ground. [deg]
-    parts : tuple of Part
+        Coordinates of the visible ground; None without ground. [deg]
+    parts : tuple of Contribution
         Parts that sum to ``radiance``.
     """
 
@@ -112,11 +112,11 @@ class Probe:
     distance: float
     latitude: float | None
     longitude: float | None
-    parts: tuple[Part, ...]
+    parts: tuple[Contribution, ...]
 
 
 def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None:
-    """Probe of a pixel of the scene's picture; None outside a fisheye's circle.
+    """Probe of a pixel; None outside the image circle of a fisheye.
 
     Parameters
     ----------
@@ -132,14 +132,14 @@ def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None
     Raises
     ------
     ParameterError
-        If the position is outside the picture, or the solution is another solver's.
+        If the position is outside the frame, or the solution is not by moments.
     """
     direction = pixel_direction(scene.camera, x, y)
     return None if direction is None else probe(solution, scene, direction)
 
 
 def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
-    """Direction of a position on the picture; None outside a fisheye's circle.
+    """Direction of a position in the frame; None outside the image circle of a fisheye.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
     Raises
     ------
     ParameterError
-        If the position is outside the picture.
+        If the position is outside the frame.
     """
     for field, value, most in (("x", x, camera.width), ("y", y, camera.height)):
         if not 0.0 <= value <= most:
@@ -167,12 +167,12 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
 
 
 def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
-    """Probe of the light that an observer receives from a direction.
+    """Probe of the radiance from a direction.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Solution shown, without the constituents that are switched off.
+        Displayed solution, without the constituents that are switched off.
     scene : Scene
         Observer and star; its camera only sets the level of detail of the ground map.
     direction : array, shape (3,)
@@ -185,19 +185,19 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
     Raises
     ------
     ParameterError
-        If the solution is another solver's.
+        If the solution is not by moments.
 
     Notes
     -----
-    With refraction, the point on the ground is that of a straight line of sight; its error is up
-    to the angle of refraction, half a degree on Earth.
+    The point on the ground neglects refraction; its error is up to the angle of refraction, half a
+    degree on Earth.
     """
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "one of the moments solver")
     medium = solution.medium
     zenith = math.degrees(math.atan2(math.hypot(direction[0], direction[1]), direction[2]))
     azimuth = math.degrees(math.atan2(-direction[1], direction[0]))
-    pictures = lit_scenes(scene, solution)
+    pictures = scenes_by_light(scene, solution)
     by_light = [
         one.solution.lines_of_sight(
             altitude=scene.altitude, sun_zenith=one.light.zenith, view_zenith=zenith,
@@ -248,7 +248,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         latitude=seen[1],
         longitude=seen[2],
         parts=tuple(
-            Part(
+            Contribution(
                 name=name,
                 radiance=tuple(values.tolist()),
                 luminance=LUMINOUS_EFFICACY * float(bright),
@@ -259,7 +259,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
 
 
 def _polarised(stokes: FloatArray, whole: float) -> tuple[float, float]:
-    """Degree [1] and angle [deg] of luminances Q and U beside that of all light."""
+    """Degree [1] and angle [deg] of linear polarisation from luminances I, Q and U."""
     q, u = (float(one) for one in stokes)
     degree = min(math.hypot(q, u) / whole, 1.0) if whole > 0.0 else 0.0
     return degree, 0.5 * math.degrees(math.atan2(u, q))
@@ -271,7 +271,7 @@ def _spectra(
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
 ) -> list[tuple[str, FloatArray]]:
-    """Name and spectral radiance of each part except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
+    """Name and spectral radiance of each contribution except the star. [W m⁻² sr⁻¹ nm⁻¹]"""
     parts = radiance_parts(solution, lines)
     sun = solution.lights[0].irradiance
     once = [
@@ -282,7 +282,7 @@ def _spectra(
     more = (MORE, parts.scattered_more[0] * sun)
     if not lines.to_ground[0]:
         return [*once, more]
-    star, sky = painted_ground(solution, lines, parts, color, clouds)
+    star, sky = ground_radiance(solution, lines, parts, color, clouds)
     return [*once, more, (GROUND_STAR, star * sun), (GROUND_SKY, sky * sun)]
 
 
@@ -301,7 +301,7 @@ def _star(
     transmittance: FloatArray,
     to_ground: bool,
 ) -> FloatArray:
-    """Radiance of the light's disc, 0 outside it, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
+    """Radiance of a light's disc, 0 outside, shape (nl,). [W m⁻² sr⁻¹ nm⁻¹]"""
     star = solution.lights[0]
     alpha = star.angular_radius
     nothing = np.zeros_like(transmittance)
@@ -322,7 +322,7 @@ def _star(
         ])  # fmt: skip
         if left <= DARKEST or np.linalg.norm(outside - moon) < 2.0 * math.sin(0.5 * radius):
             return nothing
-    numbers = shading_numbers(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
+    numbers = shading_uniforms(star.phase, star.limb, math.hypot(*towards[:2]), float(towards[2]))
     across = math.cos(azimuth) * numbers["limb_x"] - math.sin(azimuth) * numbers["limb_y"]
     aside = math.sin(azimuth) * numbers["limb_x"] + math.cos(azimuth) * numbers["limb_y"]
     along = float((outside - towards) @ [across, aside, numbers["limb_z"]]) / max(apart, 1e-12)
@@ -336,7 +336,7 @@ def _star(
 def _ground(
     solution: MomentsSolution, scene: Scene, direction: FloatArray, drawn: LinesOfSight
 ) -> tuple[float, float | None, float | None, FloatArray | None]:
-    """Distance [m], latitude and longitude [deg] of the ground, colour and water of its map [1]."""
+    """Distance [m], latitude and longitude [deg], colour and water fraction [1] of the ground."""
     medium, color = solution.medium, None
     if not drawn.to_ground[0]:
         return math.inf, None, None, color

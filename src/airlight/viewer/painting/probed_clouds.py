@@ -1,4 +1,4 @@
-"""Clouds at a probe: their cover of the line of sight, and of the star's light on the ground."""
+"""Cloud cover at a probe, on the line of sight and on the path from the star to the ground."""
 
 from __future__ import annotations
 
@@ -23,25 +23,25 @@ def probed_clouds(
     distance: float,
     position: LightPosition,
 ) -> tuple[float, float] | None:
-    """Cover of the clouds on a line of sight that ends on the ground, as ``pixels.ground`` has it.
+    """Cloud cover on a line of sight to the ground, as in ``pixels.ground``.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Solution shown.
+        Displayed solution.
     scene : Scene
         Observer and camera.
     direction : array, shape (3,)
         Direction in the observer's frame. [1]
     distance : float
-        Distance to the ground; infinite without. [m]
+        Distance to the ground; infinite if there is none. [m]
     position : LightPosition
         Position of the light.
 
     Returns
     -------
     seen, shaded : float
-        Cover on the line of sight, and on the light. None without clouds. [1]
+        Cover on the line of sight, and on the path to the light. None without clouds. [1]
     """
     medium, bottom = solution.medium, solution.medium.bottom_radius
     if medium.surface.clouds is None or not np.isfinite(distance):

@@ -1,4 +1,4 @@
-"""Thread that runs probes: at once from the solution shown, then with a finer spectrum."""
+"""Probe thread: first with the displayed solution, then with a finer spectrum."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from airlight.viewer.background.error_line import one_line
 from airlight.viewer.painting.picture_source import Request
 from airlight.viewer.painting.probe import Probe, probe_pixel
 
-#: Number of wavelengths of the finer spectrum, solved with the settings of the solution shown.
+#: Number of wavelengths of the finer spectrum, solved with the settings of the displayed solution.
 FINER: Final = 16
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Reading:
+class ProbeResult:
     """Result of a probe.
 
     Attributes
     ----------
     probe : Probe
-        Probe of the solution shown.
+        Probe of the displayed solution.
     spectrum : Probe
-        Probe in the same direction with as many wavelengths as are solved so far.
+        Probe with the finest available spectrum.
     quality : str
         Description of the wavelengths of ``spectrum``.
     place : (float, float)
-        Position on the picture, as fractions of its width and height. [1]
+        Position in the picture, as fractions of its width and height. [1]
     """
 
     probe: Probe
@@ -41,7 +41,7 @@ class Reading:
 
 
 class Probing:
-    """Thread that answers the newest query.
+    """Thread that evaluates the latest query.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class Probing:
 
     Attributes
     ----------
-    reading : Reading or None
+    reading : ProbeResult or None
         Newest result; None before the first, and outside a fisheye's circle.
     working, error : str
         Status and error, one line each; empty if idle, or without an error.
@@ -62,7 +62,7 @@ class Probing:
         self._asked: tuple[Request, tuple[float, float]] | None = None
         self._closing = False
         self._finer: tuple[Any, Any] = (None, None)  # solution shown, finer solution
-        self.reading: Reading | None = None
+        self.reading: ProbeResult | None = None
         self.working = ""
         self.error = ""
         self._thread = threading.Thread(target=self._work, name="airlight-probing", daemon=True)
@@ -70,11 +70,11 @@ class Probing:
 
     @property
     def busy(self) -> bool:
-        """Whether a result, or a finer one, will follow."""
+        """Whether a result is pending."""
         return bool(self.working)
 
     def ask(self, request: Request, place: tuple[float, float]) -> None:
-        """Probe a point of a picture; a newer query replaces an older one.
+        """Probe a point of a picture; replaces an older query.
 
         Parameters
         ----------
@@ -127,7 +127,7 @@ class Probing:
         words = f"{count} wavelengths, as shown"
         known = self._finer[1] if self._finer[0] is shown else None
         if known is None and count < FINER:
-            self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
+            self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
             self.working = f"{count} wavelengths as shown; {FINER} follow …"
             self._wake()
             known = self._solved(request)
@@ -136,12 +136,12 @@ class Probing:
             finer = probe_pixel(known, request.scene, x, y)
             if finer is not None:
                 words = f"{FINER} wavelengths"
-                self.reading = Reading(probe=found, spectrum=finer, quality=words, place=place)
+                self.reading = ProbeResult(probe=found, spectrum=finer, quality=words, place=place)
                 return
-        self.reading = Reading(probe=found, spectrum=found, quality=words, place=place)
+        self.reading = ProbeResult(probe=found, spectrum=found, quality=words, place=place)
 
     def _solved(self, request: Request) -> Any:
-        """Solution of the planet shown at more wavelengths; None without a planet."""
+        """Solution at more wavelengths; None without a planet."""
         planet = request.solution.planet
         if planet is None:
             return None

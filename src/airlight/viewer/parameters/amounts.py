@@ -1,8 +1,8 @@
-"""Amounts of a planet's constituents, brightness of its ground, turbidity of its air.
+"""Amounts of a planet's constituents, brightness of its ground, turbidity of its atmosphere.
 
-One declaration for window, notebook and page, the first controls of each. An amount is a factor of
-the planet's file, ``constituents[…].amount`` or ``ground.brightness``, shown as what people call
-it: haze by its optical depth, ozone in Dobson units, the ground by its albedo.
+Shared by window, notebook and page. An amount is a factor in the planet file,
+``constituents[…].amount`` or ``ground.brightness``, displayed in the usual measure: haze by optical
+depth, ozone in Dobson units, the ground by albedo.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from airlight.planets.planet import Planet
 from airlight.viewer.parameters.parameter import Parameter
 from airlight.viewer.parameters.turbidity import turbidity_of
 
-#: Group of the amounts, the first of the list.
+#: Name of the group of amounts, the first in the list.
 AMOUNTS: Final = "amounts"
 #: Wavelength of optical depths and of the ground's albedo. [nm]
 AT: Final = 550.0
@@ -34,12 +34,12 @@ GROUND: Final = "air.ground"
 MOST: Final = 100.0
 #: Range of the factor on a slider. [1]
 _FACTORS: Final = (0.1, 10.0)
-#: Slider of an optical depth: its low end, and the least high end, thick smog. [1]
+#: Slider of an optical depth: lower end, and minimum of the upper end (thick smog). [1]
 _DEPTHS: Final = (0.01, 3.0)
 #: Slider of a column of ozone. [DU]
 _COLUMNS: Final = (10.0, 2000.0)
 
-#: What people say of each kind of matter.
+#: Search terms for each kind of matter.
 _SYNONYMS: Final = {
     "gas": ("rayleigh", "molecules", "gas", "atmosphere", "pressure", "density", "thickness",
             "blue sky"),
@@ -55,16 +55,16 @@ _SYNONYMS: Final = {
 
 @dataclass(frozen=True, kw_only=True)
 class Amount(Parameter):
-    """Amount of a constituent, or another number of the whole air.
+    """Amount of a constituent, or a number of the whole atmosphere.
 
     Attributes
     ----------
     key : str
         Path of its factor in the planet's file; empty for the turbidity.
     present : float
-        Value that the planet has. [unit]
+        Value of the planet. [unit]
     depth : float
-        Vertical optical depth at 550 nm that it has; negative if unknown. [1]
+        Vertical optical depth of the planet at 550 nm; negative if unknown. [1]
     matter : str
         ``gas``, ``haze``, ``absorber``, ``ozone``, ``ground`` or ``turbidity``.
     """
@@ -102,9 +102,9 @@ def amounts_of(planet: Planet, most: float = MOST) -> tuple[Amount, ...]:
     Parameters
     ----------
     planet : Planet
-        Planet as its tables declare it; nothing slow is computed of it.
+        Planet as declared in its file.
     most : float
-        Largest factor of what it has. [1]
+        Largest factor of the present amounts. [1]
 
     Returns
     -------
@@ -145,8 +145,8 @@ def _constituent(index: int, one: Constituent, thickness: float, factor: float) 
 
 
 def _measure(one: Constituent, thickness: float) -> Measure:
-    """What one calls the amount of a constituent, while its factor is 1."""
-    factor = "How much there is of it, over what the planet's file has."
+    """Usual measure of the amount of a constituent, at factor 1."""
+    factor = "Amount relative to that of the planet's file."
     try:
         depth = _depth(one, thickness)
     except AirlightError:  # unknown at 550 nm
@@ -166,7 +166,7 @@ def _measure(one: Constituent, thickness: float) -> Measure:
 
 
 def _depth(one: Constituent, thickness: float) -> float:
-    """Vertical optical depth of extinction at 550 nm; negative if it takes Mie theory. [1]"""
+    """Vertical extinction optical depth at 550 nm; negative if it requires Mie theory. [1]"""
     if isinstance(one.matter, Particles):
         own = one.matter.optical_depth
         alone = one.absorption == 0.0
@@ -178,7 +178,7 @@ def _depth(one: Constituent, thickness: float) -> float:
 
 
 def _ozone(one: Constituent, depth: float, thickness: float) -> float:
-    """Column of ozone, 0 if it is none. [DU]"""
+    """Ozone column; 0 for other constituents. [DU]"""
     if isinstance(one.absorption, OzoneAbsorption):
         return float(f"{one.amount * dobson_from_column(one.absorption.column):.12g}")
     if one.name != "ozone" or not depth > 0.0:
@@ -229,5 +229,5 @@ def _ground(ground: Ground, factor: float) -> tuple[Amount, ...]:
 
 
 def _short(number: float) -> float:
-    """Number of three digits, for the ends of a slider."""
+    """Round to three significant digits, for the limits of a slider."""
     return float(f"{number:.3g}")

@@ -55,7 +55,7 @@ class Parameter:
     part_of : str
         Path of the list that contains the item, so that a host may collapse it; else empty.
     synonyms : tuple of str
-        Other words that people say for it, found by a search.
+        Synonyms, matched by the search.
     """
 
     path: str

@@ -33,7 +33,7 @@ _EARTH: Final = "earth"
 def with_moon(
     body: object, view: Mapping[str, Value], changes: Mapping[str, Value]
 ) -> dict[str, Value]:
-    """Changes of a view, with the Moon that follows from date and place.
+    """Changes of a view, completed by the Moon from date and place.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def with_moon(
 
 
 def second_lights(view: Mapping[str, Value]) -> tuple[LightPosition, ...]:
-    """Lights of a view beside the sun.
+    """Secondary lights of a view.
 
     Parameters
     ----------

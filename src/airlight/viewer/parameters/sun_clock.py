@@ -1,4 +1,4 @@
-"""Sun of a view by its date and time, where a switch asks for it."""
+"""Sun of a view by date and time."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SUN: Final = ("view.sun_zenith", "view.sun_azimuth")
 def with_sky(
     body: object, view: Mapping[str, Value], changes: Mapping[str, Value]
 ) -> dict[str, Value]:
-    """Changes of a view, with the sun and the Moon that follow from them.
+    """Changes of a view, completed by sun and Moon.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def with_sky(
 def with_sun(
     body: object, view: Mapping[str, Value], changes: Mapping[str, Value]
 ) -> dict[str, Value]:
-    """Changes of a view, with the sun that follows from date and place, or the switch from the sun.
+    """Changes of a view, completed by the sun from date and place, or by switching to manual.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def with_sun(
 
 
 def date_later(view: Mapping[str, Value], hours: float) -> dict[str, float]:
-    """Year, day and hour of a view some hours later, the last within the years of the sliders. [h]
+    """Year, day and hour after some hours, within the years of the sliders. [h]
 
     Examples
     --------

@@ -28,7 +28,7 @@ def turbidity_of(gas: float, haze: float) -> float:
 
 
 def haze_of(turbidity: float, gas: float) -> float:
-    """Optical depth of the haze that gives a turbidity over a gas; see ``turbidity_of``. [1]
+    """Haze optical depth of a turbidity; inverse of ``turbidity_of``. [1]
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Parameters of the view: camera, sun and moon, display and light, declared like the planet's.
+"""Declared parameters of the view: camera, sun and moon, display and light.
 
 Angles on the planet are compass bearings. The scene's azimuth, measured from the sun, is the
 heading minus the sun's bearing: see ``scene_of``.
@@ -199,7 +199,7 @@ VIEW_VALUES: Final = (
             "Of the solution that follows the preview.", default="default", part="planet",
             synonyms=("accuracy", "speed", "fast", "fine", "resolution")),
     _choice("light.wavelengths", "wavelengths", "light", WAVELENGTHS,
-            "How many are solved: more give truer colours; a graphics card takes up to four.",
+            "How many are solved: more give truer colours; a GPU takes up to four.",
             default="four", part="planet",
             synonyms=("colour", "color", "spectrum", "spectral", "accuracy")),
 )  # fmt: skip
@@ -309,5 +309,5 @@ def scene_of(view: Mapping[str, Any], width: int, height: int) -> Scene:
         longitude=float(view["view.longitude"]),
         sun_azimuth=bearing,
         ground=str(view["view.ground"]),
-        others=second_lights(view),
+        secondary_lights=second_lights(view),
     )

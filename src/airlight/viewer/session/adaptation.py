@@ -1,4 +1,4 @@
-"""Automatic exposure of a session: it eases towards what is measured, and holds."""
+"""Automatic exposure of a session, with temporal adaptation and lock."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _LONGEST: Final = 0.1
 
 
 class Adaptation:
-    """Exposure that a session's pictures share, used from the threads of its painters.
+    """Adapting exposure shared by the renderer threads of a session.
 
     Parameters
     ----------
@@ -44,18 +44,18 @@ class Adaptation:
 
     @property
     def exposure(self) -> float | None:
-        """Exposure that is shown; None before the first picture. [EV]"""
+        """Current exposure; None before the first frame. [EV]"""
         return self._exposure
 
     def towards(self, measured: float, *, held: bool) -> float:
-        """Exposure of the next picture. [EV]
+        """Exposure of the next frame. [EV]
 
         Parameters
         ----------
         measured : float
-            Automatic exposure of the light that it shows. [EV]
+            Metered exposure of that frame. [EV]
         held : bool
-            Whether the exposure stays as it is, locked or while the air is edited.
+            Whether the exposure is unchanged: locked, or during edits of the atmosphere.
         """
         with self._lock:
             now = self._clock()
@@ -68,5 +68,5 @@ class Adaptation:
             return self._exposure
 
     def reached(self, measured: float) -> bool:
-        """Whether the exposure is the measured one."""
+        """Whether the exposure has reached the metered exposure."""
         return self._exposure == measured

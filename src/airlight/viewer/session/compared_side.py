@@ -1,4 +1,4 @@
-"""One side of a session's comparison, followed by its own solver."""
+"""One side of a session's comparison, as observed by its solver thread."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ class SessionSide:
 
     @property
     def solve_request(self) -> SolveRequest:
-        """Request to solve; that of the shown side while there is only one."""
+        """Request to solve; that of the current side while there is only one."""
         if self._session.showing == self._side:
             return self._session.solve_request
         return self._session.solve_request_other or self._session.solve_request
 
-    def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
-        """See ``Session.follow``."""
-        return self._session.follow(follower)
+    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
+        """See ``Session.subscribe``."""
+        return self._session.subscribe(observer)

@@ -17,7 +17,7 @@ _MOST_KEPT: Final = 16
 
 
 class _Plain:
-    """Tables with all amounts as in the file, known by their text."""
+    """Unedited tables, cached by their text."""
 
     def __init__(self, tables: Tables) -> None:
         constituents = [
@@ -44,7 +44,7 @@ def _declared(plain: _Plain) -> tuple[Amount, ...]:
 
 
 def amounts_in(tables: Tables) -> tuple[Amount, ...]:
-    """Amounts of the planet that tables describe; none if they describe none."""
+    """Amounts of the planet that tables describe; empty if the tables are invalid."""
     return _declared(_Plain(tables))
 
 
@@ -65,9 +65,9 @@ def amount_edited(tables: Tables, amount: Amount, value: float) -> Tables:
     tables : dict
         Tables before the edit; not modified.
     amount : Amount
-        Amount from ``amounts_in(tables)``, or of the same planet before.
+        Amount from ``amounts_in`` of these or earlier tables of the planet.
     value : float
-        New value. The turbidity changes all haze in proportion. [amount.unit]
+        New value; turbidity scales all haze equally. [amount.unit]
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Editing of a planet and its view: values, edits, undo and redo, reset, followers."""
+"""Editing of a planet and its view: values, edits, undo and redo, reset, observers."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Editing:
         self._showing = "A"
         self._versions = Versions(1, 1, 1)
         self._valued: tuple[Versions, Mapping[str, Value]] | None = None
-        self._followers: list[Callable[[Versions], None]] = []
+        self._observers: list[Callable[[Versions], None]] = []
         self.size = DEFAULT_SIZE
         self.shares_camera = True
         self.adaptation = Adaptation()
@@ -62,7 +62,7 @@ class Editing:
 
     @property
     def planet(self) -> PlanetState:
-        """Planet that is shown."""
+        """Current planet."""
         return self._side.planet
 
     @property
@@ -72,7 +72,7 @@ class Editing:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Declared parameters of the planet that is shown, and of the view."""
+        """Declared parameters of the current planet, and of the view."""
         return self._side.parameters
 
     @property
@@ -120,9 +120,9 @@ class Editing:
 
     @property
     def holds_exposure(self) -> bool:
-        """Whether the automatic exposure stays as it is: locked, or while the planet is dragged.
+        """Whether the automatic exposure is locked, by the user or during a drag of the planet.
 
-        An edit that darkens the air looks darker until it is let go.
+        A darker atmosphere then also looks darker until the drag ends.
         """
         dragged = self._side.dragged
         edits = bool(dragged) and dragged not in VIEW_VALUE
@@ -130,7 +130,7 @@ class Editing:
 
     @property
     def orders(self) -> str:
-        """Orders of scattering that are shown: ``all``, ``single`` or ``multiple``."""
+        """Displayed orders of scattering: ``all``, ``single`` or ``multiple``."""
         return str(self._side.view["light.orders"])
 
     @property
@@ -142,7 +142,7 @@ class Editing:
 
     @property
     def solve_request(self) -> SolveRequest:
-        """Solve request of the side that is shown."""
+        """Solve request of the current side."""
         return self._request(self._side)
 
     @property
@@ -154,24 +154,26 @@ class Editing:
         quality, count = (str(side.view[path]) for path in SOLVED)
         return SolveRequest(self._versions.planet, side.planet, quality, count)
 
-    # --- followers ----------------------------------------------------------------------------
+    # --- observers ----------------------------------------------------------------------------
 
-    def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
-        """Call ``follower`` after every change, on the host's thread; returns an unsubscriber."""
-        self._followers.append(follower)
-        return lambda: self._followers.remove(follower) if follower in self._followers else None
+    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
+        """Call ``observer`` after every change, on the host's thread; returns an unsubscriber."""
+        self._observers.append(observer)
+        return lambda: self._observers.remove(observer) if observer in self._observers else None
 
     def _changed(self, paths: AbstractSet[str]) -> None:
         """Increment the versions of the changed parts, from view paths and ``planet``."""
-        self._grown({"planet" if path == "planet" else VIEW_VALUE[path].part for path in paths})
+        self._bump_versions(
+            {"planet" if path == "planet" else VIEW_VALUE[path].part for path in paths}
+        )
 
-    def _grown(self, parts: set[str]) -> None:
+    def _bump_versions(self, parts: set[str]) -> None:
         if not parts:
             return
         now = self._versions
         self._versions = now._replace(**{part: getattr(now, part) + 1 for part in parts})
-        for follower in tuple(self._followers):
-            follower(self._versions)
+        for observer in tuple(self._observers):
+            observer(self._versions)
 
     # --- edits --------------------------------------------------------------------------------
 
@@ -189,7 +191,7 @@ class Editing:
         ------
         ParameterError
             If there is no such parameter or the value is out of range; nothing is changed then.
-            Inconsistent values are reported by ``solving``.
+            Inconsistent values are reported by ``SolverThread``.
         """
         parameter = self.parameter(path)
         new = parameter.checked(value)
@@ -255,7 +257,7 @@ class Editing:
         self._changed(self._side.reset(what))
 
     def open(self, planet: str | Path) -> None:
-        """Replace the planet that is shown, as an undo step.
+        """Replace the current planet, as an undo step.
 
         Parameters
         ----------
@@ -322,7 +324,7 @@ class Editing:
         """Set the size of the picture for ``scene``. [pixel]"""
         if (width, height) != self.size:
             self.size = (max(1, int(width)), max(1, int(height)))
-            self._grown({"view"})
+            self._bump_versions({"view"})
 
 
 def _checked(view: Mapping[str, Value], parameters: Iterable[Parameter]) -> dict[str, Value]:

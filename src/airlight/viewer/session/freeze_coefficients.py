@@ -37,10 +37,9 @@ def is_advanced(constituent: Tables) -> bool:
 def freeze_coefficients(tables: Tables, planet: Planet, index: int) -> Tables:
     """Copy of the tables with one constituent's coefficients at a few wavelengths.
 
-    Coefficients follow power laws between the wavelengths. Particles get a
-    Henyey-Greenstein phase function of their mean cosine, whose aureole around the star is weaker
-    than theirs; phase functions of few parameters are kept. Light goes straight if no other gas
-    bends it.
+    Coefficients follow power laws between the wavelengths. Particles get a Henyey-Greenstein phase
+    function of their mean cosine, with a weaker aureole; analytic phase functions are unchanged.
+    Refraction is removed unless another gas refracts.
 
     Parameters
     ----------
@@ -93,6 +92,6 @@ def _wavelengths(planet: Planet) -> FloatArray:
 
 
 def _per_km(values: FloatArray) -> Any:
-    """Coefficients as texts per km: one if all are equal, else one per wavelength."""
+    """Coefficients as texts per km: a single text if all are equal, else one per wavelength."""
     texts = [text_of(float(f"{1e3 * value:.7g}"), "/km") for value in values]
     return texts[0] if len(set(texts)) == 1 else texts

@@ -50,7 +50,7 @@ class PlanetState:
         Raises
         ------
         FileError, ParameterError
-            If there is none, or it has an undeclared key.
+            If the planet does not exist, or has an undeclared key.
         """
         text, file, folder = planet_text(name_or_path)
         tables = nested_tables(text, file)
@@ -68,25 +68,25 @@ class PlanetState:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """Parameters of the planet; the sliders' ends are kept as long as the keys are."""
+        """Declared parameters; slider ranges are stable while the keys are unchanged."""
         if not self._parameters:
             self._parameters.append(parameters_of(self.tables))
         return self._parameters[0]
 
     @property
     def amounts(self) -> tuple[Amount, ...]:
-        """Amounts of the planet, see ``parameters.amounts``; kept as ``parameters`` are."""
+        """Amounts of the planet, see ``parameters.amounts``; ranges as of ``parameters``."""
         if not self._amounts:
             self._amounts.append(amounts_in(self.tables))
         return self._amounts[0]
 
     def with_tables(self, tables: Tables, *, same_keys: bool = False) -> PlanetState:
-        """Copy with other tables; ``same_keys`` keeps the list of parameters."""
+        """Copy with other tables; ``same_keys`` reuses the list of parameters."""
         parameters, amounts = (self._parameters, self._amounts) if same_keys else ([], [])
         return replace(self, tables=tables, _parameters=parameters, _amounts=amounts)
 
     def with_off(self, off: tuple[int, ...]) -> PlanetState:
-        """Copy with other constituents switched off; the list of parameters is kept."""
+        """Copy with other constituents disabled; the list of parameters is reused."""
         return replace(self, off=off)
 
     @property
@@ -117,7 +117,7 @@ class PlanetState:
 
 
 def _check_tables(tables: Tables) -> None:
-    """Refuse a planet without the tables that the viewer's parts are made of."""
+    """Raise if a planet lacks tables that the viewer needs."""
     for name in ("shell", "ground", "star"):
         if not isinstance(tables.get(name), dict):
             raise ParameterError(name, tables.get(name, MISSING), f"a table [{name}]")

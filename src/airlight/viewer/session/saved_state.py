@@ -52,7 +52,7 @@ def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
 
 
 def _short(value: Value) -> Value:
-    """Number rounded to nine digits, an invisible change in a picture."""
+    """Round to nine digits, which is invisible in a picture."""
     if isinstance(value, bool) or not isinstance(value, float):
         return value
     short = float(f"{value:.9g}")

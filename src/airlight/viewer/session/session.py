@@ -1,7 +1,7 @@
 """Session: editing, undo, comparison and saving of a planet, a view and a display.
 
-A session belongs to its host's thread and never blocks: an edited planet is read and solved by
-``solving``, on another thread.
+A session belongs to its host's thread and never blocks; ``SolverThread`` reads and solves edited
+planets.
 """
 
 from __future__ import annotations
@@ -79,8 +79,8 @@ class Session(Editing):
         group : str
             Group of the constituent.
         planet : Planet, optional
-            Planet that is shown, as read, with nothing switched off; by default it is read here,
-            which takes seconds for particles that are not cached.
+            Current planet without disabled constituents; by default it is read, which takes
+            seconds for particles that are not cached.
 
         Raises
         ------
@@ -102,7 +102,7 @@ class Session(Editing):
 
     @property
     def showing(self) -> str:
-        """Side that is shown, ``A`` or ``B``."""
+        """Current side, ``A`` or ``B``."""
         return self._showing
 
     @property
@@ -125,7 +125,7 @@ class Session(Editing):
         return "" if self._other is None else str(self._other.planet.tables.get("name", ""))
 
     def store_b(self) -> None:
-        """Copy the shown side to the other; later edits apply to the shown side only."""
+        """Copy the current side to the other; later edits apply to the current side only."""
         self._other = Side(self._side.planet, self._side.view, self._clock)
 
     def swap(self) -> None:
@@ -140,7 +140,7 @@ class Session(Editing):
             self._other.view = view
         self._side, self._other = self._other, self._side
         self._showing = "B" if self._showing == "A" else "A"
-        self._grown({"planet", "view", "display"})
+        self._bump_versions({"planet", "view", "display"})
 
     def forget_other(self) -> None:
         """Discard the other side; the shown one becomes A."""
@@ -174,7 +174,7 @@ class Session(Editing):
             place.write_text(planet_file(state.tables, tuple(comments)), encoding="utf-8")
 
     def to_state(self) -> dict[str, Any]:
-        """State of the shown side as JSON values: the planet's name, and the changes."""
+        """State of the current side as JSON values: the planet's name, and the changes."""
         return saved_state.state_of(self.planet, self._side.view)
 
     def from_state(self, state: Mapping[str, Any]) -> None:

@@ -162,7 +162,7 @@ class Side:
         return self.put(after)
 
     def followed(self, after: Change) -> Change:
-        """Change with sun and Moon that follow from date and place, where the view asks for it."""
+        """Change completed by sun and Moon from date and place, if the view uses them."""
         planet = self.planet if after.planet is None else after.planet
         body = planet.tables.get("body")
         opened = after.planet is not None and bool(self.view[CLOCK]) and CLOCK not in after.view

@@ -8,7 +8,7 @@ from airlight.viewer.session.planet_state import PlanetState
 
 
 class Versions(NamedTuple):
-    """Counters that grow with every change of their part.
+    """Change counters of planet, view and display.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class Versions(NamedTuple):
 
 
 class SolveRequest(NamedTuple):
-    """Request for a solution; see ``solving``.
+    """Request of a solution; see ``SolverThread``.
 
     Attributes
     ----------
@@ -47,5 +47,5 @@ class SolveRequest(NamedTuple):
 
     @property
     def key(self) -> tuple[str, str]:
-        """Key that is equal for equal requests, regardless of the quality."""
+        """Key of a request, independent of the quality."""
         return self.state.key, self.wavelengths

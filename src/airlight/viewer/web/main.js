@@ -22,9 +22,9 @@ const viewer = new Viewer(place, {
   first,
   radius: () => data.picture.radius,
   link: (fragment) => location.href.replace(/#.*/, "") + (fragment ? `#${fragment}` : ""),
-  picture: async (device, tell) => {
+  picture: async (device, onProgress) => {
     const shaders = JSON.parse(await textOf(data.picture.shaders));
-    return Picture.make(device, { ...data.picture, shaders }, tell);
+    return Picture.make(device, { ...data.picture, shaders }, onProgress);
   },
   edits: (shown) => data.solver && new Edits(shown, data.solver, data.picture),
 });
@@ -37,7 +37,7 @@ function takeAddress() {
 }
 
 let timer = null;
-viewer.state.follow(() => {
+viewer.state.subscribe(() => {
   clearTimeout(timer);
   timer = setTimeout(() => {
     const address = viewer.source.link(viewer.state.asFragment());

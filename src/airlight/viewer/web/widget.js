@@ -27,12 +27,12 @@ function render({ model, el }) {
     stale: () => (model.get("stale") ? working(model.get("status")) : ""),
     device: model.get("device"),
     devices: { kernel: KernelDevice },
-    picture: async (device, tell) => {
+    picture: async (device, onProgress) => {
       model.set("drawer", device.kind);
       model.save_changes();
       await first(model, on);
       if (device.kind === "kernel") return new KernelPicture(model, device, on);
-      return Picture.make(device, { ...model.get("program"), ...model.get("picture") }, tell);
+      return Picture.make(device, { ...model.get("program"), ...model.get("picture") }, onProgress);
     },
   });
   on("values", () => state.hear());

@@ -111,7 +111,7 @@ class Actions:
         self._panel.plays = not self._panel.plays
 
     def _leave(self) -> None:
-        """Close what is open, one thing at a time, from the topmost down."""
+        """Close the topmost open dialog or overlay."""
         if self._close_popups():
             return
         if self._dialog.asks:

@@ -2,7 +2,7 @@
 
 A canvas that is drawn on demand still polls for events many times a second. Here the loop blocks
 inside the window system instead, until an event arrives or ``wake`` is called, so that an idle
-window uses no processor time.
+window uses no CPU time.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Canvas(Protocol):
         """Whether the window fills its screen."""
 
     def toggle_fullscreen(self) -> None:
-        """Fill the screen, or return to the size before."""
+        """Fill the screen, or restore the previous size."""
 
     def close(self) -> None:
         """End ``run``."""
@@ -158,7 +158,7 @@ class DesktopCanvas:
         return self._before is not None
 
     def toggle_fullscreen(self) -> None:
-        """Fill the screen on which the window is, or return to the size before."""
+        """Fill the screen that holds the window, or restore the previous size."""
         glfw, window = self._glfw, self._window
         if self._before is not None:
             left, top, width, height = self._before
@@ -230,11 +230,11 @@ class OffscreenCanvas:
         self.picture = np.array(self.render_canvas.draw(), dtype=np.uint8)[..., :3]
 
     def wake(self) -> None:
-        """Set the flag that a draw is requested."""
+        """Request a draw, from any thread."""
         self.wanted = True
 
     def copy(self, text: str) -> None:
-        """Keep a text, as a clipboard does."""
+        """Store a text, as a clipboard does."""
         self.copied = text
 
     @property

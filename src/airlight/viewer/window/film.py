@@ -11,7 +11,7 @@ from airlight.color.exposure import eased
 from airlight.errors import Cancelled, FileError
 from airlight.exports.atomic_file import atomic_file
 from airlight.kernel.threads import Cancel, Progress
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.planets.parameters import replace
 from airlight.scene import Scene
 from airlight.scene.sun_time import sun_at, time_of
@@ -53,7 +53,7 @@ def film_format(path: str | Path) -> str:
 
 
 def sun_path(latitude: float, sun: Sun, hours: float, seconds: float) -> tuple[Sun, ...]:
-    """Directions of the sun while time passes, frame by frame.
+    """Directions of the sun in successive frames of a time lapse.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def sun_path(latitude: float, sun: Sun, hours: float, seconds: float) -> tuple[S
     sun : (float, float)
         Direction in the first frame. [deg]
     hours : float
-        Time that passes. [h]
+        Time lapse. [h]
     seconds : float
         Length of the film. [s]
 
@@ -102,15 +102,15 @@ def write_film(
     progress: Progress,
     cancel: Cancel,
 ) -> int:
-    """Render scenes and write them as a film, whole or not at all.
+    """Render scenes and write them as a film, atomically.
 
     Parameters
     ----------
     path : str or Path
         Path that ends in ``.webp`` or ``.png``.
     picture : Picture
-        Picture whose solution, orders, tone map and exposure are used; from there an automatic
-        exposure follows the light, smoothly.
+        Picture whose solution, orders, tone map and exposure are used; automatic exposure starts
+        there and adapts smoothly.
     scenes : tuple of Scene
         Scenes, one for each frame.
     progress, cancel : callable
@@ -126,7 +126,7 @@ def write_film(
     FileError
         If the file cannot be written, or its frames would need more than 1.5 GB.
     Cancelled
-        If ``cancel`` says so.
+        If ``cancel`` requested it.
     """
     form = film_format(path)
     camera = scenes[0].camera
@@ -146,11 +146,11 @@ def _frames(
 ) -> Iterator[Image]:
     from PIL import Image
 
-    painter, request, exposure = ScenePainter(), picture.request, picture.exposure
+    renderer, request, exposure = Renderer(), picture.request, picture.exposure
     for index, scene in enumerate(scenes):
         if cancel():
             raise Cancelled("the film")
-        frame = painter.frame(request.solution, scene, orders=request.orders, cancel=cancel)
+        frame = renderer.render(request.solution, scene, orders=request.orders, cancel=cancel)
         if request.automatic and not request.held:
             exposure = eased(exposure, frame.exposure + request.exposure, 1.0 / RATE, TIME_CONSTANT)
         shown = to_display(

@@ -1,4 +1,4 @@
-"""What fills the window until there is a picture: the preset's small one, and the progress."""
+"""Splash of the window: the preset's thumbnail and the progress."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ _LIFT: Final = 72.0
 
 
 def draw_first_picture(texture: Any, into: Rectangle, text: str, share: float) -> None:
-    """Draw a small picture, enlarged to cover a rectangle, below a line of progress.
+    """Draw a thumbnail that covers a rectangle, and the progress.
 
     Parameters
     ----------
     texture : imgui.ImTextureRef or None
-        Texture of the small picture; None where there is none.
+        Texture of the thumbnail; None without a thumbnail.
     into : Rectangle
         Rectangle to cover.
     text : str
-        What is being done.
+        Current task.
     share : float
-        Fraction that is done. [1]
+        Completed fraction. [1]
     """
     from imgui_bundle import imgui
 
@@ -64,9 +64,9 @@ def draw_first_picture(texture: Any, into: Rectangle, text: str, share: float) -
 
 
 def _covering(ratio: float) -> tuple[float, float]:
-    """Half the fractions of a small picture's sides that fill a rectangle of an aspect ratio.
+    """Half the fractions of a thumbnail's sides that cover a rectangle of this aspect ratio.
 
-    Half a texel at each edge is left out, beyond which the picture would repeat itself.
+    Half a texel at each edge is omitted, as sampling wraps around.
 
     Examples
     --------

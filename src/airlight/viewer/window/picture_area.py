@@ -135,16 +135,16 @@ class PictureArea:
             drawing.add_text(imgui.ImVec2(start, into.top + 13.0), white, name)
 
     def draw_outdated(self, words: str, into: Rectangle, first: float, last: float) -> None:
-        """Veil a picture that is not the one requested, and say what is being done.
+        """Veil an outdated picture, and show the current task.
 
         Parameters
         ----------
         words : str
-            Current work; nothing is drawn if empty.
+            Current task; nothing is drawn if empty.
         into : Rectangle
             Rectangle of the picture.
         first, last : float
-            Part of its width. [1]
+            Left and right limit, as fractions of its width. [1]
         """
         from imgui_bundle import imgui
 
@@ -161,12 +161,12 @@ class PictureArea:
         drawing.add_text(at, white, words)
 
     def draw_working(self, words: str, into: Rectangle) -> None:
-        """Say in a corner of a picture that is not the one requested what is being done.
+        """Show the current task in a corner of an outdated picture.
 
         Parameters
         ----------
         words : str
-            Current work; nothing is drawn if empty.
+            Current task; nothing is drawn if empty.
         into : Rectangle
             Rectangle of the picture.
         """

@@ -1,4 +1,4 @@
-"""Sides of the comparison, each with a solver thread and a painter thread."""
+"""Sides of the comparison, each with a solver thread and a renderer thread."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Final, cast
 
 from airlight.paint.solve_planet import PlanetSolver
 from airlight.planets.planet import Planet
-from airlight.viewer.background.solving import Solved, SolverStatus, Solving
-from airlight.viewer.painting.picture_source import Orders, Painter, Picture, Request
+from airlight.viewer.background.solver_thread import SolverResult, SolverStatus, SolverThread
+from airlight.viewer.painting.picture_source import Orders, Picture, PictureSource, Request
 from airlight.viewer.painting.picture_thread import PictureThread
 from airlight.viewer.parameters.view_parameters import scene_of, uniforms_of
 from airlight.viewer.session.compared_side import SessionSide
@@ -25,10 +25,10 @@ class Sides:
     Parameters
     ----------
     session : Session
-    painter : callable
-        Factory of painters, called once per side.
+    renderer : callable
+        Factory of renderers, called once per side.
     solver : PlanetSolver, optional
-        Solver, called on the threads of ``Solving``; by default the processor's.
+        Solver, called on ``SolverThread``; by default on the CPU.
     wake : callable
         Called from any thread after each new solution, status or picture.
     """
@@ -36,22 +36,22 @@ class Sides:
     def __init__(
         self,
         session: Session,
-        painter: Callable[[], Painter],
+        renderer: Callable[[], PictureSource],
         solver: PlanetSolver | None,
         wake: Callable[[], None],
     ) -> None:
         self._session = session
-        self._make_painter = painter
+        self._make_renderer = renderer
         self._solver = solver
         self._wake = wake
-        self._solvings: dict[str, Solving] = {}
+        self._solvings: dict[str, SolverThread] = {}
         self._threads: dict[str, PictureThread] = {}
         self._pictures: dict[str, Picture] = {}
         self._wanted: tuple[str, ...] = ()
         self._arrived: dict[str, float] = {}
 
     def follow(self, *, both: bool) -> None:
-        """Request the current pictures, of the edited side or of both."""
+        """Update the requests of the edited side or of both."""
         shown = self._session.showing
         other = "A" if shown == "B" else "B"
         sides = (shown, other) if both else (shown,)
@@ -61,8 +61,8 @@ class Sides:
 
     def _want(self, side: str) -> None:
         if side not in self._solvings:
-            self._threads[side] = PictureThread(self._make_painter(), self._wake)
-            self._solvings[side] = Solving(
+            self._threads[side] = PictureThread(self._make_renderer(), self._wake)
+            self._solvings[side] = SolverThread(
                 SessionSide(self._session, side),
                 solver=self._solver,
                 on_change=self._wake,
@@ -75,7 +75,7 @@ class Sides:
             self._pictures[side] = newest
             self._arrived[side] = perf_counter()
 
-    def _request(self, side: str, solved: Solved) -> Request:
+    def _request(self, side: str, solved: SolverResult) -> Request:
         """Picture request of a side."""
         session = self._session
         view = session.view if side == session.showing else session.view_other or session.view
@@ -99,13 +99,13 @@ class Sides:
         )
 
     def picture(self, side: str = "") -> Picture | None:
-        """Picture shown of a side, by default of the edited one."""
+        """Displayed picture of a side, by default of the edited side."""
         return self._pictures.get(side or self._session.showing)
 
     def outdated(self, side: str = "") -> str:
-        """What a side whose picture is old is doing; empty if its picture is as requested.
+        """Current task of a side with an outdated picture; empty if the picture is up to date.
 
-        While pictures keep coming, as in flight, the last one counts as new.
+        During continuous updates, as in flight, the last picture counts as up to date.
         """
         side = side or self._session.showing
         shown, solved = self._pictures.get(side), self.solved(side)
@@ -118,10 +118,10 @@ class Sides:
             return "" if solving.idle else f"{side}: {solving.status.text or 'solving …'}"
         if shown.request.same_light(self._request(side, solved)) or not self._threads[side].busy:
             return ""
-        return f"{side}: drawing …"
+        return f"{side}: rendering …"
 
-    def solved(self, side: str = "") -> Solved | None:
-        """Newest solution of a side, by default of the edited one."""
+    def solved(self, side: str = "") -> SolverResult | None:
+        """Newest solution of a side, by default of the edited side."""
         solving = self._solvings.get(side or self._session.showing)
         return None if solving is None else solving.latest
 

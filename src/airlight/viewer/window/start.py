@@ -15,15 +15,15 @@ from airlight.errors import FileError
 from airlight.exports.atomic_file import check_target
 from airlight.gpu.device.device import Device, NoDevice, open_device
 from airlight.kernel.background_compiler import BackgroundCompiler
-from airlight.paint.drawing_device import Choice, live_device
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
+from airlight.paint.rendering_gpu import Choice, live_gpu
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.reading.reader import read_tables
 from airlight.scene import look_at
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.first_view import first_view
-from airlight.viewer.painting.picture_painter import PicturePainter
-from airlight.viewer.painting.picture_source import Painter
+from airlight.viewer.painting.picture_source import PictureSource
+from airlight.viewer.painting.side_renderer import SideRenderer
 from airlight.viewer.parameters.parameter import Value
 from airlight.viewer.session.saved_state import from_fragment
 from airlight.viewer.session.session import Session
@@ -87,7 +87,7 @@ def show(start: Start) -> None:
     Raises
     ------
     WindowError
-        If the packages, a display or a graphics device are missing.
+        If the packages, a display or a GPU are missing.
     ParameterError, FileError
         If the planet, a value or the file is invalid.
     """
@@ -125,7 +125,7 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     Raises
     ------
     WindowError
-        If the packages or a graphics device are missing.
+        If the packages or a GPU are missing.
     ParameterError, FileError
         If the planet to compare with is invalid.
     """
@@ -134,16 +134,16 @@ def window_of(start: Start, session: Session, canvas: DesktopCanvas | OffscreenC
     preparing = Preparing(canvas.wake)
     try:
         device = open_device()
-        painter = painter_by(start.device, device, preparing.ahead)
+        renderer = renderer_by(start.device, device, preparing.ahead)
         solver = live_solver(start.device, device, lambda: _is_plain(session))
-        window = Window(session, canvas, device.device, painter, solver, preparing)
+        window = Window(session, canvas, device.device, renderer, solver, preparing)
         if start.other is not None:
             window.panel.compare_with(start.other)
     except BaseException as error:
         preparing.close()
         canvas.close()
         if isinstance(error, NoDevice):
-            reason = f"the window needs a graphics device: {error.reason}"
+            reason = f"the window needs a GPU: {error.reason}"
             raise WindowError(reason) from error
         raise
     return window
@@ -183,7 +183,7 @@ def opened(start: Start) -> Session:
 
 
 def _is_plain(session: Session) -> bool:
-    """Whether the planet has no edits: its solution is kept for the next start."""
+    """Whether the planet has no edits, so that its solution is cached for the next start."""
     return not session.planet.changes and not session.planet.off
 
 
@@ -198,19 +198,19 @@ def _session_of(planet: str) -> Session:
     return session
 
 
-def painter_by(
+def renderer_by(
     choice: Choice, device: Device, ahead: BackgroundCompiler | None = None
-) -> Callable[[], Painter]:
-    """Factory of painters for the graphics device or the processor, which waits for its loops."""
+) -> Callable[[], PictureSource]:
+    """Factory of picture sources on the GPU or the CPU."""
 
-    def make() -> Painter:
-        return PicturePainter(device.device, ScenePainter(live_device(choice, device), ahead))
+    def make() -> PictureSource:
+        return SideRenderer(device.device, Renderer(live_gpu(choice, device), ahead))
 
     return make
 
 
 def _photograph(window: Window, canvas: OffscreenCanvas, path: Path) -> None:
-    """Draw until everything requested is shown, and write the picture."""
+    """Draw until all requests are displayed, and write a screenshot."""
     from airlight.exports.png import write_png
 
     until = time.monotonic() + _PATIENCE

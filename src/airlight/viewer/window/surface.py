@@ -45,9 +45,7 @@ class WindowSurface:
             self._context.configure(device=device, format=form)
         except Exception as error:
             reason = " ".join(str(error).split())
-            raise WindowError(
-                f"the graphics device cannot draw on this display: {reason}"
-            ) from error
+            raise WindowError(f"the GPU cannot draw on this display: {reason}") from error
         self._renderer = ImguiRenderer(device, canvas)
         implot.create_context()
         self.backend = self._renderer.backend

@@ -1,4 +1,4 @@
-"""Small pictures of the presets as textures of the window."""
+"""Thumbnails of the presets as textures."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ENLARGED: Final = 4
 
 
 class Thumbnails:
-    """Textures of small pictures, made when they are first drawn.
+    """Thumbnail textures, created on first use.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Main window: picture and parameters of a planet, in a loop that never blocks.
 
-Slow work runs on other threads: ``solving`` solves, a painter renders, ``Saving`` writes; each
-wakes the window when it has a result. A frame draws the results that are available.
+Slow work runs on other threads: ``SolverThread``, ``PictureThread``, ``Probing`` and ``Saving``;
+each wakes the window when it has a result. A frame draws the available results.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from airlight.viewer.background.error_line import Faults
 from airlight.viewer.background.preparing import Preparing
 from airlight.viewer.navigation.flight import Flight
 from airlight.viewer.navigation.keys import RATES
-from airlight.viewer.painting.picture_source import Painter, Picture
+from airlight.viewer.painting.picture_source import Picture, PictureSource
 from airlight.viewer.painting.probing import Probing
 from airlight.viewer.session.session import Session
 from airlight.viewer.window.actions import Actions
@@ -53,15 +53,15 @@ class Window:
     Parameters
     ----------
     session : Session
-        Session that is shown and edited.
+        Displayed and edited session.
     canvas : Canvas
         Canvas on the desktop or offscreen.
     device : wgpu.GPUDevice
         Device that draws the window.
-    painter : callable
-        Factory of painters, called once per side.
+    renderer : callable
+        Factory of renderers, called once per side.
     solver : PlanetSolver, optional
-        Solver, called on the threads of ``Solving``; by default the processor's.
+        Solver, called on ``SolverThread``; by default on the CPU.
     preparing : Preparing, optional
         Progress until the first picture; it is closed with the window.
 
@@ -76,7 +76,7 @@ class Window:
         session: Session,
         canvas: Canvas,
         device: Any,
-        painter: Callable[[], Painter],
+        renderer: Callable[[], PictureSource],
         solver: PlanetSolver | None = None,
         preparing: Preparing | None = None,
     ) -> None:
@@ -87,7 +87,7 @@ class Window:
         self.area = PictureArea(self.surface.backend)
         self.thumbnails = Thumbnails(device, self.surface.backend)
         self.gallery = Gallery(self.thumbnails.of)
-        self._sides = Sides(session, painter, solver, canvas.wake)
+        self._sides = Sides(session, renderer, solver, canvas.wake)
         self._flight = Flight(session)
         self.messages = Messages(canvas.render_canvas.request_draw)
         self.panel = SidePanel(
@@ -145,12 +145,12 @@ class Window:
 
     @property
     def progress(self) -> str:
-        """What is being done, and how far it is, until there is a picture."""
+        """Activity and progress until the first picture."""
         status = self._sides.status
         return status.text if self._preparing is None else self._preparing.text(status)
 
     def shown(self, side: str = "") -> Picture | None:
-        """Picture of a side in the last frame, by default of the edited one."""
+        """Picture of a side in the last frame, by default of the edited side."""
         return self._sides.picture(side)
 
     # --- frames -------------------------------------------------------------------------------
@@ -199,7 +199,7 @@ class Window:
             self.attempt(lambda: self._flight.pass_time(seconds * self.panel.speed / 3600.0))
 
     def _follow(self) -> None:
-        """Send the current requests to the solvers and painters."""
+        """Send the current requests to the solvers and renderers."""
         session = self.session
         into = self._parts["picture"]
         ratio = self.surface.ratio

@@ -1,5 +1,5 @@
 /**
- * Device that runs full-screen fragment passes: WebGPU or WebGL2, whichever has a graphics card.
+ * Device that runs full-screen fragment passes: WebGPU or WebGL2, whichever has a GPU.
  *
  * Both back ends have the same methods:
  *
@@ -23,7 +23,7 @@
 import { WebGpuDevice } from "./device_webgpu.js";
 import { WebGl2Device } from "./device_webgl2.js";
 
-/** Back ends in order of preference, if both have a graphics card. */
+/** Back ends in order of preference, if both have a GPU. */
 const BACK_ENDS = { webgpu: WebGpuDevice, webgl2: WebGl2Device };
 
 /**
@@ -55,7 +55,7 @@ export async function openDevice(canvas, wanted = "auto", others = {}) {
 /**
  * Names of the back ends, the fastest first.
  *
- * A graphics card in software is the processor: there WebGL2 shows a page after 9 s, WebGPU after
+ * A software GPU runs on the CPU: there WebGL2 shows a page after 9 s, WebGPU after
  * 64 s, and draws its frames four times as fast.
  */
 async function ordered(others) {

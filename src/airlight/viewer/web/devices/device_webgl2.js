@@ -3,14 +3,14 @@ import { screenSpace } from "./screen_space.js";
 import { flatSize, wholeRows } from "./textures.js";
 import { CHANNELS, PACKED_FORMAT } from "../generated/sizes.js";
 
-/** Polling interval for unfinished compilation or drawing. [ms] */
+/** Polling interval for unfinished compilation or rendering. [ms] */
 const PATIENCE = 4;
 
-/** Names of renderers that are the processor. */
+/** Names of renderers that are the CPU. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 export class WebGl2Device {
-  /** Whether there is a context that draws in software. */
+  /** Whether there is a context that renders in software. */
   static async isSoftware() {
     const gl = document.createElement("canvas").getContext("webgl2");
     if (!gl) return false;
@@ -42,10 +42,10 @@ export class WebGl2Device {
     this.vertices = gl.createVertexArray();
     this.screen = null;
     this.closed = false;
-    this.lost = new Promise((tell) => {
+    this.lost = new Promise((resolve) => {
       canvas.addEventListener("webglcontextlost", (event) => {
         event.preventDefault();
-        tell("the context was lost");
+        resolve("the context was lost");
       });
     });
   }
@@ -257,7 +257,7 @@ export class WebGl2Device {
   }
 }
 
-/** Name of the graphics card, or of the program in its place. */
+/** Name of the GPU, or of the program in its place. */
 function rendererName(gl) {
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   return String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));

@@ -6,11 +6,11 @@ import { CHANNELS } from "../generated/sizes.js";
 /** Alignment of rows when a texture is copied into a buffer. [byte] */
 const ROW_ALIGNMENT = 256;
 
-/** Names of adapters that are the processor. */
+/** Names of adapters that are the CPU. */
 const SOFTWARE = /swiftshader|llvmpipe|lavapipe|software|basic render/i;
 
 export class WebGpuDevice {
-  /** Whether there is an adapter that draws in software. */
+  /** Whether there is an adapter that renders in software. */
   static async isSoftware() {
     const adapter = await navigator.gpu?.requestAdapter();
     if (!adapter) return false;

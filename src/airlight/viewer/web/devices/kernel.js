@@ -1,9 +1,9 @@
-/** Pictures that a notebook's kernel draws, for browsers without a graphics card. */
+/** Rendering in the notebook's kernel, for browsers without a GPU. */
 
-/** Paths of the values that a picture depends on, besides the planet. */
+/** Paths of the view values on which a frame depends. */
 const VIEW = /^(view|display|light)\./;
 
-/** Device in the sense of device.js, whose canvas takes finished pictures. */
+/** Device in the sense of device.js, whose canvas takes images. */
 export class KernelDevice {
   static async open(canvas) {
     return new KernelDevice(canvas);
@@ -11,7 +11,7 @@ export class KernelDevice {
 
   constructor(canvas) {
     this.kind = "kernel";
-    this.name = "the kernel's processor";
+    this.name = "the kernel's CPU";
     this.canvas = canvas;
     this.lost = new Promise(() => {});
   }
@@ -29,7 +29,7 @@ export class KernelDevice {
 /** Picture in the sense of drawing/picture.js. */
 export class KernelPicture {
   /**
-   * @param {object} model Model of the widget: `wanted` to Python, `drawn` from Python.
+   * @param {object} model Model of the widget: `wanted` to Python, `rendered` from Python.
    * @param {KernelDevice} device
    * @param {(name: string, act: () => void) => void} on Follows a trait of the model.
    */
@@ -39,7 +39,7 @@ export class KernelPicture {
     this.number = 0;
     this.exposure = 0;
     this.waiting = null;
-    on("drawn", () => this.waiting?.());
+    on("rendered", () => this.waiting?.());
   }
 
   get planet() {
@@ -48,22 +48,22 @@ export class KernelPicture {
 
   async take() {}
 
-  /** Ask for a picture and show it; resolves to false: no finer one follows. */
-  async draw(values, width, height) {
+  /** Request and display a frame; resolves to false, as no finer frame follows. */
+  async display(values, width, height) {
     const view = Object.fromEntries(Object.entries(values).filter(([path]) => VIEW.test(path)));
     const number = ++this.number;
-    const drawn = await new Promise((resolve) => {
+    const rendered = await new Promise((resolve) => {
       this.waiting = () => {
-        const answer = this.model.get("drawn");
+        const answer = this.model.get("rendered");
         if (answer.number === number) resolve(answer);
       };
       this.model.set("wanted", { number, view, size: [width, height] });
       this.model.save_changes();
     });
     this.waiting = null;
-    if (drawn.error) throw new Error(drawn.error);
-    this.exposure = drawn.exposure;
-    const bitmap = await createImageBitmap(new Blob([drawn.png], { type: "image/png" }));
+    if (rendered.error) throw new Error(rendered.error);
+    this.exposure = rendered.exposure;
+    const bitmap = await createImageBitmap(new Blob([rendered.png], { type: "image/png" }));
     this.context.drawImage(bitmap, 0, 0, width, height);
     bitmap.close();
     return false;

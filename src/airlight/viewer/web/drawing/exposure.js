@@ -8,7 +8,7 @@ import {
 } from "../generated/formulas.js";
 
 /**
- * Exposure of a small picture of a view.
+ * Automatic exposure of a metered frame.
  *
  * @param {Float32Array} rgba Linear sRGB, four values per pixel, from the top row. [W m⁻² sr⁻¹]
  * @param {[number, number]} size Width and height. [pixel]

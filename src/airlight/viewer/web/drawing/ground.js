@@ -1,6 +1,5 @@
 /**
- * Ground map: images converted to packed texels, four values of eight bits each: colours encoded by
- * sRGB, and a share of water.
+ * Ground map: images converted to packed texels of four 8-bit values: sRGB colour and water fraction.
  */
 
 /** Values of a texel. */
@@ -43,7 +42,7 @@ async function pixelsOf(image, { rows, columns }) {
   return context.getImageData(0, 0, columns, rows).data;
 }
 
-/** First texel of each part of an axis, and the weights of it and of the two that follow. */
+/** First source texel of each target texel along an axis, and the weights of three texels. */
 function areaWeights(size, parts) {
   return Array.from({ length: parts }, (_, part) => {
     const first = Math.floor((part * size) / parts);
@@ -56,7 +55,7 @@ function areaWeights(size, parts) {
   });
 }
 
-/** Fill a level with means over equal areas of the previous one, in linear light. */
+/** Fill a mip level with area averages of the previous one, in linear light. */
 function halve(fine, [height, width], out, [rows, columns], decoded) {
   const down = areaWeights(height, rows);
   const right = areaWeights(width, columns);
@@ -81,7 +80,7 @@ function halve(fine, [height, width], out, [rows, columns], decoded) {
   }
 }
 
-/** The nearest of the 256 values of a colour, by its linear value. */
+/** Nearest 8-bit value of a linear colour. */
 function encoded(linear, decoded) {
   let low = 0;
   let high = 255;

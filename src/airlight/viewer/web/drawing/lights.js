@@ -1,7 +1,7 @@
 /**
- * Lights of a view: the planet's star, and the Moon or a second sun beside it.
+ * Lights of a view: the planet's star, and the Moon or a second star.
  *
- * A picture is the sum of those of its lights, each drawn with its light at the sun's place.
+ * A frame is the sum over lights, each rendered in its own frame.
  */
 import {
   OCCULTER,
@@ -9,7 +9,7 @@ import {
   bright_limb,
   direction_of,
   light_left,
-  light_shown,
+  light_visibility,
   moon_share,
   phase_shading,
 } from "../generated/formulas.js";
@@ -17,13 +17,13 @@ import { cameraOf } from "./view.js";
 
 const RADIAN = Math.PI / 180;
 const CHANNELS = ["red", "green", "blue"];
-/** Disc without darkening: coefficients of six powers of the cosine, of four wavelengths. */
+/** Uniform disc: limb-darkening coefficients of six powers at four wavelengths. */
 export const EVEN = Float32Array.from({ length: 24 }, (_, i) => Number(i < 4));
 const STAR_DISC = { phased: 0, ...Object.fromEntries(SHADING.map((name) => [name, 0])) };
 const LAMPS = ["lamp_red", "lamp_green", "lamp_blue"];
 
 /**
- * Lights that are drawn.
+ * Visible lights.
  *
  * @param {Object<string, number | string | boolean>} values Values of all parameters, by path.
  * @param {object} planet Data of the solution, see picture.js; `second` from
@@ -59,7 +59,7 @@ export function lightsOf(values, planet, projections) {
   return second ? [first, second] : [first];
 }
 
-/** Share of the star's light that the Moon leaves, its direction and radius: occulted_light.py. */
+/** Unocculted fraction of the star, direction and radius of the Moon: occulted_light.py. */
 function occulted(values, [[sun, star], other]) {
   if (values["view.second_light"] === "moon") {
     const [moon, radius] = other;
@@ -84,7 +84,7 @@ function secondOf(values, planet, projections) {
   const share = Math.sin(radius * RADIAN) ** 2;
   const light = kind === "moon" ? moonOf(values, planet, share) : starOf(values, planet, share);
   const ratio = light.irradiance.map((one, i) => one / planet.second.irradiance[i]);
-  const shown = light_shown(
+  const shown = light_visibility(
     zenith,
     values["view.sun_zenith"],
     radius,
@@ -113,7 +113,7 @@ function secondOf(values, planet, projections) {
   };
 }
 
-/** Moon: light of the planet's own star, reflected. */
+/** Moon: reflected light of the planet's star. */
 function moonOf(values, { second }, share) {
   const phase = values["view.moon_phase"];
   const limb = bright_limb(values["view.second_zenith"], azimuthOf(values), values["view.sun_zenith"]);
@@ -129,7 +129,7 @@ function moonOf(values, { second }, share) {
   };
 }
 
-/** Second sun: a black body, between two temperatures of the table. */
+/** Second star: black body, interpolated in temperature. */
 function starOf(values, { second: { stars } }, share) {
   const cold = 1 / values["view.second_temperature"];
   const after = stars.findIndex(({ temperature }) => 1 / temperature <= cold);
@@ -146,7 +146,7 @@ function starOf(values, { second: { stars } }, share) {
   };
 }
 
-/** Uniforms of the wavelengths' colours; 0 for those that are not there. */
+/** Colour matrix uniforms; 0 for unused wavelengths. */
 function colorsOf(irradiance, weights) {
   const numbers = {};
   CHANNELS.forEach((channel, c) => {

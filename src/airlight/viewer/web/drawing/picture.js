@@ -1,19 +1,19 @@
 /**
- * Renderer of a planet: its tables on the device, and the passes over them.
+ * Renderer of a planet: uploads the tables of a solution and runs the rendering passes.
  *
- * A description from viewer/browser/package.py has data that are the same for every planet — `plan`
- * and `shaders` (see program.js), `sky` (shapes of the sky table), `layers` (its textures),
- * `glance` (longer side of the picture from which the exposure is measured), `projections` with
- * their fields of view, `display` (uniforms of a display of 8 bits), `primaries` by name, `orders`,
- * and `view_uniforms`, the uniforms that are view values — and data of a solution: `uniforms`, `tables`
- * (`{format, data}` by name, or a `texture` whose ownership is transferred), `ground` (see
- * ground.js), `radius`, `thickness`, `star` and `geometry` (see view_uniforms.js).
+ * A description from viewer/browser/package.py has planet-independent data — `plan`
+ * and `shaders` (see program.js), `sky` (sizes of the sky-view LUT), `layers` (its textures),
+ * `metering` (longer side of the metered frame), `projections` with their fields of view, `display`
+ * (uniforms of an 8-bit display), `primaries`, `orders`, and `view_uniforms` (uniforms that are view
+ * values) — and data of a solution: `uniforms`, `tables` (`{format, data}` by name, or a `texture`
+ * whose ownership is transferred), `ground` (see ground.js), `radius`, `thickness`, `star` and
+ * `geometry` (see view_uniforms.js).
  */
 import { automaticExposure } from "./exposure.js";
 import { groundTexels } from "./ground.js";
 import { numbersOf } from "./package.js";
 import { Program } from "./program.js";
-import { cameraNumbers, detailNumbers, observerNumbers } from "./view_uniforms.js";
+import { cameraUniforms, detailUniforms, observerUniforms } from "./view_uniforms.js";
 import { EVEN, lightsOf } from "./lights.js";
 import { Adaptation } from "../state/adaptation.js";
 import {
@@ -26,10 +26,10 @@ import {
 } from "../generated/formulas.js";
 import { ALONG, ASLANT, DISC_FORMAT, NONE, PACKED_FORMAT, ROW } from "../generated/sizes.js";
 
-/** Time limits of a sky table while the view moves, and while it rests. [ms] */
+/** Time limits of the sky-view LUT during and after motion. [ms] */
 const SMOOTH = 60;
 const PATIENT = 2500;
-/** Time per texel of the sky table on a processor, assumed until it is measured. [ms] */
+/** Initial estimate of the time per texel of the sky-view LUT. [ms] */
 const SLOW = 0.05;
 
 export class Picture {
@@ -38,13 +38,13 @@ export class Picture {
    *
    * @param {object} device See devices/device.js.
    * @param {object} description
-   * @param {(done: number, total: number) => void} [tell] Receives the number of shaders compiled.
+   * @param {(done: number, total: number) => void} [onProgress] Receives the number of shaders compiled.
    * @returns {Promise<Picture>}
    */
-  static async make(device, description, tell = () => {}) {
+  static async make(device, description, onProgress = () => {}) {
     const program = new Program(device, description.plan, description.shaders);
     const picture = new Picture(program, description);
-    await Promise.all([program.build(tell), picture.take(description)]);
+    await Promise.all([program.build(onProgress), picture.take(description)]);
     return picture;
   }
 
@@ -54,14 +54,14 @@ export class Picture {
     this.fixed = description;
     this.planet = null;
     this.maps = {};
-    this.skies = ["", ""];
+    this.skyViews = ["", ""];
     this.laws = "";
-    this.drawn = "";
+    this.rendered = "";
     this.spread = "";
     this.solutions = 0;
     this.shape = null;
     this.texelTime = SLOW;
-    this.drawings = 0;
+    this.renderings = 0;
     this.exposure = 0;
     this.adaptation = new Adaptation();
   }
@@ -84,14 +84,14 @@ export class Picture {
     this.solutions += 1;
   }
 
-  /** Upload the darkening of the second light's disc, unless it is there already. */
+  /** Upload the limb darkening of the second light, if it has changed. */
   takeLaw(law) {
     const key = law.join();
     if (key !== this.laws) this.program.setTable("disc_2", DISC_FORMAT, law);
     this.laws = key;
   }
 
-  /** Upload a map of the ground or its overlay, unless it is there already. */
+  /** Upload the ground map or overlay, if it has changed. */
   async takeMap(texture, map, [present, prefix]) {
     const image = map && map.image + (map.water ?? "");
     if (this.maps[texture] === image) return;
@@ -108,7 +108,7 @@ export class Picture {
   }
 
   /**
-   * Draw on the canvas.
+   * Render and display on the canvas.
    *
    * The promise resolves directly after the last pass, so that the canvas can be copied then.
    *
@@ -116,14 +116,14 @@ export class Picture {
    * @param {number} width Width of the canvas. [pixel]
    * @param {number} height Height of the canvas. [pixel]
    * @param {string} effort `moving`: at once; `resting`: within a time limit; `best`: unlimited.
-   * @param {boolean} held Whether the automatic exposure stays as it is.
-   * @returns {Promise<boolean>} Whether a finer picture is possible while the view rests, or one
-   *     whose exposure is nearer to the measured one.
+   * @param {boolean} held Whether the automatic exposure is locked.
+   * @returns {Promise<boolean>} Whether a finer frame is possible at rest, or the exposure still
+   *     adapts.
    */
-  async draw(values, width, height, effort, held = false) {
+  async display(values, width, height, effort, held = false) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
-    await this.drawSky(lights, effort);
+    await this.fillSkyView(lights, effort);
     let exposure = values["display.exposure"];
     let eases = false;
     if (values["display.automatic"]) {
@@ -133,11 +133,11 @@ export class Picture {
       eases = !held && adapted !== measured;
     }
     this.exposure = exposure;
-    this.drawLight(lights, width, height);
-    this.drawGlare(lights[0].camera, width, height, values["display.glare"]);
+    this.renderLight(lights, width, height);
+    this.renderGlare(lights[0].camera, width, height, values["display.glare"]);
     program.setAll({
       ...fixed.display,
-      ...this.viewNumbers(values),
+      ...this.viewUniforms(values),
       exposure: 2 ** exposure,
       primaries: fixed.primaries.indexOf(this.device.space),
     });
@@ -145,40 +145,40 @@ export class Picture {
     return eases || this.texels(this.shapeFor("resting")) > this.texels(this.shape);
   }
 
-  /** Lights of a view, each with the uniforms of its table of the sky. */
+  /** Lights of a view, each with the uniforms of its sky-view LUT. */
   lightsOf(values) {
     const { fixed, planet } = this;
     const orders = fixed.orders[values["light.orders"]];
     return lightsOf(values, planet, fixed.projections).map((light) => {
       const seen = { ...planet, star: light.star };
-      const numbers = observerNumbers(seen, values["view.altitude"], light.camera.sun);
+      const numbers = observerUniforms(seen, values["view.altitude"], light.camera.sun);
       numbers.disc *= disc_factor(light.left);
       numbers.draws_disc = Number(numbers.disc > 0);
       return { ...light, numbers: { ...light.numbers, ...numbers, orders } };
     });
   }
 
-  /** Draw the picture in linear light, unless only its display has changed. */
-  drawLight(lights, width, height) {
-    const numbers = lights.map((light) => this.numbersOf(light, width, height));
-    const drawn = JSON.stringify([this.skies, this.shape, this.laws, numbers]);
-    if (drawn === this.drawn) return;
+  /** Render linear radiance, unless only the display has changed. */
+  renderLight(lights, width, height) {
+    const numbers = lights.map((light) => this.uniformsOf(light, width, height));
+    const rendered = JSON.stringify([this.skyViews, this.shape, this.laws, numbers]);
+    if (rendered === this.rendered) return;
     this.program.set("first_row", 0);
     this.program.set("first_column", 0);
     this.sum("picture", numbers, width, height);
-    this.drawn = drawn;
+    this.rendered = rendered;
   }
 
-  /** Uniforms of a picture by one light. */
-  numbersOf({ camera, numbers }, width, height) {
+  /** Uniforms of a frame of one light. */
+  uniformsOf({ camera, numbers }, width, height) {
     return {
       ...numbers,
-      ...cameraNumbers(camera, width, height, this.fixed.projections),
-      ...detailNumbers(this.planet, camera),
+      ...cameraUniforms(camera, width, height, this.fixed.projections),
+      ...detailUniforms(this.planet, camera),
     };
   }
 
-  /** Draw the sum of the lights' pictures into a target, or into an area of it. */
+  /** Render the sum over lights into a target or an area of it. */
   sum(name, numbers, width, height, area = null) {
     const { program } = this;
     program.resize(name, width, height);
@@ -196,8 +196,8 @@ export class Picture {
     program.runIn(`${name}_sum`, area);
   }
 
-  /** Draw the light that glare spreads, unless it is up to date: see color/glare.py. */
-  drawGlare({ projection, fieldOfView }, width, height, amount) {
+  /** Render the glare pyramid, unless it is up to date: see color/glare.py. */
+  renderGlare({ projection, fieldOfView }, width, height, amount) {
     const { program } = this;
     const connected = CONNECTED.includes(projection);
     const angle = connected ? PIXEL_ANGLES[projection](width, height, fieldOfView) : 0;
@@ -206,7 +206,7 @@ export class Picture {
     const shares = Array.from({ length: count }, (_, i) => glare_share(i + 1, angle, shorter));
     program.set("circle", Number(CIRCULAR.includes(projection)));
     program.set("glare_total", shares.reduce((sum, one) => sum + one, 0));
-    if (count === 0 || this.spread === this.drawn) return;
+    if (count === 0 || this.spread === this.rendered) return;
     let [wide, high] = [width, height];
     for (let level = 1; level <= count; level++) {
       [wide, high] = [Math.ceil(wide / 2), Math.ceil(high / 2)];
@@ -218,26 +218,26 @@ export class Picture {
       program.setAll({ level_share: shares[level - 1], level_more: Number(level < count) });
       program.run(`spread_${level}`);
     }
-    this.spread = this.drawn;
+    this.spread = this.rendered;
   }
 
-  /** Draw the sky tables of the lights, unless they are up to date. */
-  async drawSky(lights, effort) {
+  /** Fill the sky-view LUTs of the lights, unless they are up to date. */
+  async fillSkyView(lights, effort) {
     const { program, fixed, planet } = this;
     const peaks = planet.uniforms.separated_1 >= 0;
-    const keys = lights.map((light) => (light.air ? this.skyKey(light) : ""));
+    const keys = lights.map((light) => (light.air ? this.skyViewKey(light) : ""));
     const shape = this.shapeFor(effort);
     if (lights.length > 1) this.takeLaw(lights[1].law ?? EVEN);
-    const stale = keys.some((key, i) => key && key !== this.skies[i]);
+    const stale = keys.some((key, i) => key && key !== this.skyViews[i]);
     if (!stale && this.texels(this.shape) >= this.texels(shape)) return;
-    if (shape !== this.shape) this.skies = ["", ""];
+    if (shape !== this.shape) this.skyViews = ["", ""];
     this.shape = shape;
     const [columns, rows] = fixed.sky[shape];
     program.setAll({ separated_phases: Number(peaks), sky_columns: columns, sky_rows: rows });
     const began = performance.now();
-    let drawn = 0;
+    let rendered = 0;
     lights.forEach((light, i) => {
-      if (!keys[i] || keys[i] === this.skies[i]) return;
+      if (!keys[i] || keys[i] === this.skyViews[i]) return;
       const suffix = i ? "_2" : "";
       for (const name of fixed.layers) {
         program.resize(name + suffix, ROW, Math.ceil((3 * columns * rows) / ROW));
@@ -248,19 +248,19 @@ export class Picture {
         ...(peaks ? [`sky_peaks${suffix}`] : []),
         ...(light.camera.filter ? [`sky_polarised${suffix}`] : []),
       );
-      this.skies[i] = keys[i];
-      drawn += 1;
+      this.skyViews[i] = keys[i];
+      rendered += 1;
     });
-    // The time is measured occasionally on a GPU, always on a software device.
-    if (drawn && (this.drawings++ % 16 === 0 || this.texelTime > SLOW)) {
+    // The time is measured occasionally on a GPU, always on a software GPU.
+    if (rendered && (this.renderings++ % 16 === 0 || this.texelTime > SLOW)) {
       await this.device.finished();
-      const time = (performance.now() - began) / this.texels(shape) / drawn;
+      const time = (performance.now() - began) / this.texels(shape) / rendered;
       // The first time includes the driver's compilation.
-      this.texelTime = this.drawings > 1 ? time : SLOW;
+      this.texelTime = this.renderings > 1 ? time : SLOW;
     }
   }
 
-  /** Largest sky table that an effort allows; the very first one is the smallest. */
+  /** Largest sky-view LUT within the time limit; the smallest for the first frame. */
   shapeFor(effort) {
     if (effort === "best") return "full";
     if (this.shape === null) return "quick";
@@ -275,7 +275,7 @@ export class Picture {
   }
 
   /** Uniforms that are view values, by name: `uniforms_of` in Python. */
-  viewNumbers(values) {
+  viewUniforms(values) {
     const numbers = {};
     for (const [name, { path, options }] of Object.entries(this.fixed.view_uniforms)) {
       numbers[name] = options.length ? options.indexOf(values[path]) : Number(values[path]);
@@ -283,30 +283,30 @@ export class Picture {
     return numbers;
   }
 
-  /** Everything on which the table of the sky of a light depends. */
-  skyKey({ numbers, camera }) {
+  /** Key of the sky-view LUT of a light. */
+  skyViewKey({ numbers, camera }) {
     return JSON.stringify([this.solutions, numbers, Boolean(camera.filter)]);
   }
 
   /**
-   * Description of a pixel's light.
+   * Luminance, chromaticity and polarisation of a pixel, as text.
    *
    * @param {Object<string, number | string | boolean>} values Values of all parameters, by path.
-   * @param {[number, number]} size Size of the picture as displayed. [pixel]
+   * @param {[number, number]} size Size of the displayed picture. [pixel]
    * @param {[number, number]} place Position of the pixel, from the left and the top. [pixel]
-   * @returns {Promise<string>} Text; empty if the picture does not show this view yet.
+   * @returns {Promise<string>} Text; empty if the view is not rendered yet.
    */
   async probe(values, size, place) {
     const { program, fixed } = this;
     const lights = this.lightsOf(values);
-    if (lights.some((one, i) => one.air && this.skies[i] !== this.skyKey(one))) return "";
+    if (lights.some((one, i) => one.air && this.skyViews[i] !== this.skyViewKey(one))) return "";
     const area = [...place, 1, 1];
     const elements = lights[0].camera.filter ? [NONE, ALONG, ASLANT] : [NONE];
     const found = [];
     for (const filter of elements) {
-      const numbers = lights.map((one) => ({ ...this.numbersOf(one, ...size), filter }));
-      this.sum("glance", numbers, ...size, area);
-      found.push(await program.read("glance", area));
+      const numbers = lights.map((one) => ({ ...this.uniformsOf(one, ...size), filter }));
+      this.sum("metering", numbers, ...size, area);
+      found.push(await program.read("metering", area));
     }
     return described(found, fixed);
   }
@@ -314,11 +314,11 @@ export class Picture {
   /** Automatic exposure of the view. [EV] */
   async found(lights, width, height) {
     const { program, fixed, planet } = this;
-    const share = fixed.glance / Math.max(width, height);
+    const share = fixed.metering / Math.max(width, height);
     const [wide, high] = [width, height].map((x) => Math.max(1, Math.round(x * share)));
-    this.sum("glance", lights.map((one) => this.numbersOf(one, wide, high)), wide, high);
+    this.sum("metering", lights.map((one) => this.uniformsOf(one, wide, high)), wide, high);
     const { camera, suns } = lights[0];
-    const rgba = await program.read("glance");
+    const rgba = await program.read("metering");
     const number = Object.keys(fixed.projections).indexOf(camera.projection);
     return automaticExposure(rgba, [wide, high], { ...camera, suns }, number, planet.star);
   }
@@ -327,7 +327,7 @@ export class Picture {
 /**
  * Text of luminance, chromaticity and polarisation.
  *
- * @param {Float32Array[]} found Linear sRGB of I, and of Q and U where they are known. [W m⁻² sr⁻¹]
+ * @param {Float32Array[]} found Linear sRGB of I and, if available, of Q and U. [W m⁻² sr⁻¹]
  */
 function described([rgb, ...polarised], { xyz, efficacy }) {
   const part = (light, i) => xyz.reduce((sum, row, c) => sum + row[i] * light[c], 0);

@@ -1,5 +1,5 @@
 /**
- * Passes, as declared by the Python host, on a device.
+ * Passes of a plan from Python, run on a device.
  *
  * A plan has `layout`, which maps each field of the uniform struct to its offset and length in
  * floats, `size`, the length of the struct, and `passes`; each pass has `name`, `shader`, `entry`,
@@ -26,9 +26,9 @@ export class Program {
   /**
    * Compile all passes and create their targets.
    *
-   * @param {(done: number, total: number) => void} [tell] Receives the number of shaders compiled.
+   * @param {(done: number, total: number) => void} [onProgress] Receives the number of shaders compiled.
    */
-  async build(tell = () => {}) {
+  async build(onProgress = () => {}) {
     const { device } = this;
     const promises = new Map();
     let done = 0;
@@ -47,7 +47,7 @@ export class Program {
       if (!promises.has(key)) {
         const made = device.pipeline(text, formats);
         promises.set(key, made);
-        made.then(() => tell((done += 1), promises.size), () => {});
+        made.then(() => onProgress((done += 1), promises.size), () => {});
       }
       // each pass has its own textures bound
       this.compiled.set(pass.name, { ...(await promises.get(key)) });
@@ -80,21 +80,21 @@ export class Program {
     this.device.release(before);
   }
 
-  /** Upload the table that passes read by this name. */
+  /** Upload a table by its name in the passes. */
   setTable(name, format, numbers) {
     const before = this.textures.get(name);
     this.textures.set(name, this.device.flatTexture(format, numbers));
     if (before) this.device.release(before);
   }
 
-  /** Set the table of this name to a texture already on the device, taking ownership. */
+  /** Use an existing texture as a table, taking ownership. */
   takeTexture(name, texture) {
     const before = this.textures.get(name);
     this.textures.set(name, texture);
     if (before && before !== texture) this.device.release(before);
   }
 
-  /** Run passes by their names, in this order. */
+  /** Run passes by name, in order. */
   run(...names) {
     for (const name of names) this.runIn(name, null);
   }
@@ -113,7 +113,7 @@ export class Program {
     );
   }
 
-  /** Promise of the values of a target, or of an area of it. */
+  /** Promise of the values of a target or of an area. */
   read(name, area) {
     return this.device.read(this.textures.get(name), area);
   }

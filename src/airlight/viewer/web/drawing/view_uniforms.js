@@ -3,7 +3,7 @@ import {
   PIXEL_ANGLES,
   finest_cell,
   lattice_origin,
-  observer_numbers,
+  observer_uniforms,
   apparent_sun_cosine,
 } from "../generated/formulas.js";
 import { NOMINAL_ROWS } from "../generated/sizes.js";
@@ -15,16 +15,14 @@ import { NOMINAL_ROWS } from "../generated/sizes.js";
  * @param {number} altitude Altitude of the observer. [m]
  * @param {number[]} sun Unit vector towards the star, in the observer's frame.
  */
-export function observerNumbers(planet, altitude, sun) {
+export function observerUniforms(planet, altitude, sun) {
   const { radius, thickness, star, geometry } = planet;
   const outside = altitude >= thickness;
   const r = geometry ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = geometry ? geometry.bottom : radius;
-  const refracted = geometry && !outside;
-  const apparentSunMu = refracted
-    ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table)
-    : sun[2];
-  const [horizonMu, horizonSine, level, seenLevel, disc] = observer_numbers(
+  const bent = geometry && !outside;
+  const seen = bent ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table) : sun[2];
+  const [horizonMu, horizonSine, level, seenLevel, disc] = observer_uniforms(
     r,
     bottom,
     sun[0],
@@ -48,7 +46,7 @@ export function observerNumbers(planet, altitude, sun) {
 }
 
 /** Uniforms of the camera. */
-export function cameraNumbers(camera, width, height, projections) {
+export function cameraUniforms(camera, width, height, projections) {
   const { projection, fieldOfView: field, axes, ground, filter } = camera;
   const numbers = {
     width,
@@ -76,8 +74,8 @@ export function cameraNumbers(camera, width, height, projections) {
   return numbers;
 }
 
-/** Uniforms of the detail of the ground below the camera. */
-export function detailNumbers({ radius, geometry, ground }, camera) {
+/** Uniforms of the ground noise below the camera. */
+export function detailUniforms({ radius, geometry, ground }, camera) {
   const bottom = geometry ? geometry.bottom : radius;
   const cell = finest_cell(bottom, ground?.rows ?? NOMINAL_ROWS);
   const numbers = { detailed: Number(camera.detailed), detail_cell: cell };
@@ -89,7 +87,7 @@ export function detailNumbers({ radius, geometry, ground }, camera) {
   return numbers;
 }
 
-/** Optical radius of an observer: its radius in the frame in which rays are straight. [m] */
+/** Optical radius n·r of an observer. [m] */
 function opticalRadius({ radius, thickness, geometry }, altitude) {
   if (altitude > thickness) return radius + altitude;
   const { excess } = geometry;

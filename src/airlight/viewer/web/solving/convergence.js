@@ -23,7 +23,7 @@ export function brightest(light) {
   return most;
 }
 
-/** Relative change; 0 where it is dark. */
+/** Relative change; 0 below the threshold of darkness. */
 export function relativeChange(before, after) {
   const most = brightest(after);
   return Float64Array.from(after, (value, i) => change_at(before[i], value, most[i % LANES]));
@@ -35,7 +35,7 @@ export function counts(mean, thick) {
   return Float64Array.from(mean, (value, i) => count_at(value, most[i % LANES], thick[i % LANES]));
 }
 
-/** Sum of all later changes over the last one, from `back` steps, by wavelength. */
+/** Geometric tail: sum of all later changes over the last, from `back` steps, by wavelength. */
 export function estimatedTail(residuals, back) {
   const size = (one, lane) => Math.sqrt(product(one, one, lane));
   const steps = Math.min(residuals.length, back + 1) - 1;

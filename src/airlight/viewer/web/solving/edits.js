@@ -1,4 +1,4 @@
-/** Solving of the planet after each change of its parameters; the newest edit wins. */
+/** Solver loop of the page: solves after each edit; the newest edit wins. */
 import { editOf, editedAir, isPlain } from "./edited_air.js";
 import { editedPicture } from "./edited_picture.js";
 import { Solver } from "./solver.js";
@@ -22,7 +22,7 @@ export class Edits {
     this.work = null;
     this.text = "";
     this.progress = "";
-    this.stop = viewer.state.follow((changed) => {
+    this.stop = viewer.state.subscribe((changed) => {
       if ([...changed].some((path) => SOLVED.test(path))) this.follow();
     });
     if (!isPlain(this.wanted)) this.follow();
@@ -36,12 +36,12 @@ export class Edits {
     });
   }
 
-  /** Words while the picture shows an older edit; none once it shows the newest. */
+  /** Status while the frame is outdated; empty otherwise. */
   get stale() {
     return this.shown !== this.wanted && this.work ? `solving${this.progress} …` : "";
   }
 
-  /** Promise that the picture shows the newest edit. */
+  /** Promise that the frame is up to date. */
   async settled() {
     await this.work;
   }
@@ -90,9 +90,9 @@ export class Edits {
   }
 }
 
-/** Progress, and the time left as it has gone so far. [ms] */
+/** Progress, and estimated time left. [ms] */
 function progressText(share, elapsed) {
-  if (share >= 1) return " and drawing";
+  if (share >= 1) return " and rendering";
   const left = (elapsed / 1000) * (1 / share - 1);
   return `, ${Math.round(100 * share)} %${left >= 1 ? `, about ${Math.round(left)} s left` : ""}`;
 }

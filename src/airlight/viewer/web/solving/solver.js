@@ -78,16 +78,16 @@ export class Solver {
    *
    * @param {object} air See edited_air.js.
    * @param {() => boolean} stale Whether the request is superseded.
-   * @param {(share: number) => void} tell Told how far it is, from 0 to 1, after each order.
+   * @param {(share: number) => void} onProgress Receives how far it is, from 0 to 1, after each order.
    * @returns {Promise<object | null>} Texture of the light, owned by the caller; null if stale.
    * @throws {Error} If the orders do not converge; one line.
    */
-  async light(air, stale, tell = () => {}) {
+  async light(air, stale, onProgress = () => {}) {
     this.load(air);
     this.guess = "first";
     this.run("once");
     const thick = Math.max(...air.transport) > this.fixed.synthetic.thicker;
-    const solved = await (thick ? this.accelerate(air, stale, tell) : this.sum(air, stale, tell));
+    const solved = await (thick ? this.accelerate(air, stale, onProgress) : this.sum(air, stale, onProgress));
     if (!solved) return null;
     if (this.sweeps > this.fixed.most_sweeps) {
       const most = this.fixed.most_sweeps;
@@ -100,7 +100,7 @@ export class Solver {
   }
 
   /** Sum order after order; false if stale. */
-  async sum(air, stale, tell) {
+  async sum(air, stale, onProgress) {
     const { fixed } = this;
     const tolerance = fixed.tolerance * (1 - fixed.stricter * Math.max(...air.thick));
     const residuals = [];
@@ -116,7 +116,7 @@ export class Solver {
       residuals.push(change.map((x, i) => x * counted[i]));
       if (residuals.length > this.ring.length) residuals.shift();
       this.residual = this.remainingError(change, mean, residuals, air.thick, fixed.night);
-      tell(shareOf(this.residual, tolerance));
+      onProgress(shareOf(this.residual, tolerance));
       this.updateWeights(residuals, mean, sky);
       this.run("mix");
       this.guess = "light";
@@ -126,7 +126,7 @@ export class Solver {
   }
 
   /** Iterate with synthetic acceleration; false if stale. */
-  async accelerate(air, stale, tell) {
+  async accelerate(air, stale, onProgress) {
     const { fixed, plan } = this;
     const { over_relaxation, iterates: most, least, tolerance } = fixed.synthetic;
     const { lateral_threshold, transport_depth_scale } = fixed.synthetic;
@@ -185,7 +185,7 @@ export class Solver {
         ...steps.map((step) => this.remainingError(step, after, residuals, air.thick, 1)),
       );
       if (!Number.isFinite(this.residual)) throw new Error("this air's light is not a finite number");
-      tell(shareOf(this.residual, tolerance));
+      onProgress(shareOf(this.residual, tolerance));
       const weights = Array.from({ length: LANES }, (_, lane) => mixingWeights(residuals, lane));
       light = andersonStep(iterates, weights, acceleration, nodes, terms);
       if (this.residual <= tolerance && this.sweeps > 1) break;

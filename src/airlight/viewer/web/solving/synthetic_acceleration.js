@@ -1,5 +1,5 @@
 /**
- * Synthetic acceleration of the iteration in thick air: see
+ * Synthetic acceleration of the iteration in optically thick air: see
  * solvers/moments/synthetic_acceleration.py, whose elimination and lateral diffusion are emitted.
  *
  * The operator K is assembled from the textures of each ray that the passes have filled: `factors`
@@ -137,7 +137,7 @@ export class SyntheticAcceleration {
   }
 
   /**
-   * Residual plus the sum of all further sweeps.
+   * Accelerated residual (1 - K)⁻¹ r.
    *
    * @param {Float32Array} change Residual of a sweep, or the first order.
    * @param {Float32Array?} light Light after the sweep; null for the first order.
@@ -214,7 +214,7 @@ export class SyntheticAcceleration {
     return found;
   }
 
-  /** Irradiances of level surfaces by the moments of m = 0. */
+  /** Horizontal irradiances from the moments of m = 0. */
   irradiances(toSky, moments) {
     const { radii, sun_angles } = this.sizes;
     const count = toSky.length / radii;
@@ -277,7 +277,7 @@ function lateralDiffusionMatrix(cosines, diffusionLength, gridDiffusion) {
   return matrix;
 }
 
-/** Column and value of the numbers of each row of a matrix that are not 0. */
+/** Non-zero columns and values of each row of a matrix. */
 function sparse(values, columns) {
   const rows = Array.from({ length: values.length / columns }, () => []);
   values.forEach((value, at) => {

@@ -3,9 +3,9 @@ import { eased } from "../generated/formulas.js";
 import { KEYS } from "../generated/keys.js";
 
 const { adapted: TIME_CONSTANT } = KEYS.rates;
-/** Distance at which the measured exposure counts as reached. [EV] */
+/** Tolerance of the metered exposure. [EV] */
 const REACHED = 0.02;
-/** Longest time between two pictures that counts: a rest is no time to adapt in. [s] */
+/** Longest time step of adaptation. [s] */
 const LONGEST = 0.1;
 
 export class Adaptation {
@@ -17,7 +17,7 @@ export class Adaptation {
   }
 
   /**
-   * Exposure of the next picture. [EV]
+   * Exposure of the next frame. [EV]
    *
    * @param {number} measured Automatic exposure of the light that it shows. [EV]
    * @param {boolean} held Whether the exposure stays as it is.

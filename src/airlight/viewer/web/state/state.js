@@ -30,8 +30,8 @@ export class State {
     this.listeners = new Set();
   }
 
-  /** Call `listener(changed)` with the changed paths after each change; returns an unsubscriber. */
-  follow(listener) {
+  /** Call `listener(changed)` with the changed paths after each change; returns the unsubscriber. */
+  subscribe(listener) {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
@@ -54,9 +54,9 @@ export class State {
   }
 
   /**
-   * Whether the automatic exposure stays as it is: locked, or while the planet is dragged.
+   * Whether the automatic exposure is locked, by the user or during a drag of the planet.
    *
-   * An edit that darkens the air looks darker until it is let go.
+   * Darker air then looks darker until the drag ends.
    */
   get holdsExposure() {
     return this.dragsPlanet || Boolean(this.values["display.locked"]);
@@ -132,7 +132,7 @@ export class State {
   letGo() {
     const edited = this.dragsPlanet;
     this.dragged = new Set();
-    if (edited) this.tell(new Set());
+    if (edited) this.notify(new Set());
   }
 
   undo() {
@@ -153,7 +153,7 @@ export class State {
   /** Copy the shown state to the other state of the comparison. */
   keepOther() {
     this.other = { values: { ...this.values }, history: new History() };
-    this.tell(new Set());
+    this.notify(new Set());
   }
 
   /** Swap the two states; the other is first copied from this one if there is none. */
@@ -171,7 +171,7 @@ export class State {
   /** Set whether both states of a comparison share the camera and the sun. */
   shareCamera(shared) {
     this.sharesCamera = shared;
-    this.tell(new Set());
+    this.notify(new Set());
   }
 
   /** Take over external values, without an undo step. */
@@ -184,10 +184,10 @@ export class State {
       Object.keys(values).filter((path) => values[path] !== this.values[path]),
     );
     this.values = { ...values };
-    this.tell(changed);
+    this.notify(changed);
   }
 
-  tell(changed) {
+  notify(changed) {
     for (const listener of [...this.listeners]) listener(changed);
   }
 

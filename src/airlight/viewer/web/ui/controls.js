@@ -25,7 +25,7 @@ export class Controls {
     this.advanced = false;
     this.words = "";
     this.build();
-    this.stop = state.follow((changed) => this.update(changed));
+    this.stop = state.subscribe((changed) => this.update(changed));
   }
 
   /** Rebuild the controls, as after a change of the declared parameters. */

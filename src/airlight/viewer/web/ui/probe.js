@@ -18,7 +18,7 @@ export class Probe {
     const { signal } = this.ending;
     canvas.addEventListener("pointermove", (event) => this.point(event), { signal });
     canvas.addEventListener("pointerleave", () => this.leave(), { signal });
-    this.stop = viewer.state.follow(() => this.ask());
+    this.stop = viewer.state.subscribe(() => this.ask());
   }
 
   point(event) {

@@ -5,7 +5,7 @@
  *
  * - `title`;
  * - `parameters` and `values`, declared and initial, or a `state` that has them;
- * - `picture(device, tell)` — promise of the renderer, see drawing/picture.js, which tells how many
+ * - `picture(device, onProgress)` — promise of the renderer, see drawing/picture.js, which tells how many
  *   of its shaders are compiled;
  * - `first` — optional image that is shown until the first picture is drawn;
  * - `edits(viewer)` — optional solver of the planet after edits, see solving/edits.js;
@@ -75,7 +75,7 @@ export class Viewer {
     this.lastChange = -Infinity;
     this.milliseconds = 0;
     this.closed = false;
-    this.state.follow(() => this.changed());
+    this.state.subscribe(() => this.changed());
     this.sizes = new ResizeObserver(() => this.request());
     this.sizes.observe(this.parts.view);
     this.ready = this.start();
@@ -152,12 +152,12 @@ export class Viewer {
       this.device = await openDevice(this.parts.canvas, this.source.device ?? "auto", this.source.devices);
       if (this.closed) return this.device.close();
       this.device.lost.then((reason) => {
-        if (!this.closed) this.say(`the graphics device went away (${reason}): reload`);
+        if (!this.closed) this.say(`the GPU was lost (${reason}): reload`);
       });
       this.picture = await this.source.picture(this.device, (done, total) =>
         this.prepare(`compiling shaders ${done} of ${total}`),
       );
-      this.prepare("drawing");
+      this.prepare("rendering");
       this.edits = this.source.edits?.(this) ?? null;
       this.showWork();
       this.showViewpoints();
@@ -245,7 +245,7 @@ export class Viewer {
     const began = performance.now();
     const effort = resting && !moving ? "resting" : "moving";
     const { values, holdsExposure: held } = this.state;
-    const again = await this.picture.draw(values, width, height, effort, held);
+    const again = await this.picture.display(values, width, height, effort, held);
     this.film?.frame();
     await this.device.finished();
     this.milliseconds = performance.now() - began;
@@ -278,7 +278,7 @@ export class Viewer {
     const blob = await this.alone(async () => {
       this.device.resize(width, height);
       const { values, holdsExposure: held } = this.state;
-      await this.picture.draw(values, width, height, "best", held);
+      await this.picture.display(values, width, height, "best", held);
       return new Promise((resolve) => this.parts.canvas.toBlob(resolve, "image/png"));
     });
     this.request();

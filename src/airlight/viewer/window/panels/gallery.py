@@ -1,4 +1,4 @@
-"""Gallery: pictures of all presets by family, of which one is chosen."""
+"""Gallery popup: thumbnails of all presets by family, to choose from."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ class Gallery:
     Attributes
     ----------
     opens : bool
-        Whether the next frame opens it.
+        Whether the next frame opens the popup.
     is_open : bool
-        Whether the last frame showed it.
+        Whether the last frame showed the popup.
     places : dict
-        Last rectangles of the pictures by preset, and of the headings that unfold by family: left,
+        Last rectangles of the pictures by preset, and of the collapsible headings by family: left,
         top, right, bottom. [logical pixel]
     """
 
@@ -47,7 +47,7 @@ class Gallery:
         self.places: dict[str, tuple[float, float, float, float]] = {}
 
     def open(self) -> None:
-        """Open it in the next frame."""
+        """Open the popup in the next frame."""
         self.opens = True
 
     def draw(self, shown: str, size: tuple[float, float]) -> str:
@@ -56,7 +56,7 @@ class Gallery:
         Parameters
         ----------
         shown : str
-            Preset that is shown, or another planet.
+            Displayed planet, a preset or not.
         size : (float, float)
             Size of the window. [logical pixel]
         """
@@ -91,7 +91,7 @@ class Gallery:
         return chosen
 
     def _rows(self, columns: int) -> list[list[str]]:
-        """Names of the presets that can be seen, in rows."""
+        """Names of the visible presets, in rows."""
         rows = []
         for family, presets in families().items():
             for some in _parts(presets):
@@ -102,7 +102,7 @@ class Gallery:
         return rows
 
     def _keyed(self, rows: list[list[str]]) -> bool:
-        """Move the mark by the arrow keys; whether it moved."""
+        """Move the selection by the arrow keys; returns whether it moved."""
         from imgui_bundle import imgui
 
         keys = {
@@ -132,7 +132,7 @@ class Gallery:
         return chosen
 
     def _unfolds(self, family: str, count: int) -> bool:
-        """Draw the line that unfolds the models of the literature; whether they are unfolded."""
+        """Draw the collapsible heading of the literature's models; returns whether it is open."""
         from imgui_bundle import imgui
 
         imgui.set_next_item_open(family in self._unfolded)
@@ -142,7 +142,7 @@ class Gallery:
         return bool(unfolded)
 
     def _draw_tile(self, preset: Preset, shown: str, *, scrolls: bool) -> bool:
-        """Draw a picture and its caption; whether it was clicked."""
+        """Draw a picture and its caption; returns whether it was clicked."""
         from imgui_bundle import imgui
 
         size = imgui.ImVec2(_TILE, _TILE * HEIGHT / WIDTH)
@@ -171,20 +171,20 @@ def _literature() -> list[Preset]:
 
 
 def _parts(presets: Sequence[Preset]) -> list[list[Preset]]:
-    """Presets of a family, those of the literature apart."""
+    """Presets of a family: own models, and models of the literature."""
     plain = [one for one in presets if one.kind != "literature"]
     return [part for part in (plain, [one for one in presets if one not in plain]) if part]
 
 
 def neighbour(rows: Sequence[Sequence[str]], name: str, step: tuple[int, int]) -> str:
-    """Name above, below or beside another in rows of names; the first for an unknown one.
+    """Neighbour of a name in rows of names; the first name if it is unknown.
 
     Parameters
     ----------
     rows : sequence of sequences of str
         Names in rows.
     name : str
-        Name from which the step is taken.
+        Name at the start of the step.
     step : (int, int)
         Rows down, and columns to the right.
 

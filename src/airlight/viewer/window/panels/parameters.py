@@ -25,15 +25,15 @@ class ParameterRows:
     Attributes
     ----------
     search : str
-        Search words; only parameters that answer to all of them are shown.
+        Search words; only parameters that match all of them are shown.
     advanced : bool
         Whether parameters of composition are shown too.
     places : dict
         Last rectangles of the rows' controls, by path, and of the ``search`` field: left, top,
         right, bottom. [logical pixel]
     texts : dict
-        Labels and values of the rows drawn last, by path, with the widths that they have and that
-        they need; see ``Answer``.
+        Labels and values of the rows drawn last, by path, with available and required widths; see
+        ``RowInput``.
     """
 
     def __init__(self, *, marks: bool = True) -> None:
@@ -55,7 +55,7 @@ class ParameterRows:
         self.places["search"] = style.item_place()
 
     def draw_advanced(self, hidden: int) -> None:
-        """Draw the switch of the advanced parameters, of which there is a number."""
+        """Draw the switch of the advanced parameters, with their number."""
         from imgui_bundle import imgui
 
         imgui.begin_disabled(hidden == 0)

@@ -8,7 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from airlight.viewer.painting.probe import Probe
-from airlight.viewer.painting.probing import Reading
+from airlight.viewer.painting.probing import ProbeResult
 from airlight.viewer.window import style
 from airlight.viewer.window.panels.status import fixed_window_flags
 from airlight.viewer.window.picture_area import Rectangle
@@ -24,12 +24,12 @@ _PLOT: Final = 200.0
 _GREEN: Final = 550.0
 
 
-def draw_probe(reading: Reading | None, working: str, into: Rectangle) -> bool:
+def draw_probe(reading: ProbeResult | None, working: str, into: Rectangle) -> bool:
     """Draw the panel.
 
     Parameters
     ----------
-    reading : Reading or None
+    reading : ProbeResult or None
         Result of the probe; None until a point has been chosen.
     working : str
         Status of the computation; empty if idle.

@@ -15,7 +15,7 @@ RESET_WIDTH = 26.0
 _GAP = 8.0
 
 
-class Answer(NamedTuple):
+class RowInput(NamedTuple):
     """User input of a row.
 
     Attributes
@@ -27,7 +27,7 @@ class Answer(NamedTuple):
     place : (float, float, float, float)
         Rectangle of the control: left, top, right, bottom. [logical pixel]
     texts : tuple of (str, float, float)
-        Label and value as shown, with the width that each has, and that it needs. [logical pixel]
+        Label and value as shown, with the available and the required width. [logical pixel]
     """
 
     value: Value | None
@@ -38,7 +38,7 @@ class Answer(NamedTuple):
 
 def parameter_row(
     parameter: Parameter, value: Value, default: Value, *, marks: bool = True
-) -> Answer:
+) -> RowInput:
     """Draw a row and return the user's input.
 
     A label or a value that is too long for its half of the row has a line of its own.
@@ -56,7 +56,7 @@ def parameter_row(
 
     Returns
     -------
-    Answer
+    RowInput
     """
     from imgui_bundle import imgui
 
@@ -94,7 +94,7 @@ def parameter_row(
         imgui.pop_style_color()
         style.hint(f"back to {shown(parameter, default)}")
     imgui.pop_id()
-    return Answer(changed, reset, place, texts)
+    return RowInput(changed, reset, place, texts)
 
 
 def same_value(one: Value, other: Value) -> bool:

@@ -9,7 +9,7 @@ from typing import Final
 
 from airlight.errors import AirlightError
 from airlight.exports.picture import picture_suffix, write_picture
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.plain_text import plain
 from airlight.scene import Scene
 from airlight.scene.picture_size import resized
@@ -97,7 +97,7 @@ class Saving:
 
     def _write(self, path: str, request: Request, scene: Scene, exposure: float) -> None:
         try:
-            frame = ScenePainter().frame(
+            frame = Renderer().render(
                 request.solution, scene, orders=request.orders, cancel=lambda: self._cancelled,
                 progress=self._progress,
             )  # fmt: skip
@@ -124,7 +124,7 @@ class Saving:
         path : str
             Path that ends in ``.webp`` or ``.png``.
         picture : Picture
-            Picture from which it is seen; its exposure is kept.
+            Picture that defines observer, camera and exposure.
         size : (int, int), optional
             See ``save``. [pixel]
         suns : tuple of (float, float)
@@ -173,11 +173,11 @@ class SaveDialog:
     Attributes
     ----------
     asks : str
-        Kind of file in question, ``picture``, ``film`` or ``planet``; empty if it is closed.
+        Kind of file, ``picture``, ``film`` or ``planet``; empty if the dialog is closed.
     picture_path, film_path, planet_path : str
         Paths in the text fields.
     hours, seconds : float
-        Time that passes in a film, and its length. [h], [s]
+        Time lapse of a film, and its duration. [h], [s]
     """
 
     def __init__(self) -> None:
@@ -262,7 +262,7 @@ class SaveDialog:
         imgui.end()
 
     def _draw_times(self) -> None:
-        """Draw the sliders of a film's times."""
+        """Draw the sliders of a film's time lapse and duration."""
         from imgui_bundle import imgui
 
         imgui.set_next_item_width(200.0)
@@ -272,7 +272,7 @@ class SaveDialog:
 
 
 def _expanded(path: str) -> Path:
-    """Path with the user's home; as it is where there is none."""
+    """Expand ``~``; unchanged if the home directory is unknown."""
     try:
         return Path(path).expanduser()
     except RuntimeError:
@@ -280,7 +280,7 @@ def _expanded(path: str) -> Path:
 
 
 def _where(path: str) -> str:
-    """Line about the folder of a path, or the reason why it has none."""
+    """Line with the folder of a path, or an error."""
     try:
         return plain(f"in {_expanded(path).parent.resolve()}")
     except (OSError, ValueError, RuntimeError) as error:  # a null character, a cycle of links

@@ -45,7 +45,7 @@ class SidePanel:
     attempt : callable
         ``attempt(edit)`` runs an edit and shows its error in the window.
     read_planet : callable
-        Function that returns the shown planet as read, or None while it is not available.
+        Function that returns the displayed planet, or None until it has been read.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class SidePanel:
     opens : str
         Name of a tab that the next frame selects.
     places : dict
-        Last rectangles of the controls that are no rows, by name: left, top, right, bottom.
+        Last rectangles of the controls other than rows, by name: left, top, right, bottom.
         [logical pixel]
     """
 
@@ -119,15 +119,15 @@ class SidePanel:
 
     @property
     def searched(self) -> str:
-        """Search words; empty if nothing is searched."""
+        """Search words; empty without a search."""
         return self.planet_rows.search
 
     def search(self, words: str) -> None:
-        """Show the parameters, of planet and view, that answer to some words; or all again."""
+        """Show the parameters of planet and view that match some words; all if empty."""
         self.planet_rows.search = words
 
     def _found(self) -> None:
-        """Draw the rows of planet and view that answer to the search."""
+        """Draw the rows of planet and view that match the search."""
         from imgui_bundle import imgui
 
         imgui.begin_child("found rows")
@@ -234,7 +234,7 @@ class SidePanel:
         imgui.end_child()
 
     def _same_line_if_it_fits(self, name: str) -> None:
-        """Continue the line unless a button of this name would leave the panel."""
+        """Continue the line if a button of this name fits into the panel."""
         from imgui_bundle import imgui
 
         style_now = imgui.get_style()

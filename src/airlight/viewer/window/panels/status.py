@@ -1,4 +1,4 @@
-"""Status line: what is shown, its quality and timing, and errors."""
+"""Status line: view, quality, timing, and errors."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from time import perf_counter
 from typing import Any, Final
 
-from airlight.viewer.background.solving import Solved, SolverStatus
+from airlight.viewer.background.solver_thread import SolverResult, SolverStatus
 from airlight.viewer.painting.picture_source import Picture
 from airlight.viewer.window import style
 from airlight.viewer.window.picture_area import Rectangle
@@ -92,7 +92,7 @@ def picture_text(shown: Picture) -> str:
     return f"{shown.by}: {shown.width}×{shown.height} in {_seconds(shown.seconds)}{fine}"
 
 
-def solver_text(solved: Solved | None, status: SolverStatus) -> str:
+def solver_text(solved: SolverResult | None, status: SolverStatus) -> str:
     """Quality and time of a solution, and the solver's current task."""
     done = "" if solved is None else f"{solved.quality}: {_seconds(solved.seconds)}"
     return ", ".join(one for one in (done, status.text) if one)

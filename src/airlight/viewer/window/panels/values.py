@@ -16,7 +16,7 @@ from airlight.viewer.session.session import Session, Versions
 class PanelValues:
     """Snapshot of a session's parameters at the last ``refresh``.
 
-    A row may edit the session while the others are drawn; they keep the values of the snapshot.
+    If a row edits the session, the remaining rows of the frame still show the snapshot.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class PanelValues:
         return self._values[parameter.path]
 
     def default(self, parameter: Parameter) -> Value:
-        """Default or original value; the current value without one. [parameter.unit]"""
+        """Default or original value; the current value if there is none. [parameter.unit]"""
         path = parameter.path
         if path in DEFAULTS:
             return DEFAULTS[path]

@@ -1,8 +1,8 @@
 """Pictures of the GPU against those of the CPU's renderer, which has its own line march.
 
-Both march the same solution; the GPU in single precision, panel by panel, and from a table of the
-sky unless it is asked to march every pixel. Pixels on the rim of the star's disc are left out;
-their total is compared with a disc that is sampled many times a pixel.
+Both march the same solution; the GPU in single precision, panel by panel, and from a sky-view LUT
+unless it is asked to march every pixel. Pixels on the rim of the star's disc are left out; their
+total is compared with a disc that is sampled many times a pixel.
 """
 
 from __future__ import annotations
@@ -32,18 +32,18 @@ from airlight.color.exposure import automatic_exposure
 from airlight.color.four_wavelengths import four_wavelengths
 from airlight.gpu.device.device import Device
 from airlight.gpu.device.flat import read_texture
-from airlight.gpu.picture import pictures as pictures_module
-from airlight.gpu.picture.pictures import Pictures
+from airlight.gpu.picture import gpu_renderer as pictures_module
+from airlight.gpu.picture.gpu_renderer import GpuRenderer
 from airlight.gpu.picture.uniforms import LAYERS
 from airlight.pixels import march_points
 from airlight.planets import Constituent
-from airlight.render.drawing import color_weights
+from airlight.render.cpu_renderer import color_weights
 from airlight.render.sun_disc import leaving_direction
 from airlight.solvers.moments.solution import MomentsSolution
 
 NM = (440.0, 500.0, 560.0, 620.0)
 Lit = Callable[..., MomentsSolution]
-Shows = Callable[..., Pictures]
+Shows = Callable[..., GpuRenderer]
 
 
 def _many() -> Planet:
@@ -88,12 +88,12 @@ def lit(solved: Callable[..., MomentsSolution]) -> Lit:
 @pytest.fixture(scope="module")
 def shows(device: Device, lit: Lit) -> Shows:
     """Pictures that show one of ``PLANETS``."""
-    pictures = Pictures(device)
+    pictures = GpuRenderer(device)
 
-    def make(name: str = "earth, with a map") -> Pictures:
+    def make(name: str = "earth, with a map") -> GpuRenderer:
         solution = lit(name)
         if pictures._solution is not solution:
-            pictures.show(solution)
+            pictures.set_solution(solution)
         return pictures
 
     return make
@@ -167,7 +167,7 @@ def solid_angles(camera: Camera) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("name", "scene"), cases(0))
-def test_a_marched_picture_has_the_processor_s_radiance(
+def test_a_marched_picture_has_the_cpu_s_radiance(
     name: str, scene: str, device: Device, lit: Lit, shows: Shows, tell: Callable[[str], None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -179,7 +179,7 @@ def test_a_marched_picture_has_the_processor_s_radiance(
     monkeypatch.setitem(march_points.BY_PANELS, 1, march_points.MANY)
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
     wanted = marched(solution, seen, device).astype(float)
-    rgb = shows(name).frame(seen, exact=True).rgb
+    rgb = shows(name).render(seen, exact=True).rgb
     assert np.isfinite(rgb).all()
     bright = np.abs(wanted).max(axis=2)
     error = np.abs(rgb - wanted).max(axis=2) / (bright + 1e-4 * np.quantile(bright, 0.99))
@@ -190,7 +190,7 @@ def test_a_marched_picture_has_the_processor_s_radiance(
 
 
 @pytest.mark.parametrize(("name", "scene"), cases(1))
-def test_a_picture_from_the_table_is_shown_as_the_processor_s(
+def test_a_picture_from_the_table_is_shown_as_the_cpu_s(
     name: str, scene: str, lit: Lit, shows: Shows
 ) -> None:
     # 2/255, tone mapped and encoded: invisible. The table has a quarter of the texels that it has
@@ -198,7 +198,7 @@ def test_a_picture_from_the_table_is_shown_as_the_processor_s(
     solution, seen = lit(name), scene_of(PLANETS[name](), scene)
     wanted = render(solution, seen, exact=True).rgb
     exposure = automatic_exposure(wanted)
-    shown = to_display(shows(name).frame(seen).rgb, exposure).astype(int)
+    shown = to_display(shows(name).render(seen).rgb, exposure).astype(int)
     difference = np.abs(shown - to_display(wanted, exposure)).max(axis=2)
     assert difference[away_from_the_rim(solution, seen)].max() <= 2
 
@@ -206,17 +206,17 @@ def test_a_picture_from_the_table_is_shown_as_the_processor_s(
 def test_without_the_maps_the_ground_is_alike_all_round(device: Device, lit: Lit) -> None:
     # By symmetry: under the sun in the zenith a ground of one colour is the same to all sides.
     seen = replace(scene_of(PLANETS["earth, with a map"](), "whole planet"), sun_zenith=0.0)
-    pictures, uneven = Pictures(device), []
+    pictures, uneven = GpuRenderer(device), []
     for maps in (True, False):
-        pictures.show(lit(), maps=maps)
-        middle = pictures.frame(seen, exact=True).rgb[22:32, 43:53]
+        pictures.set_solution(lit(), maps=maps)
+        middle = pictures.render(seen, exact=True).rgb[22:32, 43:53]
         uneven.append(np.abs(middle / middle[:, ::-1] - 1.0).max())
     assert uneven[0] > 0.05
     assert uneven[1] < 1e-3
 
 
 @pytest.mark.parametrize("exact", [False, True])
-def test_a_filter_lets_the_same_light_through_as_the_processor_s(
+def test_a_filter_lets_the_same_light_through_as_the_cpu_s(
     exact: bool, lit: Lit, shows: Shows
 ) -> None:
     # bounds as above, of the table and of the march
@@ -225,26 +225,26 @@ def test_a_filter_lets_the_same_light_through_as_the_processor_s(
         camera = replace(seen.camera, polariser=angle, look_azimuth=90.0)
         filtered = replace(seen, camera=camera)
         wanted = render(lit(), filtered, exact=True).rgb
-        rgb = shows().frame(filtered, exact=exact).rgb
+        rgb = shows().render(filtered, exact=exact).rgb
         bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.abs(wanted).max()
         horizon = np.abs(camera.directions()[..., 2:]) < 2.0 * camera.pixel_angle
         assert (np.abs(rgb - wanted) < (0.01 if exact else 0.005) * bright + horizon).all()
 
 
 @pytest.mark.parametrize("orders", ["single", "multiple"])
-def test_orders_are_drawn_apart_as_by_the_processor(
+def test_orders_are_drawn_apart_as_by_the_cpu(
     orders: str, device: Device, lit: Lit, shows: Shows, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # Bounds and points as above: of the march, and of the table.
     monkeypatch.setitem(march_points.BY_PANELS, 1, march_points.MANY)
     seen = scene_of(PLANETS["earth, with a map"](), "in orbit")
     wanted = render(lit(), seen, orders=orders, exact=True).rgb
-    rgb = shows().frame(seen, exact=True, orders=orders).rgb
+    rgb = shows().render(seen, exact=True, orders=orders).rgb
     bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.abs(wanted).max()
     error = np.abs(rgb - marched(lit(), seen, device, orders=orders))
     assert_array_equal(error < 0.01 * bright, True)
     exposure = automatic_exposure(wanted)
-    shown = to_display(shows().frame(seen, orders=orders).rgb, exposure).astype(int)
+    shown = to_display(shows().render(seen, orders=orders).rgb, exposure).astype(int)
     assert np.abs(shown - to_display(wanted, exposure)).max() <= 2
 
 
@@ -254,15 +254,15 @@ def test_default_quality_is_drawn_as_well(
     # More radii, angles and harmonics than in preview: bounds as above, the table as by default.
     solution = solved(load_planet("earth"), NM, "default")
     seen = scene_of(load_planet("earth"), "aloft")
-    pictures = Pictures(device)
-    pictures.show(solution)
+    pictures = GpuRenderer(device)
+    pictures.set_solution(solution)
     wanted = render(solution, seen, exact=True).rgb
     free = away_from_the_rim(solution, seen)
     bright = np.abs(wanted).max(axis=2, keepdims=True) + 1e-4 * np.quantile(wanted, 0.99)
-    error = np.abs(pictures.frame(seen, exact=True).rgb - marched(solution, seen, device)) / bright
+    error = np.abs(pictures.render(seen, exact=True).rgb - marched(solution, seen, device)) / bright
     assert error[free].max() < 0.01
     exposure = automatic_exposure(wanted)
-    shown = to_display(pictures.frame(seen).rgb, exposure).astype(int)
+    shown = to_display(pictures.render(seen).rgb, exposure).astype(int)
     assert np.abs(shown - to_display(wanted, exposure))[free].max() <= 2
 
 
@@ -285,7 +285,7 @@ def test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out(
     )  # fmt: skip
     seen = Scene(altitude=0.0, sun_zenith=20.0, camera=camera)
     total = disc_total(shows(name), seen)
-    assert_allclose(total, processor_total(solution, seen), rtol=0.02)
+    assert_allclose(total, cpu_total(solution, seen), rtol=0.02)
 
 
 @pytest.mark.parametrize("projection", ["fisheye", "equirectangular", "cubemap"])
@@ -299,32 +299,32 @@ def test_a_small_disc_has_its_light_on_every_projection(
     ]
     camera = Camera(projection=projection, width=width, height=height)
     seen = Scene(altitude=0.0, sun_zenith=sun_zenith, camera=camera)
-    assert_allclose(disc_total(shows(), seen), processor_total(lit(), seen), rtol=0.02)
+    assert_allclose(disc_total(shows(), seen), cpu_total(lit(), seen), rtol=0.02)
 
 
-def test_the_setting_disc_has_the_processor_s_light(
+def test_the_setting_disc_has_the_cpu_s_light(
     device: Device, solved: Callable[..., MomentsSolution]
 ) -> None:
     # 1 % at 85°, where extinction without forward peaks makes it 1.5 % brighter; on the horizon
     # 4 %: there the depth is 15, and its table is accurate to 2e-3.
     solution = solved(load_planet("earth"), NM, "default")
-    pictures = Pictures(device, (64, 64))
-    pictures.show(solution)
+    pictures = GpuRenderer(device, (64, 64))
+    pictures.set_solution(solution)
     for sun_zenith, tolerance in ((85.0, 0.01), (90.0, 0.04)):
         camera = Camera(width=96, height=54, look_zenith=sun_zenith, field_of_view=3.0)
         seen = Scene(altitude=20.0, sun_zenith=sun_zenith, camera=camera)
-        wanted = processor_total(solution, seen)
+        wanted = cpu_total(solution, seen)
         assert_allclose(disc_total(pictures, seen), wanted, rtol=tolerance)
 
 
-def disc_total(pictures: Pictures, seen: Scene) -> np.ndarray:
+def disc_total(pictures: GpuRenderer, seen: Scene) -> np.ndarray:
     """Contribution of the disc to all pixels of a picture of the GPU. [W m⁻²]"""
-    with_disc = pictures.frame(seen).rgb.astype(float)
-    only = with_disc - pictures.frame(seen, disc=False).rgb
+    with_disc = pictures.render(seen).rgb.astype(float)
+    only = with_disc - pictures.render(seen, disc=False).rgb
     return np.asarray((only * solid_angles(seen.camera)[..., None]).sum(axis=(0, 1)))
 
 
-def processor_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
+def cpu_total(solution: MomentsSolution, seen: Scene) -> np.ndarray:
     """Contribution of the disc by samples. [W m⁻²]"""
     rgb = np.zeros((seen.camera.height, seen.camera.width, 3), np.float32)
     add_sun_disc(rgb, solution, seen, color_weights(solution))
@@ -335,11 +335,11 @@ def test_a_point_star_has_no_disc(device: Device, lit: Lit) -> None:
     # A radius of 0 has no solid angle: only the light of the air is drawn.
     planet = PLANETS["six constituents"]()
     planet = replace(planet, star=replace(planet.star, angular_radius=0.0))
-    pictures = Pictures(device, (64, 64))
+    pictures = GpuRenderer(device, (64, 64))
     solution = solve(planet, NM, quality="preview", cache=False)
-    pictures.show(solution)
+    pictures.set_solution(solution)
     seen = scene_of(planet, "sunset")
-    rgb = pictures.frame(seen, exact=True).rgb
+    rgb = pictures.render(seen, exact=True).rgb
     wanted = marched(solution, seen, device)
     bright = np.abs(wanted).max(axis=2, keepdims=True)
     assert_array_equal(np.abs(rgb - wanted) <= 0.01 * bright, True)
@@ -350,23 +350,23 @@ def test_outside_the_circle_a_dome_is_black(shows: Shows) -> None:
     outside = ~np.any(seen.camera.directions() != 0.0, axis=-1)
     assert outside.sum() > 500
     for exact in (True, False):
-        assert_array_equal(shows().frame(seen, exact=exact).rgb[outside], 0.0)
+        assert_array_equal(shows().render(seen, exact=exact).rgb[outside], 0.0)
 
 
-def test_the_shader_fills_the_table_as_the_processor_does(device: Device, lit: Lit) -> None:
+def test_the_shader_fills_the_table_as_the_cpu_does(device: Device, lit: Lit) -> None:
     # Two marches of the same light: fourth roots that agree to a quarter of 1 %. A filter asks for
     # all layers.
     layers = []
     scene = scene_of(PLANETS["earth, with a map"](), "aloft")
     scene = replace(scene, camera=replace(scene.camera, polariser=0.0))
-    for by_processor in (True, False):
-        pictures = Pictures(device, (64, 32), sky_by_processor=by_processor)
-        pictures.show(lit())
-        pictures.frame(scene)
-        layers.append([read_texture(device, one) for one in pictures._skies[0].layers.values()])
-    for name, processor, shader in zip(LAYERS, *layers, strict=True):
-        atol = 1e-3 * processor.max(axis=(0, 1))
-        near = np.abs(shader - processor) <= 2.5e-3 * processor + atol
+    for by_cpu in (True, False):
+        pictures = GpuRenderer(device, (64, 32), sky_view_on_cpu=by_cpu)
+        pictures.set_solution(lit())
+        pictures.render(scene)
+        layers.append([read_texture(device, one) for one in pictures._sky_views[0].layers.values()])
+    for name, cpu, shader in zip(LAYERS, *layers, strict=True):
+        atol = 1e-3 * cpu.max(axis=(0, 1))
+        near = np.abs(shader - cpu) <= 2.5e-3 * cpu + atol
         if name in LAYERS[:4]:
             assert near.all()
         else:  # single precision loses the sine of azimuths 0 and 180 next to the zenith
@@ -379,19 +379,19 @@ def test_a_picture_in_strips_is_the_whole_one(
 ) -> None:
     # The same arithmetic for each pixel: bit for bit.
     seen = scene_of(PLANETS["earth, with a map"](), "sunset")
-    whole = shows().frame(seen, exact=exact).rgb
+    whole = shows().render(seen, exact=exact).rgb
     monkeypatch.setattr(pictures_module, "_PIXELS_AT_ONCE", (96 * 7, 96 * 7, 96 * 7))
     said: list[tuple[int, int]] = []
-    rgb = shows().frame(seen, exact=exact, progress=lambda *one: said.append(one[:2])).rgb
+    rgb = shows().render(seen, exact=exact, progress=lambda *one: said.append(one[:2])).rgb
     assert_array_equal(rgb.view(np.uint32), whole.view(np.uint32))
     assert said == [(min(7 * (k + 1), 54), 54) for k in range(8)]
 
 
 def test_a_picture_can_be_cancelled_and_one_too_wide_is_refused(shows: Shows) -> None:
     with pytest.raises(Cancelled):
-        shows().frame(Scene(camera=Camera(width=8, height=8)), cancel=lambda: True)
+        shows().render(Scene(camera=Camera(width=8, height=8)), cancel=lambda: True)
     with pytest.raises(ParameterError, match=r"camera\.width is 16384; allowed: at most 8192"):
-        shows().frame(Scene(camera=Camera(width=16384, height=1)))
+        shows().render(Scene(camera=Camera(width=16384, height=1)))
 
 
 def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
@@ -401,8 +401,8 @@ def test_bands_draw_the_same_picture(device: Device, shows: Shows) -> None:
     seen = scene_of(PLANETS["earth, with a map"](), "sunset")
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     target = device.device.create_texture(size=(96, 54, 1), format="rgba32float", usage=use)
-    shows().draw(seen, target.create_view(), "rgba32float")
-    rgb = shows().frame(seen).rgb
+    shows().display(seen, target.create_view(), "rgba32float")
+    rgb = shows().render(seen).rgb
     assert_allclose(read_texture(device, target)[..., :3], rgb, rtol=1e-4, atol=1e-6 * rgb.max())
 
 
@@ -426,11 +426,11 @@ def test_what_is_drawn_is_exposed_and_tone_mapped(
     seen = replace(seen, sun_zenith=99.0) if name == "dusk" else seen
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
-    shows().draw(
+    shows().display(
         seen, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map,
         uniforms={"eye": float(eye)},
     )  # fmt: skip
-    rgb = shows().frame(seen).rgb
+    rgb = shows().render(seen).rgb
     wanted = to_display(rgb, exposure, tone_map, eye=eye)
     # dither is the same number of the same pixel; the eye counts where it is dark
     assert np.any(wanted != to_display(rgb, exposure, tone_map, eye=not eye)) == eye
@@ -449,30 +449,30 @@ def test_another_display_draws_no_light_again(
     use = wgpu.TextureUsage.RENDER_ATTACHMENT | wgpu.TextureUsage.COPY_SRC
     target = device.device.create_texture(size=(96, 54, 1), format="rgba8unorm", usage=use)
 
-    def shown(pictures: Pictures, exposure: float, tone_map: str, scene: Scene) -> np.ndarray:
-        pictures.draw(
+    def shown(pictures: GpuRenderer, exposure: float, tone_map: str, scene: Scene) -> np.ndarray:
+        pictures.display(
             scene, target.create_view(), "rgba8unorm", exposure=exposure, tone_map=tone_map
         )
         return read_texture(device, target)
 
     drawn: list[Scene] = []
-    draw_light = Pictures._draw_light
+    draw_light = GpuRenderer._render_light
     monkeypatch.setattr(
-        Pictures, "_draw_light",
+        GpuRenderer, "_render_light",
         lambda self, number, light, *others: (
             drawn.append(light.scene), draw_light(self, number, light, *others)
         ),
     )  # fmt: skip
-    kept, other = (Pictures(device, (64, 64)) for _ in range(2))
-    kept.show(lit())
+    kept, other = (GpuRenderer(device, (64, 64)) for _ in range(2))
+    kept.set_solution(lit())
     shown(kept, -2.0, "hable", seen)
     brighter = shown(kept, 1.0, "aces", seen)
     assert drawn == [seen]
-    other.show(lit())
+    other.set_solution(lit())
     assert_array_equal(brighter, shown(other, 1.0, "aces", seen))
     turned = replace(seen, sun_zenith=seen.sun_zenith + 1.0)
     assert np.any(shown(kept, 1.0, "aces", turned) != brighter)
-    kept.show(lit("mars"))
+    kept.set_solution(lit("mars"))
     shown(kept, 1.0, "aces", turned)
     assert drawn == [seen, seen, turned, turned]
 
@@ -483,18 +483,18 @@ def test_fewer_wavelengths_leave_the_others_dark(device: Device, lit: Lit) -> No
     planet = PLANETS["mars"]()
     seen = scene_of(planet, "noon")
     _, weights = four_wavelengths(planet.star.irradiances)
-    whole = Pictures(device, (64, 64))
+    whole = GpuRenderer(device, (64, 64))
     only = np.zeros_like(weights)
     only[2] = weights[2]
-    whole.show(lit("mars"), only)
-    one = Pictures(device, (64, 64))
-    one.show(solve(planet, NM[2:3], quality="preview", cache=False), weights[2:3])
-    rgb = one.frame(seen).rgb
-    assert_allclose(rgb, whole.frame(seen).rgb, rtol=2e-3, atol=1e-4 * np.abs(rgb).max())
+    whole.set_solution(lit("mars"), only)
+    one = GpuRenderer(device, (64, 64))
+    one.set_solution(solve(planet, NM[2:3], quality="preview", cache=False), weights[2:3])
+    rgb = one.render(seen).rgb
+    assert_allclose(rgb, whole.render(seen).rgb, rtol=2e-3, atol=1e-4 * np.abs(rgb).max())
 
 
 def test_more_wavelengths_than_four_are_refused(device: Device) -> None:
     planet = load_planet("earth")
     solution = solve(planet, (400.0, *NM), quality="preview", cache=False)
     with pytest.raises(ParameterError, match="wavelengths is 5; allowed: at most 4 on the GPU"):
-        Pictures(device, (64, 64)).show(solution)
+        GpuRenderer(device, (64, 64)).set_solution(solution)

@@ -13,12 +13,12 @@ from numpy.testing import assert_allclose
 
 from airlight import Camera, Scene, load_planet
 from airlight.gpu.device.device import Device
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
 from airlight.paint.solve_planet import live_solver
 from airlight.planets.picture_wavelengths import picture_wavelengths
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.viewer.painting.picture_painter import PicturePainter
 from airlight.viewer.painting.picture_source import Picture, Request
+from airlight.viewer.painting.side_renderer import SideRenderer
 
 Solved = Callable[..., MomentsSolution]
 
@@ -49,18 +49,16 @@ def never() -> bool:
     return False
 
 
-def painter_of(device: Device, by: Device | None = None) -> PicturePainter:
-    """Painter with textures on a device, that draws by the processor or by a device."""
-    return PicturePainter(device.device, ScenePainter(by))
+def renderer_of(device: Device, by: Device | None = None) -> SideRenderer:
+    """PictureSource with textures on a device, that draws by the CPU or by a device."""
+    return SideRenderer(device.device, Renderer(by))
 
 
-def test_the_processor_paints_finer_and_finer(device: Device, request_: Request) -> None:
+def test_the_cpu_paints_finer_and_finer(device: Device, request_: Request) -> None:
     # Each picture has more pixels than the one before, the last has all.
-    painter = painter_of(device)
-    painter._painter._rate = (
-        2000.0  # as if the processor were slow: the first picture is a small one
-    )
-    pictures = list(painter.paint(request_, never))
+    renderer = renderer_of(device)
+    renderer._renderer._rate = 2000.0  # as if the CPU were slow: the first picture is a small one
+    pictures = list(renderer.render(request_, never))
     widths = [one.width for one in pictures]
     assert widths == sorted(set(widths))
     assert len(widths) >= 2
@@ -70,47 +68,47 @@ def test_the_processor_paints_finer_and_finer(device: Device, request_: Request)
 
 def test_a_change_of_exposure_renders_nothing_anew(device: Device, request_: Request) -> None:
     # The requested exposure is added to the measured one; an existing frame is shown at once.
-    painter = painter_of(device)
-    automatic = list(painter.paint(request_, never))[-1]
+    renderer = renderer_of(device)
+    automatic = list(renderer.render(request_, never))[-1]
     stops = dataclasses.replace(request_, exposure=-2.0)
-    again = list(painter.paint(stops, never))
+    again = list(renderer.render(stops, never))
     assert [one.finished for one in again] == [True]
     assert_allclose(again[0].exposure, automatic.exposure - 2.0)
 
 
 def test_both_painters_show_the_same(device: Device, request_: Request) -> None:
-    # Two renderers of one solution: by the sky table, and by ray marching for each pixel.
-    processor = painter_of(device)
-    exact = pixels(device, list(processor.paint(request_, never))[-1])
-    painter = painter_of(device, dataclasses.replace(device, software=False))
-    while True:  # the processor renders the first pictures while the shaders are compiled
-        shown = list(painter.paint(request_, never))[-1]
+    # Two renderers of one solution: by the sky-view LUT, and by ray marching for each pixel.
+    cpu = renderer_of(device)
+    exact = pixels(device, list(cpu.render(request_, never))[-1])
+    renderer = renderer_of(device, dataclasses.replace(device, software=False))
+    while True:  # the CPU renders the first pictures while the shaders are compiled
+        shown = list(renderer.render(request_, never))[-1]
         if shown.by == "GPU":
             break
         time.sleep(0.05)
-    painter.close()
+    renderer.close()
     assert shown.finished
     # automatic exposure is measured on a smaller picture; tables are interpolated
     assert_allclose(pixels(device, shown), exact, rtol=0, atol=6)
 
 
 def test_in_software_the_exact_picture_follows(device: Device, request_: Request) -> None:
-    # From the sky table while the view moves, by the processor at rest.
+    # From the sky-view LUT while the view moves, by the CPU at rest.
     if not device.software:
         pytest.skip("this device is no software")
-    painter = painter_of(device, device)
-    list(painter.paint(request_, never))
-    painter._painter.close()  # the shaders are compiled
+    renderer = renderer_of(device, device)
+    list(renderer.render(request_, never))
+    renderer._renderer.close()  # the shaders are compiled
     moved = dataclasses.replace(
         request_, scene=dataclasses.replace(request_.scene, sun_zenith=60.0)
     )
-    pictures = list(painter.paint(moved, never))
-    painter.close()
+    pictures = list(renderer.render(moved, never))
+    renderer.close()
     assert [one.finished for one in pictures] == [False, True]
-    assert [one.by for one in pictures] == ["GPU in software", "processor"]
+    assert [one.by for one in pictures] == ["GPU in software", "CPU"]
 
 
-def test_what_the_gpu_has_no_room_for_the_processor_solves(device: Device) -> None:
+def test_what_the_gpu_has_no_room_for_the_cpu_solves(device: Device) -> None:
     # Four wavelengths fit into a texel, eight do not; both are solved.
     earth = load_planet("earth-atmosphere-plus")
     solver = live_solver("auto", dataclasses.replace(device, software=False))

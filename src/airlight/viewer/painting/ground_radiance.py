@@ -1,4 +1,4 @@
-"""Light of the ground along a probe's line of sight: map, law of reflection, water and clouds."""
+"""Reflected radiance of the ground at a probe: map, reflectance law, water and clouds."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 
 
-def painted_ground(
+def ground_radiance(
     solution: MomentsSolution,
     lines: LinesOfSight,
     parts: Parts,
     color: FloatArray | None,
     clouds: tuple[float, float] | None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Light of the star and of the sky that the ground reflects, seen through the air.
+    """Reflected direct and diffuse radiance of the ground, attenuated by the air.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Solution shown.
+        Displayed solution.
     lines : LinesOfSight
-        A line of sight that ends on the ground.
+        Line of sight that ends on the ground.
     parts : Parts
-        Its light over ground of the solver's albedo.
+        Contributions along it for ground of the solver's albedo.
     color : array, shape (4,), or None
-        Linear sRGB reflectance and share of water there, without a map None. [1]
+        Linear sRGB reflectance and water fraction of the ground; None without a map. [1]
     clouds : (float, float) or None
         Result of ``probed_clouds``. [1]
 
@@ -98,13 +98,13 @@ def painted_ground(
 
 
 def _factor(shares: tuple[float, float], albedo: FloatArray) -> FloatArray:
-    """Reflectance factor of both shares. [1]"""
+    """Reflectance factor of direct and diffuse light. [1]"""
     diffuse, specular = shares
     return np.asarray(diffuse * albedo + specular)
 
 
 def _mirrored(solution: MomentsSolution, mu_s: float, mu_r: float, nu: float) -> FloatArray:
-    """Radiance of the sky that facets turn to over that of a uniform sky, shape (nl,). [1]"""
+    """Mirrored sky radiance over that of a uniform sky, shape (nl,). [1]"""
     bottom, top = solution.medium.bottom_radius, solution.medium.top_radius
     mu = mirrored_cosine(mu_r, solution.medium.ground.wind)
     ahead = (nu + mu_r * mu_s) / math.sqrt(max(1.0 - mu_r * mu_r, 1e-12))

@@ -1,4 +1,4 @@
-"""Pixels on the CPU: from the table of the sky, or each by its own march."""
+"""Pixel loops of the CPU, with the sky-view LUT or marched."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from airlight.pixels.samples import sampled_light
 
 @inlined
 def _as_color(radiance, lanes, weights, sums, out):
-    """Convert the light of a pixel to linear sRGB, into ``out``."""
+    """Convert spectral radiance to linear sRGB, into ``out``."""
     red, green, blue = splat(0.0), splat(0.0), splat(0.0)
     for at in range(0, lanes, LANES):
         total = load(radiance, at)
@@ -31,44 +31,44 @@ def _as_color(radiance, lanes, weights, sums, out):
 
 
 @inlined
-def _pixels(exact, px, py, window, observer, screen, tables, work, weights, reach, out):
-    """Draw pixels, see ``draw_pixels``; ``exact`` as in ``pixel_light``."""
-    screen, tables, work, weights, out = without_refcount((screen, tables, work, weights, out))
+def _pixels(exact, px, py, window, observer, view, tables, work, weights, reach, out):
+    """Common loop of ``render_pixels`` and ``march_pixels``."""
+    view, tables, work, weights, out = without_refcount((view, tables, work, weights, out))
     found, total = np.empty(tables.lanes, np.float32), np.empty(tables.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     sums = np.empty(3 * LANES, np.float32)
     for k in range(px.size):
         sampled_light(
-            px[k], py[k], exact, reach, window, observer, screen, tables, work, color, total, found
+            px[k], py[k], exact, reach, window, observer, view, tables, work, color, total, found
         )
         _as_color(found, tables.lanes, weights, sums, out[k])
 
 
 @compiled_loop
-def draw_pixels(px, py, window, observer, screen, tables, work, weights, reach, out):
-    """Draw pixels from the table of the sky.
+def render_pixels(px, py, window, observer, view, tables, work, weights, reach, out):
+    """Render pixels with the sky-view LUT.
 
     Parameters
     ----------
     px, py : array, shape (n,)
-        Centres of the pixels, from the picture's left and top edge. [pixel]
-    window : SkyWindow
-        Available part of the table.
-    observer, screen, tables : Observer, Screen, MarchTables
+        Pixel centres, from the left and top edge of the frame. [pixel]
+    window : SkyViewWindow
+        Window of the sky-view LUT.
+    observer, view, tables : Observer, ViewUniforms, MarchTables
         Observer, camera with its maps, and tables of the solution.
     work : MarchWorkspace
         Workspace of the thread.
     weights : array, shape (3·w,)
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
     reach : float
-        Angle from the apparent star beyond which nothing of its disc is visible. [rad]
+        Largest angle between the apparent star and a visible point of its disc. [rad]
     out : array, shape (n, 3)
         Receives linear sRGB.
     """
-    _pixels(False, px, py, window, observer, screen, tables, work, weights, reach, out)
+    _pixels(False, px, py, window, observer, view, tables, work, weights, reach, out)
 
 
 @compiled_loop
-def march_pixels(px, py, window, observer, screen, tables, work, weights, reach, out):
-    """Draw pixels, each by its own march; arguments as in ``draw_pixels``."""
-    _pixels(True, px, py, window, observer, screen, tables, work, weights, reach, out)
+def march_pixels(px, py, window, observer, view, tables, work, weights, reach, out):
+    """March pixels; arguments of ``render_pixels``."""
+    _pixels(True, px, py, window, observer, view, tables, work, weights, reach, out)

@@ -1,4 +1,4 @@
-"""Stills: everything that defines the light of one frame, and its drawing."""
+"""Frame specifications: all parameters of a frame of a film, and its rendering."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from airlight.distribution.fingerprint import digest
 from airlight.kernel.cost import LINES
-from airlight.paint.paint_system import paint_system
+from airlight.paint.render_system import render_system
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_catalogue
 from airlight.planets.picture_wavelengths import picture_wavelengths
@@ -28,26 +28,26 @@ if TYPE_CHECKING:
     from airlight.kernel.threads import Progress
     from airlight.solvers.moments.solution import MomentsSolution
 
-#: Work of a picture of any size, for its table of the sky, in wavelengths of pixels. [1]
+#: Cost of a sky-view LUT, in pixels times wavelengths. [1]
 _TABLE: Final = 1.5e6
-#: Solution of the frame drawn last, which the next one mostly shares.
+#: Solution of the last rendered frame, which the next frame usually shares.
 _SOLUTIONS: Final[dict[str, MomentsSolution]] = {}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Quality:
-    """How a film's light is computed.
+    """Accuracy settings of a film.
 
     Attributes
     ----------
     wavelengths : tuple of float, optional
-        Wavelengths; those of pictures by default. [nm]
+        Wavelengths; by default ``picture_wavelengths``. [nm]
     quality : str
         Quality of the solutions.
     samples : int, optional
         Samples per side of a pixel; by default 1 of a planet, 4 at the edges of a scene.
     exact : bool
-        Whether every pixel of a planet's picture is marched.
+        Whether every pixel of a planet's frame is marched.
     """
 
     wavelengths: tuple[float, ...] | None = None
@@ -56,45 +56,45 @@ class Quality:
     exact: bool = False
 
 
-class Still(Protocol):
-    """One frame before it is drawn."""
+class FrameSpec(Protocol):
+    """Specification of one frame."""
 
-    def frame(self, width: int | None = None) -> Frame:
-        """Draw the frame.
+    def render(self, width: int | None = None) -> Frame:
+        """Render the frame.
 
         Parameters
         ----------
         width : int, optional
-            Width of a smaller picture of the same view, for its exposure. [pixel]
+            Width of a smaller frame, for metering. [pixel]
         """
 
     def prepare(self, progress: Progress | None = None) -> None:
-        """Solve what the frame needs and keep it on disk."""
+        """Solve and store the solution on disk."""
 
     def cost(self) -> dict[str, float]:
-        """Amounts of work of its picture and of its solutions, by kinds of ``kernel.cost``."""
+        """Work of rendering and solving, by kinds of ``kernel.cost``."""
 
     @property
     def solved_for(self) -> object:
-        """Value that is equal for stills of one solution."""
+        """Key that is equal for frames with the same solution."""
 
     @property
     def defined_by(self) -> object:
-        """Parameters of everything that the frame shows."""
+        """All parameters of the frame."""
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """Files whose contents the frame shows."""
+        """Input files of the frame."""
 
     def metadata(self) -> dict[str, str]:
-        """Facts for the header of the frame's file."""
+        """Metadata for the file header."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlanetStill:
-    """Frame of one planet, as ``airlight.paint.paint_scene`` draws it.
+class PlanetFrameSpec:
+    """Frame of one planet.
 
-    The air is solved in the light of the planet's file, and shown in that of the scene's time.
+    Solved with the star of the planet file, rendered with the irradiance at the scene's time.
 
     Attributes
     ----------
@@ -103,9 +103,9 @@ class PlanetStill:
     scene : Scene
         Observer, sun and camera.
     how : Quality
-        How its light is computed.
+        Accuracy settings.
     stars : bool
-        Whether the stars of the catalogue are added.
+        Whether the star catalogue is added.
     """
 
     planet: Planet
@@ -113,8 +113,8 @@ class PlanetStill:
     how: Quality
     stars: bool = False
 
-    def frame(self, width: int | None = None) -> Frame:
-        """See ``Still``."""
+    def render(self, width: int | None = None) -> Frame:
+        """See ``FrameSpec``."""
         solution, scene = self._solution(), self.scene
         if scene.time is not None:
             now = self.planet.lit_at(scene.time)
@@ -129,16 +129,16 @@ class PlanetStill:
         return frame
 
     def prepare(self, progress: Progress | None = None) -> None:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         self._solution(progress)
 
     def cost(self) -> dict[str, float]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         how, camera = self.how, self.scene.camera
         nm = picture_wavelengths(self.planet) if how.wavelengths is None else how.wavelengths
-        drawn = camera.width * camera.height * (how.samples or 1) ** 2 * len(nm)
+        rendered = camera.width * camera.height * (how.samples or 1) ** 2 * len(nm)
         kind = LINES if how.exact else "picture"
-        return {kind: float(drawn) + _TABLE, "solve": solve_work(how.quality, len(nm))}
+        return {kind: float(rendered) + _TABLE, "solve": solve_work(how.quality, len(nm))}
 
     def _solution(self, progress: Progress | None = None) -> MomentsSolution:
         how, scene = self.how, self.scene
@@ -163,7 +163,7 @@ class PlanetStill:
 
     @property
     def solved_for(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         scene = self.scene
         place = (scene.latitude, scene.longitude, scene.altitude)
         mapped = self.planet.ground.map is not None or self.planet.ground.clouds is not None
@@ -171,31 +171,31 @@ class PlanetStill:
 
     @property
     def defined_by(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         return self.planet, self.scene, self.how, self.stars
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         return _ground_files(self.planet)
 
     def metadata(self) -> dict[str, str]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         return {"planet": self.planet.name, **self.scene.metadata()}
 
 
 @dataclass(frozen=True, kw_only=True)
-class SystemStill:
-    """Frame of a scene of several bodies, as ``airlight.paint.paint_system`` draws it.
+class SystemFrameSpec:
+    """Frame of a scene of several bodies.
 
     Attributes
     ----------
     system : System
         Bodies, lights, observer and camera.
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     how : Quality
-        How its light is computed.
+        Accuracy settings.
     """
 
     system: System
@@ -203,22 +203,22 @@ class SystemStill:
     height: int
     how: Quality
 
-    def frame(self, width: int | None = None) -> Frame:
-        """See ``Still``."""
+    def render(self, width: int | None = None) -> Frame:
+        """See ``FrameSpec``."""
         columns, rows = self.width, self.height
         if width is not None:
             columns, rows = _reduced(self.system.view.projection, columns, rows, width)
-        return self._drawn(columns, rows)
+        return self._render(columns, rows)
 
-    def _drawn(self, width: int, height: int, progress: Progress | None = None) -> Frame:
+    def _render(self, width: int, height: int, progress: Progress | None = None) -> Frame:
         how = self.how
-        return paint_system(
+        return render_system(
             self.system, width=width, height=height, wavelengths=how.wavelengths,
             quality=how.quality, samples=how.samples, progress=progress,
         )  # fmt: skip
 
     def cost(self) -> dict[str, float]:
-        """See ``Still``; samples at the edges of bodies are not counted."""
+        """See ``FrameSpec``; samples at the edges of bodies are not counted."""
         how, planets = self.how, self.system.planets.values()
         counts = [
             len(picture_wavelengths(one) if how.wavelengths is None else how.wavelengths)
@@ -229,25 +229,25 @@ class SystemStill:
                 "solve": solves}  # fmt: skip
 
     def prepare(self, progress: Progress | None = None) -> None:
-        """See ``Still``."""
-        self._drawn(*_reduced(self.system.view.projection, self.width, self.height, 16), progress)
+        """See ``FrameSpec``."""
+        self._render(*_reduced(self.system.view.projection, self.width, self.height, 16), progress)
 
     @property
     def solved_for(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         observer, changes = self.system.observer, self.system.changes
         moving = any(body.ground.map is not None for body in self.system.planets.values())
         return changes, self.system.bodies if moving else None, observer if moving else None
 
     @property
     def defined_by(self) -> object:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         system, size = self.system, (self.width, self.height)
         return system, system.planets, size, self.how
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         found = [file for one in self.system.planets.values() for file in _ground_files(one)]
         maps = [body.map for body in self.system.bodies if body.map is not None]
         beside = self.system.folder
@@ -257,7 +257,7 @@ class SystemStill:
         return tuple(found)
 
     def metadata(self) -> dict[str, str]:
-        """See ``Still``."""
+        """See ``FrameSpec``."""
         moment = self.system.time
         return {} if moment is None else {"time": moment.isoformat()}
 
@@ -274,7 +274,7 @@ def _ground_files(planet: Planet) -> tuple[Path, ...]:
 
 
 def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, int]:
-    """Size of a smaller picture of the same shape, which the projection allows."""
+    """Smaller frame size of the same shape that the projection supports."""
     if width <= most:
         return width, height
     from airlight.scene.projections import PROJECTIONS
@@ -286,7 +286,7 @@ def _reduced(projection: str, width: int, height: int, most: int) -> tuple[int, 
     return (columns, rows) if form.fits(columns, rows) else form.sized(most)
 
 
-def distinct_solutions(stills: Sequence[Still]) -> int:
-    """Number of changes of the solution from still to still, and 1."""
-    keys = [one.solved_for for one in stills]
+def distinct_solutions(specs: Sequence[FrameSpec]) -> int:
+    """1 plus the number of changes of the solution between successive frames."""
+    keys = [one.solved_for for one in specs]
     return 1 + sum(a != b for a, b in pairwise(keys))

@@ -12,8 +12,8 @@ import airlight
 from airlight.color.glare import Glare
 from airlight.color.xyz import luminance
 from airlight.errors import ParameterError
-from airlight.paint.paint_scene import paint_scene
-from airlight.paint.paint_system import paint_system
+from airlight.paint.render_scene import render_scene
+from airlight.paint.render_system import render_system
 from airlight.paint.scene_lights import SceneLights
 from airlight.scene import Camera, Scene
 from airlight.scene.local_ground import local_ground
@@ -36,8 +36,8 @@ def system(*bodies: Body, lights: tuple[Light, ...], observer: Observer, view: V
     return System(name="x", bodies=bodies, lights=lights, observer=observer, view=view)
 
 
-def drawn(scene: System, **options: object) -> np.ndarray:
-    return paint_system(scene, **(SIZE | {"wavelengths": NM, "quality": "preview"} | options)).rgb
+def rendered(scene: System, **options: object) -> np.ndarray:
+    return render_system(scene, **(SIZE | {"wavelengths": NM, "quality": "preview"} | options)).rgb
 
 
 @pytest.mark.parametrize(("altitude", "polariser"), [(2.0, 35.0), (400e3, None)])
@@ -47,7 +47,7 @@ def test_a_planet_alone_is_drawn_as_render_draws_it(
     # The sun 10 degrees above the horizon in the east; the camera to the south-east, rolled.
     up, east = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
     sun = np.sin(np.radians(10.0)) * up + np.cos(np.radians(10.0)) * east
-    got = drawn(system(
+    got = rendered(system(
         EARTH, lights=(Light(star=SUN, direction=tuple(sun)),),
         observer=Observer(body="earth", altitude=altitude),
         view=View(
@@ -67,7 +67,7 @@ def test_a_planet_alone_is_drawn_as_render_draws_it(
                           altitude=altitude)  # fmt: skip
     solution = airlight.solve(planet, NM, quality="preview")
     expected = airlight.render(solution, scene).rgb
-    # The star's disc is drawn line by line here, and has a dark rim.
+    # The star's disc is rendered line by line here, and has a dark rim.
     disc = expected.max(axis=-1) > 20.0 * np.median(expected)
     assert_allclose(got[~disc], expected[~disc], rtol=1e-3, atol=1e-6 * np.median(expected))
 
@@ -80,7 +80,8 @@ def test_a_filter_halves_the_light_of_moons_and_stars() -> None:
         view=View(direction=(1.0, 0.4, 0.0), field_of_view=120.0),
     )  # fmt: skip
     open_, *behind = (
-        drawn(replace(scene, view=replace(scene.view, polariser=angle))) for angle in (None, 0, 70)
+        rendered(replace(scene, view=replace(scene.view, polariser=angle)))
+        for angle in (None, 0, 70)
     )
     assert np.count_nonzero(open_) > 50
     for one in behind:
@@ -91,7 +92,7 @@ def test_a_filter_is_refused_where_a_moons_shadow_falls() -> None:
     scene = load_system("solar-eclipse-2017")
     turned = replace(scene, view=replace(scene.view, polariser=30.0))
     with pytest.raises(ParameterError, match=r"camera\.polariser is 30\.0; allowed: none where a"):
-        drawn(turned, width=8, height=6)
+        rendered(turned, width=8, height=6)
 
 
 def test_the_full_moons_light_is_that_of_its_picture() -> None:
@@ -101,7 +102,7 @@ def test_the_full_moons_light_is_that_of_its_picture() -> None:
         MOON, EARTH, lights=(Light(star=SUN, direction=(-1.0, 0.05, 0.0)), Light(body="moon")),
         observer=Observer(position=(7e7, 0.0, 0.0)), view=View(look_at="moon", field_of_view=1.0),
     )  # fmt: skip
-    rgb = drawn(scene, width=80, height=80, wavelengths=NM)
+    rgb = rendered(scene, width=80, height=80, wavelengths=NM)
     eye = scene.eye
     lights = SceneLights(scene, np.array(NM), {})
     source = lights.source(scene.lights[1], eye)
@@ -118,10 +119,10 @@ def test_a_body_in_front_hides_and_one_behind_is_hidden() -> None:
     far = Body(name="far", radius=2e6, albedo=0.05, position=(2e8, 0.0, 0.0))
     view = View(direction=(1.0, 0.0, 0.0), field_of_view=1.6)
     observer = Observer(position=(0.0, 0.0, 0.0))
-    both = drawn(system(near, far, lights=lights, observer=observer, view=view))
-    swapped = drawn(system(far, near, lights=lights, observer=observer, view=view))
+    both = rendered(system(near, far, lights=lights, observer=observer, view=view))
+    swapped = rendered(system(far, near, lights=lights, observer=observer, view=view))
     assert_allclose(both, swapped)
-    alone = drawn(system(near, lights=lights, observer=observer, view=view))
+    alone = rendered(system(near, lights=lights, observer=observer, view=view))
     assert_allclose(both[18:22, 28:32], alone[18:22, 28:32], rtol=1e-6)
     # The nearer one throws its shadow on the other: its sunlit side is dark behind it.
     assert both.max() > 0.0
@@ -135,7 +136,7 @@ def test_a_moon_seen_through_the_air_is_dimmed_by_its_transmittance() -> None:
     lights = (Light(star=SUN, direction=tuple(np.array([0.0, 0.06, 0.0]) - apart)),)
     view = View(look_at="moon", field_of_view=0.2)
     dimmer, bare = (
-        drawn(system(*bodies, lights=lights, observer=observer, view=view), width=4, height=4)
+        rendered(system(*bodies, lights=lights, observer=observer, view=view), width=4, height=4)
         for bodies, observer in (
             ((EARTH, moon), Observer(body="earth", altitude=2.0)),
             ((moon,), Observer(position=(6378e3, 0.0, 0.0))),
@@ -157,7 +158,7 @@ def test_a_stars_disc_has_its_irradiance_and_its_dark_rim() -> None:
         lights=(Light(star=SUN, direction=(1.0, 0.0, 0.0)),),
         observer=Observer(position=(0.0, 0.0, 0.0)), view=View(look_at="sun", field_of_view=0.7),
     )  # fmt: skip
-    rgb = drawn(scene, width=70, height=70)
+    rgb = rendered(scene, width=70, height=70)
     lights = SceneLights(scene, np.array(NM), {})
     source = lights.source(scene.lights[0], scene.eye)
     pixel = np.radians(0.7) / 70.0
@@ -174,7 +175,7 @@ def test_two_suns_are_the_sum_of_each() -> None:
     observer = Observer(body="earth", altitude=2.0)
     view = View(look_zenith=60.0, look_bearing=0.0, field_of_view=60.0)
     pictures = [
-        drawn(system(EARTH, lights=tuple(some), observer=observer, view=view))
+        rendered(system(EARTH, lights=tuple(some), observer=observer, view=view))
         for some in (suns, suns[:1], suns[1:])
     ]
     # Lamps of towns do not shine twice.
@@ -190,9 +191,9 @@ def test_moonlight_is_a_faint_day() -> None:
     moon = Body(name="moon", radius=1737.4e3, reflection="moon", position=place)
     observer = Observer(body="earth", altitude=2.0)
     view = View(look_zenith=30.0, look_bearing=270.0, field_of_view=60.0)
-    day = drawn(system(EARTH, lights=(Light(star=SUN, direction=tuple(towards)),),
+    day = rendered(system(EARTH, lights=(Light(star=SUN, direction=tuple(towards)),),
                        observer=observer, view=view))  # fmt: skip
-    night = drawn(system(EARTH, moon, observer=observer, view=view, lights=(
+    night = rendered(system(EARTH, moon, observer=observer, view=view, lights=(
         Light(star=SUN, direction=tuple(-towards + np.array([0.0, 0.0, 0.05]))),
         Light(body="moon"),
     )))  # fmt: skip
@@ -207,9 +208,9 @@ def test_options_out_of_range_are_refused() -> None:
         observer=Observer(position=(0.0, 0.0, 0.0)), view=View(look_at="moon"),
     )  # fmt: skip
     with pytest.raises(ParameterError, match=r"samples is 17; allowed: 1 to 16"):
-        paint_system(scene, samples=17)
+        render_system(scene, samples=17)
     with pytest.raises(ParameterError, match=r"wavelengths"):
-        paint_system(scene, wavelengths=(550.0,))
+        render_system(scene, wavelengths=(550.0,))
 
 
 def test_stars_have_their_light_and_their_place() -> None:
@@ -223,7 +224,7 @@ def test_stars_have_their_light_and_their_place() -> None:
                view=View(direction=tuple(towards), field_of_view=20.0)),
         stars=True,
     )  # fmt: skip
-    rgb = drawn(scene, width=81, height=81)
+    rgb = rendered(scene, width=81, height=81)
     row, column = np.unravel_index(np.argmax(rgb[36:45, 36:45, 1]), (9, 9))
     assert (row, column) == (4, 4)
     lights = SceneLights(scene, np.array(NM), {})
@@ -250,15 +251,15 @@ def test_a_star_is_lifted_dimmed_and_hidden() -> None:
         observer=Observer(position=tuple(2.0 * up)),
         view=View(direction=tuple(towards), up=tuple(up), field_of_view=2.0),
     )  # fmt: skip
-    dark = drawn(scene, width=40, height=40)
-    lit = drawn(replace(scene, stars=True), width=40, height=40) - dark
+    dark = rendered(scene, width=40, height=40)
+    lit = rendered(replace(scene, stars=True), width=40, height=40) - dark
     row = float((lit[..., 0].sum(axis=1) @ np.arange(40)) / lit[..., 0].sum())
     assert 0.45 < (19.5 - row) * 2.0 / 40.0 < 0.65
     light = lit.sum(axis=(0, 1))
     assert light[0] > 20.0 * light[2]
     rock = Body(name="rock", radius=100.0, position=tuple(2.0 * up + 3000.0 * towards))
     with pytest.raises(ParameterError, match=r"position is .* m from earth.; allowed: at least"):
-        drawn(replace(scene, bodies=(earth, rock)))
+        rendered(replace(scene, bodies=(earth, rock)))
 
 
 def direction_to(ascension: float, declination: float) -> np.ndarray:
@@ -270,13 +271,13 @@ def direction_to(ascension: float, declination: float) -> np.ndarray:
 def test_a_low_light_looked_at_is_in_the_middle_of_the_picture(
     altitude: float, zenith: float
 ) -> None:
-    # a second method: the disc as drawn, bent by the air line by line. 0.05°, two pixels, for its
+    # a second method: the disc as rendered, refracted ray by ray. 0.05°, two pixels, for its
     # flattening and the loss of light towards its lower rim; without refraction it is 0.4° off
     turn = np.radians(zenith)
     lights = (Light(star=SUN, direction=(np.cos(turn), np.sin(turn), 0.0)),)
     observer = Observer(body="earth", altitude=altitude)
     view = View(look_at="sun", field_of_view=1.5)
-    bright = luminance(drawn(system(EARTH, lights=lights, observer=observer, view=view)))
+    bright = luminance(rendered(system(EARTH, lights=lights, observer=observer, view=view)))
     planet = airlight.load_planet("earth")
     angle, _ = airlight.look_at(
         "sun", altitude=altitude, sun_zenith=zenith, bottom_radius=planet.bottom_radius,
@@ -284,7 +285,7 @@ def test_a_low_light_looked_at_is_in_the_middle_of_the_picture(
     )  # fmt: skip
     camera = Camera(**SIZE, look_zenith=angle, field_of_view=1.5)
     scene = Scene(altitude=altitude, sun_zenith=zenith, camera=camera)
-    alone = paint_scene(planet, scene, wavelengths=NM, quality="preview").rgb
+    alone = render_scene(planet, scene, wavelengths=NM, quality="preview").rgb
     for found in (bright, luminance(alone)):
         row, column = np.nonzero(found > 0.3 * found.max())
         assert abs(0.5 * (row.min() + row.max()) - 19.5) <= 2.0
@@ -300,11 +301,11 @@ def test_a_star_limits_the_exposure_of_a_scene(field_of_view: float) -> None:
         observer=Observer(position=(0.0, 0.0, 0.0)),
         view=View(look_at="sun", field_of_view=field_of_view),
     )  # fmt: skip
-    frame = paint_system(scene, **SIZE, wavelengths=NM, quality="preview")
+    frame = render_system(scene, **SIZE, wavelengths=NM, quality="preview")
     bright = luminance(frame.rgb.astype(float))
     shown = 2.0**frame.exposure * luminance(Glare(frame.rgb, frame.pixel_angle).rows(0, 40))
     of_disc = bright > 0.01 * bright.max()
     assert shown.max() > 0.5
     assert np.mean((shown > 1.5) & ~of_disc) < 0.06
     away = replace(scene, view=View(look_at="moon", field_of_view=field_of_view))
-    assert paint_system(away, **SIZE, wavelengths=NM, quality="preview").scene is None
+    assert render_system(away, **SIZE, wavelengths=NM, quality="preview").scene is None

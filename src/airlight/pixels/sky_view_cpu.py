@@ -1,7 +1,6 @@
-"""Table of the sky filled on the CPU: complete, or the part that a picture sees.
+"""Sky-view LUT computed on the CPU, complete or in the window of a camera.
 
-It serves pictures drawn on the CPU, and software devices, which run the shader's march about
-fifteen times slower than the compiled one.
+It also serves software GPUs, on which the march is about fifteen times slower.
 """
 
 from __future__ import annotations
@@ -15,30 +14,30 @@ from airlight.kernel import compiled_loop
 from airlight.kernel.lanes import LANES, load, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
-from airlight.pixels.sky_table import Observer, sky_texel
-from airlight.pixels.sky_window import SkyWindow
+from airlight.pixels.sky_view_lut import Observer, sky_view_texel
+from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace
 
 Float32Array = NDArray[np.float32]
 
-#: Number of texels that one call of a thread fills.
+#: Texels per task.
 _BLOCK: Final = 256
 
 
-class SkyLayers(NamedTuple):
-    """Table of the sky, all wavelengths: fourth roots, each shape (texels·w,).
+class SkyViewLayers(NamedTuple):
+    """Layers of the sky-view LUT as fourth roots, each shape (texels·w,).
 
-    The sky's rows come first, then the ground's, then those of the sky that water mirrors. Layers
-    of absent peaked constituents have one value.
+    Rows of the sky come first, then of the ground, then of the sky mirrored by water. Unused layers
+    have one value.
 
     Attributes
     ----------
     air, ground : array
-        Radiance of the air, and of a ground of albedo 1 behind it. [sr^-¼]
+        Radiance of the air, and of a white Lambert ground behind it. [sr^-¼]
     first, second : array
-        Single scattering by the peaked constituents, without their phase functions. [1]
+        Single scattering by separated constituents, without phase function. [1]
     stokes_q, stokes_u : array
-        I + Q and I + U of the air, without these; one value if they are not asked. [sr^-¼]
+        I + Q and I + U of the air, without separated constituents. [sr^-¼]
     """
 
     air: Float32Array
@@ -49,8 +48,8 @@ class SkyLayers(NamedTuple):
     stokes_u: Float32Array
 
     @classmethod
-    def none(cls) -> SkyLayers:
-        """Empty table."""
+    def none(cls) -> SkyViewLayers:
+        """Empty layers."""
         empty = np.zeros(1, np.float32)
         return cls(*[empty] * 6)
 
@@ -71,7 +70,7 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
             row = window.rows + window.first_ground + line
             if line >= window.ground_count:
                 row += window.rows - window.ground_count
-        sky_texel(
+        sky_view_texel(
             column, row, window.columns, window.rows, True, peaks, polarised, observer, tables,
             work, found,
         )  # fmt: skip
@@ -87,16 +86,16 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
                 store(layers.stokes_u, lanes * texel + at, load(found, 5 * lanes + at))
 
 
-def filled_sky(
+def fill_sky_view(
     tables: MarchTables,
     observer: Observer,
-    window: SkyWindow,
+    window: SkyViewWindow,
     *,
     polarised: bool = False,
     cancel: Cancel | None = None,
     progress: Progress | None = None,
-) -> SkyLayers:
-    """Fill the table of the sky.
+) -> SkyViewLayers:
+    """Fill the sky-view LUT.
 
     Parameters
     ----------
@@ -104,23 +103,23 @@ def filled_sky(
         Tables of the solution, with the resolution of the march.
     observer : Observer
         Position of observer and star.
-    window : SkyWindow
-        Part of the table to fill.
+    window : SkyViewWindow
+        Window to fill.
     polarised : bool
-        Whether Q and U are asked.
+        Whether Q and U are filled.
     cancel, progress : callable, optional
         See ``airlight.kernel.threads``.
 
     Returns
     -------
-    SkyLayers
+    SkyViewLayers
         Layers with the lanes of ``tables``.
     """
     texels = window.texels
     if tables.ground.wet:
         texels += window.ground_count * window.column_count
     size = texels * tables.lanes
-    layers = SkyLayers(
+    layers = SkyViewLayers(
         air=np.empty(size, np.float32),
         ground=np.empty(size, np.float32),
         first=np.zeros(size if tables.separated_1 >= 0 else 1, np.float32),

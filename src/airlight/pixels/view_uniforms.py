@@ -1,4 +1,4 @@
-"""Uniforms of the shaders from a scene, a display and the orders of scattering."""
+"""Uniforms of scene, maps, display and orders of scattering, by name."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from airlight.color.xyz import luminance
 from airlight.constants import LUMINOUS_EFFICACY
 from airlight.errors import ParameterError
 from airlight.geometry.refraction import apparent_sun
-from airlight.pixels.disc_shading import OCCULTER, shading_numbers
-from airlight.pixels.observer_numbers import observer_numbers
+from airlight.pixels.disc_shading import OCCULTER, shading_uniforms
+from airlight.pixels.observer_uniforms import observer_uniforms
 from airlight.pixels.occulted_light import disc_factor
-from airlight.pixels.pixel import Screen
+from airlight.pixels.pixel import ViewUniforms
 from airlight.pixels.polarising_filter import CAMERA, NONE
-from airlight.pixels.sky_by_processor import SkyLayers
-from airlight.pixels.sky_table import Observer
+from airlight.pixels.sky_view_cpu import SkyViewLayers
+from airlight.pixels.sky_view_lut import Observer
 from airlight.planets.light_source import Occulter
 from airlight.scene import Camera, Scene
 from airlight.scene.ground_detail import NOMINAL_ROWS, finest_cell, lattice_origin
@@ -34,14 +34,14 @@ from airlight.spectra.blackbody import planck_radiance
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Values of ``orders``, with their numbers in the shaders.
+#: Values of ``orders``, with their uniforms in the shaders.
 ORDERS: Final = {"all": 2, "single": 1, "multiple": 0}
-#: Most samples per side of a pixel.
-MOST_SAMPLES: Final = 16
+#: Largest number of samples per side of a pixel.
+MAX_SAMPLES: Final = 16
 
 
-def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of observer, star and camera, for one light: the first of the solution's.
+def view_uniforms(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of observer, camera and the first light of the solution.
 
     Parameters
     ----------
@@ -74,10 +74,10 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
     axes = camera.axes
     assert camera.field_of_view is not None
     star_radius = solution.lights[0].angular_radius
-    horizon_mu, horizon_sine, sun_level, seen_level, disc = observer_numbers(
+    horizon_mu, horizon_sine, sun_level, seen_level, disc = observer_uniforms(
         r, bottom, float(sun[0]), float(sun[1]), seen, star_radius
     )
-    numbers = {
+    uniforms = {
         "r": r,
         "optical_altitude": r - bottom,
         "outside": float(outside),
@@ -95,86 +95,86 @@ def scene_numbers(scene: Scene, solution: MomentsSolution) -> dict[str, float]:
         "edges": 1.0,
     }
     source = solution.lights[0]
-    numbers["filter"] = NONE if camera.polariser is None else CAMERA
+    uniforms["filter"] = NONE if camera.polariser is None else CAMERA
     axis = camera.filter_axis
-    numbers |= {f"filter_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
-    numbers |= _occulter_numbers(source.occulter)
+    uniforms |= {f"filter_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+    uniforms |= _occulter_uniforms(source.occulter)
     if source.occulter is not None:
-        numbers["disc"] *= disc_factor(source.occulter.left)
-    numbers |= shading_numbers(source.phase, source.limb, sun_level, float(sun[2]))
+        uniforms["disc"] *= disc_factor(source.occulter.left)
+    uniforms |= shading_uniforms(source.phase, source.limb, sun_level, float(sun[2]))
     for name, axis in zip(("right", "up", "forward"), axes, strict=True):
-        numbers |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
+        uniforms |= {f"{name}_{c}": float(value) for c, value in zip("xyz", axis, strict=True)}
     ground = solution.medium.surface.map
     rows = NOMINAL_ROWS if ground is None else surface_map(ground).rows
     cell = finest_cell(bottom, rows)
-    numbers |= {"detailed": float(scene.ground == "detailed"), "detail_cell": cell}
+    uniforms |= {"detailed": float(scene.ground == "detailed"), "detail_cell": cell}
     for name, row in zip("xyz", scene.ground_frame, strict=True):
-        numbers |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
+        uniforms |= {f"{name}{c}": float(value) for c, value in zip("xyz", row, strict=True)}
         whole, part = lattice_origin(float(row[2]), bottom, cell)
-        numbers |= {f"whole_{name}": whole, f"part_{name}": part}
-    return numbers
+        uniforms |= {f"whole_{name}": whole, f"part_{name}": part}
+    return uniforms
 
 
-def _occulter_numbers(occulter: Occulter | None) -> dict[str, float]:
-    """Uniforms of a moon in front of the light; without one its radius is 0."""
+def _occulter_uniforms(occulter: Occulter | None) -> dict[str, float]:
+    """Uniforms of an occulting moon; radius 0 without one."""
     values = (0.0, 0.0, 0.0, 0.0) if occulter is None else occulter[:4]
     return dict(zip(OCCULTER, values, strict=True))
 
 
-def observer_from(numbers: Mapping[str, float]) -> Observer:
-    """Observer, from the numbers of a scene and of the orders of scattering.
+def observer_from(uniforms: Mapping[str, float]) -> Observer:
+    """``Observer`` from the uniforms of a scene and of the orders of scattering.
 
     Parameters
     ----------
-    numbers : mapping
+    uniforms : mapping
         Numbers by name.
     """
-    values: dict[str, Any] = {name: float(numbers[name]) for name in Observer._fields}
+    values: dict[str, Any] = {name: float(uniforms[name]) for name in Observer._fields}
     values["outside"] = bool(values["outside"])
     values["orders"] = int(values["orders"])
     return Observer(**values)
 
 
-def screen_from(
-    numbers: Mapping[str, float],
+def cpu_view_uniforms(
+    uniforms: Mapping[str, float],
     camera: Camera,
     ground: SurfaceMap | None,
     overlay: SurfaceMap | None,
-    layers: SkyLayers,
-) -> Screen:
-    """Camera, ground map and table of the sky, as the CPU reads them.
+    layers: SkyViewLayers,
+) -> ViewUniforms:
+    """``ViewUniforms`` of the CPU: camera, ground maps and sky-view LUT.
 
     Parameters
     ----------
-    numbers : mapping
-        Numbers of the scene, and whether the star's disc is drawn.
+    uniforms : mapping
+        Numbers of the scene, and whether the star's disc is rendered.
     camera : Camera
         Camera of the scene.
     ground : SurfaceMap
-        Map of the ground; None without a map.
+        Ground map; None without a map.
     overlay : SurfaceMap
-        Lights on it and clouds above it; None without both.
-    layers : SkyLayers
-        Layers of a window of the table, which has its own sizes.
+        City lights and clouds; None without both.
+    layers : SkyViewLayers
+        Layers of a window of the sky-view LUT.
     """
     values: dict[str, Any] = {
-        name: float(numbers[name]) for name in Screen._fields if name in numbers
+        name: float(uniforms[name]) for name in ViewUniforms._fields if name in uniforms
     }
-    values |= map_numbers(ground) | overlay_size(overlay)
+    values |= map_uniforms(ground) | overlay_size_uniforms(overlay)
     values |= {
         "width": float(camera.width),
         "height": float(camera.height),
-        "projection": int(numbers["projection"]),
-        "draws_disc": bool(numbers["draws_disc"]),
-        "draws_air": bool(numbers["draws_air"]),
-        "phased": bool(numbers["phased"]),
-        "filter": int(numbers["filter"]),
-        "samples": int(numbers["samples"]),
-        "edges": bool(numbers["edges"]),
+        "projection": int(uniforms["projection"]),
+        "draws_disc": bool(uniforms["draws_disc"]),
+        "draws_air": bool(uniforms["draws_air"]),
+        "phased": bool(uniforms["phased"]),
+        "filter": int(uniforms["filter"]),
+        "samples": int(uniforms["samples"]),
+        "edges": bool(uniforms["edges"]),
         "mapped": ground is not None,
         "overlaid": overlay is not None,
-        "clouded": bool(numbers["clouded"]),
-        "detailed": bool(numbers["detailed"]),
+        "clouded": bool(uniforms["clouded"]),
+        "detailed": bool(uniforms["detailed"]),
         "texels": np.zeros(CHANNELS, np.uint8) if ground is None else ground.flat,
         "over_texels": np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
         "sky_columns": 0,
@@ -187,11 +187,11 @@ def screen_from(
         "sky_q": layers.stokes_q,
         "sky_u": layers.stokes_u,
     }
-    return Screen(**values)
+    return ViewUniforms(**values)
 
 
-def map_numbers(ground: SurfaceMap | None) -> dict[str, int]:
-    """Uniforms of a map of the ground.
+def map_uniforms(ground: SurfaceMap | None) -> dict[str, int]:
+    """Uniforms of the size of a ground map.
 
     Parameters
     ----------
@@ -204,13 +204,13 @@ def map_numbers(ground: SurfaceMap | None) -> dict[str, int]:
     return {"mapped": 1, **size, "map_levels": len(ground.levels)}
 
 
-def overlay_size(overlay: SurfaceMap | None) -> dict[str, int]:
+def overlay_size_uniforms(overlay: SurfaceMap | None) -> dict[str, int]:
     """Uniforms of the size of an overlay.
 
     Parameters
     ----------
     overlay : SurfaceMap
-        Lights on the ground and clouds above it; None without both.
+        City lights and clouds; None without both.
     """
     if overlay is None:
         return {"overlaid": 0, "over_rows": 1, "over_columns": 1, "over_levels": 1}
@@ -218,8 +218,8 @@ def overlay_size(overlay: SurfaceMap | None) -> dict[str, int]:
     return {"overlaid": 1, **size, "over_levels": len(overlay.levels)}
 
 
-def overlay_numbers(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of lamps and clouds: colour of the lamps, and place of the layer of clouds.
+def overlay_uniforms(solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of city lights and of the cloud layer.
 
     Parameters
     ----------
@@ -228,18 +228,18 @@ def overlay_numbers(solution: MomentsSolution) -> dict[str, float]:
     """
     medium, altitude = solution.medium, solution.medium.surface.cloud_altitude
     radius = solution.geometry.optical_radius(np.array(medium.bottom_radius + altitude))
-    return lamp_numbers(solution) | {
+    return lamp_uniforms(solution) | {
         "clouded": float(medium.surface.clouds is not None),
         "cloud_altitude": altitude,
         "cloud_radius": float(radius),
     }
 
 
-def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
-    """Uniforms of the lamps' colour: light per irradiance of the star and part of the map. [sr⁻¹]
+def lamp_uniforms(solution: MomentsSolution) -> dict[str, float]:
+    """Uniforms of the colour of city lights. [sr⁻¹]
 
-    The picture shows a lamp in its own colour whatever the star's is. A light beside the first has
-    no lamps: the picture is the sum over lights.
+    Radiance per irradiance of the star and map value; the colour is independent of the star's.
+    City lights are part of the first light only.
 
     Parameters
     ----------
@@ -257,8 +257,8 @@ def lamp_numbers(solution: MomentsSolution) -> dict[str, float]:
     return {name: float(x) for name, x in zip(names, color / np.maximum(white, 1e-30), strict=True)}
 
 
-def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
-    """Uniforms of a display of 8 bits: exposure, tone map, encoding, dither.
+def display_uniforms(exposure: float, tone_map: str, encoding: str | None) -> dict[str, float]:
+    """Uniforms of an 8-bit display: exposure, tone map, encoding, dither.
 
     Parameters
     ----------
@@ -267,7 +267,7 @@ def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dic
     tone_map : str
         Name from ``TONE_MAPS``.
     encoding : str or None
-        Name from ``ENCODINGS``; None for a target that encodes by itself.
+        Name from ``ENCODINGS``; None for a target with its own encoding.
 
     Raises
     ------
@@ -281,7 +281,7 @@ def display_numbers(exposure: float, tone_map: str, encoding: str | None) -> dic
 
 
 def order_number(orders: str) -> float:
-    """Orders of scattering, as the shaders number them.
+    """Value of ``orders`` in kernels.
 
     Parameters
     ----------
@@ -299,7 +299,7 @@ def order_number(orders: str) -> float:
 
 
 def checked_samples(samples: int) -> int:
-    """Samples per side of a pixel, if they are allowed.
+    """Validated number of samples per side of a pixel.
 
     Parameters
     ----------
@@ -312,6 +312,6 @@ def checked_samples(samples: int) -> int:
         If it is not 1 to 16.
     """
     whole = isinstance(samples, (int, np.integer)) and not isinstance(samples, bool)
-    if not whole or not 1 <= samples <= MOST_SAMPLES:
-        raise ParameterError("samples", samples, f"1 to {MOST_SAMPLES}")
+    if not whole or not 1 <= samples <= MAX_SAMPLES:
+        raise ParameterError("samples", samples, f"1 to {MAX_SAMPLES}")
     return int(samples)

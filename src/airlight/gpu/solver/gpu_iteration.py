@@ -1,4 +1,4 @@
-"""Passes of the solver on a device, with their textures, kept from solve to solve."""
+"""Moments iteration on the GPU: fragment passes and their textures, pooled between solves."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ from airlight.gpu.device.pass_times import PassTimes
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.solver.passes import ITERATES, MIX, ONCE, PACK, SWEEP, SolverPass, shader
 from airlight.gpu.solver.plan import SolverPlan
-from airlight.pixels.shown import WAVELENGTHS
+from airlight.pixels.render_tables import WAVELENGTHS
 
 Float32Array = NDArray[np.float32]
 
 _FORMAT: Final = "rgba32float"
-#: Number of spans whose uniforms and bind groups are kept.
-_KEPT_SPANS: Final = 64
+#: Number of radius ranges whose uniforms and bind groups are cached.
+_CACHED_RANGES: Final = 64
 
 _lock = threading.Lock()
 _passes: dict[tuple[Device, str], FragmentPass] = {}
-_idle: dict[Device, list[GpuSweeper]] = {}
+_pool: dict[Device, list[GpuIteration]] = {}
 
 
 @contextmanager
-def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
-    """Lend a sweeper for exclusive use; its textures serve the next solve again.
+def pooled_iteration(device: Device) -> Iterator[GpuIteration]:
+    """Context with exclusive use of a ``GpuIteration`` from a pool, which reuses its textures.
 
     Parameters
     ----------
@@ -47,23 +47,23 @@ def borrowed_sweeper(device: Device) -> Iterator[GpuSweeper]:
         Device from ``open_device``.
     """
     with _lock:
-        idle = _idle.setdefault(device, [])
-        sweeper = idle.pop() if idle else GpuSweeper(device)
+        pool = _pool.setdefault(device, [])
+        iteration = pool.pop() if pool else GpuIteration(device)
     sound = False
     try:
-        yield sweeper
+        yield iteration
         sound = True
     except Cancelled:
         sound = True
         raise
     finally:  # a failed solve may have left iterates that are not finite
         with _lock:
-            if sound and not idle:
-                idle.append(sweeper)
+            if sound and not pool:
+                pool.append(iteration)
 
 
-class GpuSweeper:
-    """Runner of the passes, for one solve after another.
+class GpuIteration:
+    """Iteration of successive orders of scattering by fragment passes; reusable for any plan.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ class GpuSweeper:
         self._groups: dict[tuple[str, tuple[int, int, int], str], list[Any]] = {}
 
     def load(self, plan: SolverPlan) -> None:
-        """Load a plan: upload its tables, and make textures where those at hand are too small.
+        """Upload the tables of a plan; textures are reused if they are large enough.
 
         Parameters
         ----------
@@ -111,7 +111,7 @@ class GpuSweeper:
             self._solve = self._uniform(plan.solve)
         else:
             self.device.device.queue.write_buffer(self._solve, 0, plan.solve)
-        if len(self._spans) > _KEPT_SPANS:
+        if len(self._spans) > _CACHED_RANGES:
             self._spans.clear()
             self._groups.clear()
 
@@ -129,14 +129,14 @@ class GpuSweeper:
         return self.device.device.create_buffer_with_data(data=values, usage=use)
 
     def run(self, passes: tuple[SolverPass, ...], *, times: PassTimes | None = None) -> None:
-        """Run passes, span by span where they are spanned.
+        """Run passes; spanned passes run once per radius range.
 
         Parameters
         ----------
         passes : tuple of SolverPass
             Passes in the order in which they run.
         times : PassTimes, optional
-            Timer of each pass on the device.
+            Timer of each pass on the GPU.
         """
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):
@@ -156,7 +156,7 @@ class GpuSweeper:
         self.device.device.queue.submit([encoder.finish()])
 
     def _pass(self, one: SolverPass) -> FragmentPass:
-        """Pass on the device, compiled at its first use."""
+        """Compiled pass, from a cache."""
         key = (self.device, one.name)
         if key not in _passes:
             formats = (_FORMAT,) * len(one.targets)
@@ -185,7 +185,7 @@ class GpuSweeper:
         return self._groups[key]
 
     def begin(self) -> None:
-        """Run the passes that run once, and take the first order as the first guess."""
+        """Compute the first order of scattering, which is also the initial guess."""
         self.run(ONCE)
         self._copy("first", self._textures["light"], self.plan.textures["light"])
 
@@ -199,12 +199,12 @@ class GpuSweeper:
         self.device.device.queue.submit([encoder.finish()])
 
     def sweep(self) -> tuple[Float32Array, Float32Array, Float32Array]:
-        """Compute one more order, into a new iterate.
+        """Compute the next iterate by one sweep of the current guess.
 
         Returns
         -------
         mean, sky, before : array, shape (r, s, 4)
-            Mean radiance and irradiance of the iterate, and mean radiance of the guess.
+            Mean radiance and irradiance of the iterate; mean radiance of the guess.
         """
         self._iterates.rotate(1)
         self.run((*PACK, *SWEEP))
@@ -214,7 +214,7 @@ class GpuSweeper:
         return means[0], means[1], means[2]
 
     def combine(self, weights: Float32Array) -> None:
-        """Compute the next guess from the last iterates.
+        """Compute the next guess: an Anderson step over the last iterates.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Picture drawn on the CPU: its inputs and its rows."""
+"""``CpuRenderer``: radiance of pixels of one solution, scene and light on the CPU."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from numpy.typing import NDArray
 
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.march_points import march_points
-from airlight.pixels.picture_numbers import (
+from airlight.pixels.polarising_filter import NONE
+from airlight.pixels.render_cpu import march_pixels, render_pixels
+from airlight.pixels.render_tables import render_tables
+from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_sky_view
+from airlight.pixels.sky_view_window import SkyViewWindow, sky_view_window
+from airlight.pixels.view_uniforms import (
     checked_samples,
+    cpu_view_uniforms,
     observer_from,
     order_number,
-    overlay_numbers,
-    scene_numbers,
-    screen_from,
+    overlay_uniforms,
+    view_uniforms,
 )
-from airlight.pixels.pixels_by_processor import draw_pixels, march_pixels
-from airlight.pixels.polarising_filter import NONE
-from airlight.pixels.shown import shown_solution
-from airlight.pixels.sky_by_processor import SkyLayers, filled_sky
-from airlight.pixels.sky_window import SkyWindow, sky_window
 from airlight.scene import Scene
 from airlight.scene.ground_overlay import ground_overlay
 from airlight.scene.surface_map import surface_map
@@ -30,28 +30,28 @@ FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
 
-class Drawing:
-    """Picture by one light, with all inputs of its rows.
+class CpuRenderer:
+    """Renderer of a scene under one light, row by row.
 
     Parameters
     ----------
     solution, scene, orders, exact :
         Arguments of ``render``.
     disc : bool
-        Whether the star's own disc is drawn.
+        Whether the star's own disc is rendered.
     samples : int
         Samples per side of every pixel.
     edges : bool
-        Whether pixels on the horizon and the limb have more.
+        Whether pixels on the horizon and the limb are supersampled.
     air : bool
-        Whether the light of air and ground is drawn; otherwise the disc alone.
+        Whether air and ground are rendered; otherwise only the star's disc.
     stokes : bool
-        Whether Q and U can be drawn, beside what the camera sees.
+        Whether Stokes Q and U can be rendered too.
 
     Attributes
     ----------
-    window : SkyWindow or None
-        Part of a table of the sky that the picture reads; None where each pixel is marched.
+    window : SkyViewWindow or None
+        Window of the sky-view LUT; None where every pixel is marched.
     """
 
     def __init__(
@@ -68,19 +68,19 @@ class Drawing:
         stokes: bool = False,
     ) -> None:
         camera, tables = scene.camera, solution.tables
-        numbers = scene_numbers(scene, solution) | {"orders": order_number(orders)}
-        numbers["draws_disc"] = float(disc and orders == "all" and numbers["disc"] > 0.0)
-        numbers["draws_air"] = float(air)
-        numbers |= overlay_numbers(solution)
-        numbers |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
-        self._numbers, self._camera = numbers, camera
-        self._polarised = stokes or numbers["filter"] != NONE
-        self._observer = observer_from(numbers)
+        uniforms = view_uniforms(scene, solution) | {"orders": order_number(orders)}
+        uniforms["draws_disc"] = float(disc and orders == "all" and uniforms["disc"] > 0.0)
+        uniforms["draws_air"] = float(air)
+        uniforms |= overlay_uniforms(solution)
+        uniforms |= {"samples": float(checked_samples(samples)), "edges": float(edges)}
+        self._uniforms, self._camera = uniforms, camera
+        self._polarised = stokes or uniforms["filter"] != NONE
+        self._observer = observer_from(uniforms)
         self.window = None
         if not exact and air:
-            self.window = sky_window(camera, self._observer, tables.bottom, tables.top)
+            self.window = sky_view_window(camera, self._observer, tables.bottom, tables.top)
         resolution = march_points(solution)
-        self._tables = shown_solution(
+        self._tables = render_tables(
             solution, peaks=self.window is not None, points=resolution.points,
             panels=resolution.panels,
         )  # fmt: skip
@@ -88,13 +88,17 @@ class Drawing:
         self._ground = None if name is None else surface_map(name)
         medium = solution.medium
         self._overlay = ground_overlay(medium.surface.lights, medium.surface.clouds)
-        self._screen = screen_from(numbers, camera, self._ground, self._overlay, SkyLayers.none())
+        self._view = cpu_view_uniforms(
+            uniforms, camera, self._ground, self._overlay, SkyViewLayers.none()
+        )
         self._weights = _lane_weights(solution)
         alpha = solution.lights[0].angular_radius
         self._reach = 2.0 * (alpha + 3.0 * camera.pixel_angle) + solution.geometry.max_refraction
 
-    def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
-        """Fill the table of the sky, if there is one, before any row is drawn.
+    def fill_sky_view(
+        self, *, cancel: Cancel | None = None, progress: Progress | None = None
+    ) -> None:
+        """Fill the sky-view LUT, if any; to be called before rendering.
 
         Parameters
         ----------
@@ -108,54 +112,58 @@ class Drawing:
         """
         if self.window is None:
             return
-        layers = filled_sky(
+        layers = fill_sky_view(
             self._tables, self._observer, self.window, polarised=self._polarised, cancel=cancel,
             progress=progress,
         )  # fmt: skip
-        self._screen = screen_from(self._numbers, self._camera, self._ground, self._overlay, layers)
+        self._view = cpu_view_uniforms(
+            self._uniforms, self._camera, self._ground, self._overlay, layers
+        )
 
-    def draw(self, first: int, last: int, rgb: Float32Array, element: int | None = None) -> None:
-        """Draw rows ``first`` to ``last`` - 1 into a black picture, linear sRGB.
+    def render_rows(
+        self, first: int, last: int, rgb: Float32Array, element: int | None = None
+    ) -> None:
+        """Render rows ``first`` to ``last`` - 1, linear sRGB.
 
         Parameters
         ----------
         first, last : int
-            Range of rows, from the first that is drawn.
+            Range of rows of the crop window.
         rgb : array, shape (rows, columns, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         element : int, optional
-            ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U is drawn instead.
+            ``ALONG`` or ``ASLANT`` of ``polarising_filter``: Q or U instead of I.
         """
         px = np.arange(rgb.shape[1]) + (self._camera.left + 0.5)
         py = np.arange(first, last) + (self._camera.top + 0.5)
         x, y = np.meshgrid(px, py)
-        self.draw_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3), element)
+        self.render_pixels(x.ravel(), y.ravel(), rgb[first:last].reshape(-1, 3), element)
 
-    def draw_pixels(
+    def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """Draw pixels anywhere in the picture, linear sRGB.
+        """Render pixels at given positions, linear sRGB.
 
         Parameters
         ----------
         px, py : array, shape (n,)
-            Centres of the pixels, from the picture's left and top edge. [pixel]
+            Pixel centres, from the left and top edge of the uncropped frame. [pixel]
         rgb : array, shape (n, 3)
             Receives the radiance. [W m⁻² sr⁻¹]
         element : int, optional
-            As in ``draw``.
+            As in ``render_rows``.
         """
-        screen = self._screen if element is None else self._screen._replace(filter=element)
-        pixels = march_pixels if self.window is None else draw_pixels
-        window = SkyWindow.whole(0, 0) if self.window is None else self.window
+        view = self._view if element is None else self._view._replace(filter=element)
+        pixels = march_pixels if self.window is None else render_pixels
+        window = SkyViewWindow.whole(0, 0) if self.window is None else self.window
         pixels(
-            px, py, window, self._observer, screen, self._tables,
+            px, py, window, self._observer, view, self._tables,
             new_workspace(self._tables), self._weights, self._reach, rgb,
         )  # fmt: skip
 
 
 def color_weights(solution: MomentsSolution) -> FloatArray:
-    """Linear sRGB per radiance over irradiance at each wavelength.
+    """Linear sRGB per radiance of unit irradiance at each wavelength.
 
     Parameters
     ----------
@@ -171,7 +179,7 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 
 
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
-    """Weights as the rows read them: shape (3·w,), zero in lanes without a wavelength."""
+    """Colour weights by lane, shape (3·w,), zero in unused lanes."""
     weights = color_weights(solution)
     padded = np.zeros((3, solution.tables.lanes), np.float32)
     padded[:, : weights.shape[0]] = weights.T

@@ -1,12 +1,12 @@
-"""``paint_system``: several bodies, with and without air, in one picture.
+"""``render_system``: frame of several bodies, with and without atmospheres.
 
-Each line of sight is followed from the observer on: it passes the air of the bodies that it meets,
-which dims it, bends it and adds its own light, until it ends on a surface, on a star's disc, or in
-the dark. Bodies do not overlap, so their order along every line is that of the power of the
-observer's point, d² - R².
+Rays are traced from the observer through the atmospheres that they cross, which attenuate and
+refract them and add path radiance, until they meet a surface, a star's disc, or leave the scene.
+Bodies do not overlap, so all rays meet them in the order of the power of the observer's point,
+d² - R².
 
-A planet with air is drawn by ``Drawing``, as in a picture of it alone, once for each light. What
-stands behind air is sampled line by line.
+``CpuRenderer`` renders the atmosphere and ground of each planet once for each light; whatever lies
+behind is sampled ray by ray.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from numpy.typing import NDArray
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.paint.corona import OUTERMOST, corona
-from airlight.paint.eclipsed_air import planet_drawing
 from airlight.paint.local_frame import camera_angles, level_axes, metered_scene
+from airlight.paint.planet_renderer import planet_renderer
 from airlight.paint.scene_lights import SceneLights
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_points, raised_points
 from airlight.planets.light_source import LightSource
 from airlight.planets.picture_wavelengths import picture_wavelengths
-from airlight.render.drawing import Drawing
+from airlight.render.cpu_renderer import CpuRenderer
 from airlight.render.through_air import through_air
 from airlight.scene import Camera, Scene
 from airlight.scene.frame import Frame
@@ -50,19 +50,19 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Samples per side of a pixel that an edge may cross.
+#: Default samples per side of a pixel that an edge may cross.
 _SAMPLES: Final = 4
-#: Steps towards the direction in which a star is seen through air.
+#: Iterations for the apparent direction of a star behind refracting air.
 _BENDS: Final = 4
 #: Pixels in one block of rows.
 _BLOCK_PIXELS: Final = 1 << 14
-#: Lines of sight that are followed together.
+#: Rays traced together.
 _LINES: Final = 1 << 15
-#: Share of a star's irradiance below which a light of a planet is left out. [1]
+#: Fraction of the strongest irradiance below which a light is ignored. [1]
 _FAINTEST: Final = 1e-12
 
 
-def paint_system(
+def render_system(
     system: System,
     *,
     width: int = 1280,
@@ -75,25 +75,24 @@ def paint_system(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
-    """Draw a scene of several bodies and lights.
+    """Render a scene of several bodies and lights.
 
     Parameters
     ----------
     system : System
         Bodies, lights, observer and camera, see ``load_system``.
     width, height : int
-        Size of the picture. [pixel]
+        Size of the frame. [pixel]
     wavelengths : sequence of float, optional
         Wavelengths, at least three; by default sixteen over the visible. [nm]
     quality : str
         Quality as for ``airlight.solve``.
     samples : int, optional
-        Samples per side of a pixel that the edge of a body or of a star crosses, 1 to 16; 4 by
-        default.
+        Samples per side of a pixel on the edge of a body or star, 1 to 16; 4 by default.
     crop : (int, int, int, int), optional
-        Window that is drawn, as for ``Camera``. [pixel]
+        Window to render, as for ``Camera``. [pixel]
     cache : bool
-        Whether solutions are looked for on disk first, and stored there.
+        Whether solutions are read from and stored on disk.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -105,10 +104,10 @@ def paint_system(
     Raises
     ------
     ParameterError
-        If bodies overlap, the observer stands inside one, a planet is not known at the
-        wavelengths, or the camera has a polarising filter where a moon's shadow falls on air.
+        If bodies overlap, the observer is inside a body, a wavelength is outside a planet's range,
+        or the camera has a polarising filter and a moon's shadow falls on an atmosphere.
     ConvergenceError
-        If the orders of scattering do not converge.
+        If the solver does not converge.
     Cancelled
         If ``cancel`` requested it.
     """
@@ -118,14 +117,14 @@ def paint_system(
     if wavelengths is not None and len(wavelengths) < 3:
         raise ParameterError("wavelengths", list(wavelengths), "3 or more, or none given")
     system.check_distances()
-    picture = _Picture(system, width, height, wavelengths, quality, samples, crop=crop,
+    renderer = _SystemRenderer(system, width, height, wavelengths, quality, samples, crop=crop,
                        cache=cache, progress=progress, cancel=cancel)  # fmt: skip
-    return picture.frame(progress, cancel)
+    return renderer.render(progress, cancel)
 
 
 @dataclass(frozen=True, eq=False)
-class _Air:
-    """Planet with air as this observer sees it."""
+class _AtmosphereLayer:
+    """Rendered atmosphere and ground of a planet, and its solution."""
 
     body: Body
     solution: MomentsSolution
@@ -134,12 +133,12 @@ class _Air:
     layer: Float32Array
 
     def raised(self, true: FloatArray) -> FloatArray:
-        """Directions in which far points are seen from inside the air, shape (n, 3). [1]"""
+        """Apparent directions of points at infinity from inside the air, shape (n, 3). [1]"""
         local = raised_points(self.solution, self.altitude, true @ self.axes.T)
         return np.asarray(local @ self.axes)
 
 
-class _Picture:
+class _SystemRenderer:
     def __init__(
         self,
         system: System,
@@ -160,7 +159,7 @@ class _Picture:
             projection=view.projection, width=width, height=height,
             field_of_view=view.field_of_view, polariser=view.polariser, crop=crop,
         )  # fmt: skip
-        #: Share of unpolarised light that the camera receives: of surfaces and stars.
+        #: Transmittance of the camera's filter for unpolarised light, of surfaces and stars. [1]
         self.received = 1.0 if view.polariser is None else 0.5
         self.eye, self.axes = system.eye, system.camera_axes
         if wavelengths is None:
@@ -175,11 +174,11 @@ class _Picture:
             if body.planet is not None:
                 solutions[body.name] = self._solved(body, quality, cache, progress, cancel)
         self.lights = SceneLights(system, self.wavelengths, solutions)
-        #: Stars of whose discs something is drawn, by name.
+        #: Stars whose discs are visible, by name.
         self._seen: dict[str, LightSource] = {}
         self.colors = self.lights.source(self.lights.stars[0], self.eye).colors()
         bodies = sorted(system.bodies, key=self._power)
-        self.items: list[_Air | Body] = [
+        self.items: list[_AtmosphereLayer | Body] = [
             self._air(body, solutions[body.name], progress, cancel)
             if body.name in solutions else body
             for body in bodies
@@ -217,7 +216,7 @@ class _Picture:
     def _air(
         self, body: Body, solution: MomentsSolution, progress: Progress | None,
         cancel: Cancel | None,
-    ) -> _Air:  # fmt: skip
+    ) -> _AtmosphereLayer:  # fmt: skip
         latitude, longitude, altitude = self._place(body)
         up = (self.eye - body.centre) / np.linalg.norm(self.eye - body.centre)
         layer = np.zeros((self.camera.rows, self.camera.columns, 3), np.float32)
@@ -230,18 +229,18 @@ class _Picture:
             lit = solution.with_light(source, secondary=number > 0)
             local = level_axes(up, self.lights.towards(light, body.centre[None])[0])
             scene = self._scene(body, light, up, local, latitude, longitude, altitude)
-            drawing = planet_drawing(
+            renderer = planet_renderer(
                 self.lights, light, body, lit, scene, local, cache=self.cache, progress=progress,
                 cancel=cancel,
             )  # fmt: skip
-            layer += self._drawn(drawing, progress, cancel)
-        return _Air(body, solution, altitude, level_axes(up), layer)
+            layer += self._rendered_by(renderer, progress, cancel)
+        return _AtmosphereLayer(body, solution, altitude, level_axes(up), layer)
 
     def _scene(
         self, body: Body, light: Light, up: FloatArray, local: FloatArray, latitude: float,
         longitude: float, altitude: float,
     ) -> Scene:  # fmt: skip
-        """Scene of a planet alone under one light, in the frame of that light."""
+        """Single-planet scene of one light, in the local frame of that light."""
         towards = self.lights.towards(light, body.centre[None])[0]
         north = self.system.axes(body)[2]
         east = np.cross(north, up)
@@ -261,22 +260,22 @@ class _Picture:
             ground="detailed",
         )
 
-    def _drawn(
-        self, drawing: Drawing, progress: Progress | None, cancel: Cancel | None
+    def _rendered_by(
+        self, renderer: CpuRenderer, progress: Progress | None, cancel: Cancel | None
     ) -> Float32Array:
         height, width = self.camera.rows, self.camera.columns
         rgb = np.zeros((height, width, 3), np.float32)
-        drawing.fill_sky(cancel=cancel, progress=progress)
+        renderer.fill_sky_view(cancel=cancel, progress=progress)
         step = max(1, _BLOCK_PIXELS // width)
         run_blocks(
-            lambda k: drawing.draw(k * step, min((k + 1) * step, height), rgb),
+            lambda k: renderer.render_rows(k * step, min((k + 1) * step, height), rgb),
             -(-height // step), cancel=cancel, progress=progress, message="rendering air",
         )  # fmt: skip
         return rgb
 
     # --- lines of sight -----------------------------------------------------------------------
 
-    def frame(self, progress: Progress | None, cancel: Cancel | None) -> Frame:
+    def render(self, progress: Progress | None, cancel: Cancel | None) -> Frame:
         height, width = self.camera.rows, self.camera.columns
         rgb = np.zeros((height, width, 3))
         step = max(1, _BLOCK_PIXELS // width)
@@ -295,7 +294,7 @@ class _Picture:
                 "bodies": names,
                 "wavelengths": f"{nm} nm",
                 "unit": "W m-2 sr-1, linear sRGB weighted by CIE 1931",
-                "device": "processor",
+                "device": "CPU",
             },
             pixel_angle=self.camera.glare_angle,
             circle=self.camera.circle,
@@ -305,7 +304,7 @@ class _Picture:
         )
 
     def _metered(self) -> Scene | None:
-        """Camera and the stars whose discs are in view, for the exposure; None without one."""
+        """Scene with the visible stars alone, for metering; None if no star is visible."""
         seen = [one.towards(self.eye) for one in self.lights.stars if one.name in self._seen]
         return metered_scene(self.camera, self.axes, seen) if seen else None
 
@@ -326,14 +325,14 @@ class _Picture:
         shape = centre.shape[:2]
         inside, edge = self._regions(centre.reshape(-1, 3))
         layers = [
-            item.layer[first:last].reshape(-1, 3) if isinstance(item, _Air) else None
+            item.layer[first:last].reshape(-1, 3) if isinstance(item, _AtmosphereLayer) else None
             for item in self.items
         ]
         out = np.zeros((shape[0] * shape[1], 3))
         plain = ~inside & ~edge
         for layer in layers:
             if layer is not None:
-                # Air in front of air: nothing here is behind it but other air, found below.
+                # Pixels without a surface or star behind: layers of air add up.
                 out[plain] += layer[plain]
         count = self.samples
         for chosen, n in ((np.flatnonzero(inside & ~edge), 1), (np.flatnonzero(edge), count)):
@@ -343,27 +342,27 @@ class _Picture:
                 lines = rays.reshape(-1, 3)
                 for at in range(0, chosen.size, _LINES):
                     some = chosen[at : at + _LINES]
-                    found = self._followed(lines[some], [
+                    found = self._traced(lines[some], [
                         None if layer is None else layer[some] for layer in layers
                     ])  # fmt: skip
                     out[some] += found / (n * n)
         rgb[first:last] = out.reshape(*shape, 3)
 
     def _regions(self, rays: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Pixels that show more than one thing, and those that an edge may cross."""
+        """Masks of pixels with a surface, star or air behind air, and of pixels on an edge."""
         inside, edge = np.zeros(len(rays), bool), np.zeros(len(rays), bool)
         margin = 2.0 * self.camera.pixel_angle
         bend = max(
             (
                 item.solution.geometry.max_refraction
                 for item in self.items
-                if isinstance(item, _Air)
+                if isinstance(item, _AtmosphereLayer)
             ),
             default=0.0,
         )
         shown = np.any(rays != 0.0, axis=-1)
         for k, item in enumerate(self.items):
-            body = item.body if isinstance(item, _Air) else item
+            body = item.body if isinstance(item, _AtmosphereLayer) else item
             apart = body.centre - self.eye
             distance = float(np.linalg.norm(apart))
             for radius in {self.system.radius(body), self.system.outer_radius(body)}:
@@ -383,15 +382,15 @@ class _Picture:
                 inside |= shown & (angle < OUTERMOST * source.angular_radius + margin + bend)
         return inside, edge
 
-    def _followed(self, rays: FloatArray, layers: list[Float32Array | None]) -> FloatArray:
-        """Light along lines of sight, linear sRGB, shape (n, 3). [W m⁻² sr⁻¹]"""
+    def _traced(self, rays: FloatArray, layers: list[Float32Array | None]) -> FloatArray:
+        """Radiance along rays, linear sRGB, shape (n, 3). [W m⁻² sr⁻¹]"""
         out, behind = np.zeros((2, len(rays), 3))
         through = np.ones((len(rays), self.wavelengths.size))
         white = self.colors.sum(axis=0)
         shown = np.any(rays != 0.0, axis=-1)
         through[~shown] = 0.0
         for item, layer in zip(self.items, layers, strict=True):
-            if isinstance(item, _Air):
+            if isinstance(item, _AtmosphereLayer):
                 assert layer is not None
                 out += layer * ((through @ self.colors) / white)
                 dimmed, local = through_air(item.solution, item.altitude, rays @ item.axes.T)
@@ -404,7 +403,7 @@ class _Picture:
         return np.asarray(out + self.received * behind)
 
     def _add_stars(self, rgb: FloatArray) -> None:
-        """Add the catalogue's stars as points: dimmed, reddened and lifted by air, or hidden."""
+        """Add the star catalogue: points, attenuated and refracted by air or occulted."""
         catalogue = stars()
         x, _, _ = pixel_positions(self.camera, catalogue.directions @ self.axes.T)
         shown = np.flatnonzero(np.isfinite(x))
@@ -422,14 +421,17 @@ class _Picture:
         add_points(rgb, *place, light[seen] / solid[seen, None])
 
     def _apparent(self, true: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Directions in which far points are seen, and the transmittance towards them.
+        """Apparent directions of points at infinity, and the transmittance towards them.
 
-        Found by steps against the difference to where the line leads behind the air, from the
-        direction that the table of the planet's own apparent star gives inside its air.
+        Fixed-point iteration on the error of the refracted direction, from the direction that the
+        refraction table of the observer's planet gives.
         """
         rays = true
         for item in self.items:
-            if isinstance(item, _Air) and item.altitude < item.solution.medium.thickness:
+            if (
+                isinstance(item, _AtmosphereLayer)
+                and item.altitude < item.solution.medium.thickness
+            ):
                 rays = item.raised(true)
         for _ in range(_BENDS):
             through, behind = self._behind(rays)
@@ -439,10 +441,10 @@ class _Picture:
         return rays, self._behind(rays)[0]
 
     def _behind(self, rays: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Transmittance of lines of sight past all bodies, and their directions behind them."""
+        """Transmittance of rays past all bodies, and their refracted directions."""
         through = np.ones((len(rays), self.wavelengths.size))
         for item in self.items:
-            if isinstance(item, _Air):
+            if isinstance(item, _AtmosphereLayer):
                 dimmed, local = through_air(item.solution, item.altitude, rays @ item.axes.T)
                 through *= dimmed
                 rays = local @ item.axes
@@ -451,18 +453,18 @@ class _Picture:
         return through, rays
 
     def _meets(self, body: Body, rays: FloatArray) -> tuple[NDArray[np.intp], FloatArray]:
-        """Lines of sight that meet a body without air, and how far away. [m]"""
+        """Indices of rays that hit an airless body, and distances. [m]"""
         apart = body.centre - self.eye
         radius = self.system.radius(body)
         along = rays @ apart
-        # R² - d² sin²: from the cross product, which loses nothing far away.
+        # R² - d² sin² by the cross product, which avoids cancellation at large distances.
         miss = np.linalg.norm(np.cross(rays, apart), axis=-1)
         met = np.flatnonzero((along > 0.0) & (miss < radius))
         length = along[met] - np.sqrt((radius - miss[met]) * (radius + miss[met]))
         return met, np.maximum(length, 0.0)
 
     def _hit(self, body: Body, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
-        """Add the light of a body without air, which ends the lines that meet it."""
+        """Add the reflected radiance of an airless body; rays end there."""
         met, length = self._meets(body, rays)
         open_ = through[met].max(axis=1) > 0.0
         met, length = met[open_], length[open_]
@@ -489,7 +491,7 @@ class _Picture:
         through[met] = 0.0
 
     def _texture(self, body: Body, normal: FloatArray, length: FloatArray) -> FloatArray:
-        """Colours of a body's map relative to its mean, shape (n, 3). [1]"""
+        """Colour of a body's map over its mean luminance, shape (n, 3). [1]"""
         if body.map is None:
             return np.ones((len(normal), 3))
         folder = self.system.folder
@@ -506,7 +508,7 @@ class _Picture:
         return np.asarray(colors / max(mean, 1e-6), dtype=np.float64)
 
     def _star(self, light: Light, rays: FloatArray, through: FloatArray, out: FloatArray) -> None:
-        """Add the disc of a star to the lines that end on it."""
+        """Add the limb-darkened disc and the corona of a star."""
         source = self.lights.source(light, self.eye)
         alpha = source.angular_radius
         if alpha <= 0.0:
@@ -529,5 +531,5 @@ class _Picture:
 
 
 def _angle_between(rays: FloatArray, towards: FloatArray) -> FloatArray:
-    """Angles between unit vectors, accurate when small, shape (n,). [rad]"""
+    """Angles between unit vectors, accurate for small angles, shape (n,). [rad]"""
     return np.asarray(np.arctan2(np.linalg.norm(np.cross(rays, towards), axis=-1), rays @ towards))

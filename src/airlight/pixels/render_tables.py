@@ -1,4 +1,4 @@
-"""Tables of a solution for pictures, and how much of them a shader holds."""
+"""March tables of a solution for rendering, and the capacity of shaders."""
 
 from __future__ import annotations
 
@@ -15,28 +15,28 @@ from airlight.solvers.moments.solution import MomentsSolution
 
 Float32Array = NDArray[np.float32]
 
-#: Number of wavelengths in a texel.
+#: Wavelengths per texel.
 WAVELENGTHS: Final = 4
-#: Largest numbers in a shader: constituents, including the refraction column, and points of a
-#: panel; and number of harmonics up to degree 24.
-MOST_CONSTITUENTS: Final = 8
-MOST_POINTS: Final = 24
-MOST_TERMS: Final = 325
-#: Numbers of points that may serve all lines; and loop iterations that Mesa's software renderer
-#: allows a shader, less a reserve for other loops.
+#: Capacity of a shader: constituents including refraction, quadrature points of a panel, and
+#: harmonics (up to degree 24).
+MAX_CONSTITUENTS: Final = 8
+MAX_POINTS: Final = 24
+MAX_TERMS: Final = 325
+#: Candidate numbers of quadrature points for all lines; and loop iterations that Mesa's software
+#: renderer allows a shader, less a reserve.
 _EVEN: Final = (24, 20, 16, 12, 8)
 _MOST_TURNS: Final = 60_000
-#: Fraction scattered within 10° of straight on above which a constituent is peaked.
+#: Fraction scattered within 10° of forward above which a phase function is peaked.
 _PEAKED: Final = 0.08
-#: Largest number of constituents whose peaks can be kept out of the table of the sky.
-MOST_PEAKS: Final = 2
+#: Largest number of constituents with a separated phase function.
+MAX_PEAKS: Final = 2
 
 
 def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
-    """Constituents whose phase functions are too sharp for a table of the sky, at most two.
+    """Constituents whose single scattering is stored without phase function in the sky-view LUT.
 
-    They are those with a peak that scatter most: within 10° of straight on an even phase function
-    has 0.8 % of its light, a Rayleigh one 1.1 %.
+    The strongest scatterers with a forward peak, at most two; within 10° of forward an isotropic
+    phase function scatters 0.8 %, Rayleigh's 1.1 %.
 
     Parameters
     ----------
@@ -60,14 +60,14 @@ def separated_constituents(solution: MomentsSolution) -> tuple[int, ...]:
         if share > _PEAKED:
             strength[c] = depth[c] * share
     order = [int(c) for c in np.argsort(-strength) if strength[c] > 0.0]
-    return tuple(order[:MOST_PEAKS])
+    return tuple(order[:MAX_PEAKS])
 
 
 def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
-    """Numbers of points of a panel, the same for all lines, for every device.
+    """Equal numbers of quadrature points for all lines, as software GPUs require.
 
-    Mesa's software renderer ends the loops of neighbouring lines as soon as those with the fewest
-    points are done, and all loops of a shader after 65 535 iterations.
+    Mesa's software renderer ends the loops of neighbouring pixels with the shortest one, and all
+    loops of a shader after 65 535 iterations.
     """
     tables, degree = solution.tables, solution.moments.degree
     constituents = len(solution.geometry.medium.names)
@@ -82,25 +82,25 @@ def even_points(solution: MomentsSolution) -> tuple[int, int, int]:
     return chosen, chosen, chosen
 
 
-def shown_solution(
+def render_tables(
     solution: MomentsSolution,
     *,
     peaks: bool = True,
     points: tuple[int, int, int] | None = None,
     panels: int = 1,
 ) -> MarchTables:
-    """Tables of a solution for pictures.
+    """March tables of a solution for rendering.
 
     Parameters
     ----------
     solution : MomentsSolution
-        Solution of any number of wavelengths and constituents; shaders accept few.
+        Solution; shaders have a limited capacity.
     peaks : bool
-        Whether peaked constituents are kept separate.
+        Whether peaked phase functions are separated.
     points : tuple of int
-        Points of a panel, as in ``MarchPoints``; by default ``even_points``.
+        Quadrature points, as in ``MarchPoints``; by default ``even_points``.
     panels : int
-        Number of panels of a leg; shaders have one.
+        Panels of a leg; 1 in shaders.
     """
     kept = (*(separated_constituents(solution) if peaks else ()), -1, -1)
     return solution.tables._replace(
@@ -111,13 +111,13 @@ def shown_solution(
     )
 
 
-def as_texels(values: Float32Array, wavelengths: int) -> Float32Array:
-    """Convert a spectral table of eight lanes to texels of four wavelengths, shape (n, 4).
+def pack_texels(values: Float32Array, wavelengths: int) -> Float32Array:
+    """Spectral table of eight lanes as texels of four wavelengths, shape (n, 4).
 
     Parameters
     ----------
     values : array of float32, size n·8
-        Table with eight lanes an element.
+        Table with eight lanes per element.
     wavelengths : int
         Number of lanes in use.
 

@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 import airlight
 from airlight.geometry.occulted_star import occulted_star
 from airlight.pixels.polarising_filter import ALONG
-from airlight.render.drawing import Drawing
-from airlight.render.eclipsed_drawing import EclipsedDrawing
+from airlight.render.cpu_renderer import CpuRenderer
+from airlight.render.eclipse_renderer import EclipseRenderer
 from airlight.scene import Camera, Scene
 from airlight.scene.local_ground import local_ground
 from airlight.solvers.eclipsed.solution import EclipsedSolution
@@ -44,10 +44,10 @@ def eclipsed(solution: MomentsSolution, zenith: float, size: float) -> EclipsedS
     return EclipsedSolution(solution, star, cache=False)
 
 
-def drawn(drawing: Drawing) -> np.ndarray:
+def rendered(renderer: CpuRenderer) -> np.ndarray:
     rgb = np.zeros((HEIGHT, WIDTH, 3), np.float32)
-    drawing.fill_sky()
-    drawing.draw(0, HEIGHT, rgb)
+    renderer.fill_sky_view()
+    renderer.render_rows(0, HEIGHT, rgb)
     return rgb
 
 
@@ -60,8 +60,8 @@ def test_a_tiny_moon_leaves_the_picture(
     scene = Scene(camera=camera, altitude=altitude, sun_zenith=65.0, latitude=44.0,
                   longitude=-124.0, sun_azimuth=110.0, ground="detailed")  # fmt: skip
     tiny = eclipsed(earth, 65.0, 0.005)
-    got = drawn(EclipsedDrawing(tiny, scene, np.eye(3)))
-    expected = drawn(Drawing(earth, scene, exact=True, disc=False))
+    got = rendered(EclipseRenderer(tiny, scene, np.eye(3)))
+    expected = rendered(CpuRenderer(earth, scene, exact=True, disc=False))
     assert_allclose(got, expected, rtol=1e-3, atol=1e-4 * expected.max())
 
 
@@ -70,17 +70,17 @@ def test_a_filter_and_q_and_u_are_refused_in_the_shadow(earth: MomentsSolution) 
     scene = Scene(camera=replace(camera, polariser=30.0), altitude=2.0, sun_zenith=65.0)
     shadow = eclipsed(earth, 65.0, 0.5)
     with pytest.raises(airlight.ParameterError, match=r"camera\.polariser is 30\.0; allowed: none"):
-        EclipsedDrawing(shadow, scene, np.eye(3))
-    drawing = EclipsedDrawing(shadow, replace(scene, camera=camera), np.eye(3))
+        EclipseRenderer(shadow, scene, np.eye(3))
+    renderer = EclipseRenderer(shadow, replace(scene, camera=camera), np.eye(3))
     with pytest.raises(airlight.ParameterError, match="stokes is True; allowed: False where"):
-        drawing.draw(0, 1, np.zeros((HEIGHT, WIDTH, 3), np.float32), ALONG)
+        renderer.render_rows(0, 1, np.zeros((HEIGHT, WIDTH, 3), np.float32), ALONG)
 
 
 def test_the_shadow_is_a_dark_spot_seen_from_space(earth: MomentsSolution) -> None:
     camera = Camera(width=WIDTH, height=HEIGHT, field_of_view=30.0, look_zenith=180.0)
     scene = Scene(camera=camera, altitude=1.2e7, sun_zenith=30.0, latitude=44.0, longitude=-124.0)
-    day = drawn(Drawing(earth, scene, exact=True, disc=False))[..., 1]
-    part = drawn(EclipsedDrawing(eclipsed(earth, 30.0, 1.03), scene, np.eye(3)))[..., 1]
+    day = rendered(CpuRenderer(earth, scene, exact=True, disc=False))[..., 1]
+    part = rendered(EclipseRenderer(eclipsed(earth, 30.0, 1.03), scene, np.eye(3)))[..., 1]
     part = part / np.maximum(day, 1e-3)  # the dark of space is 0
     middle = part[HEIGHT // 2 - 1 : HEIGHT // 2 + 1, WIDTH // 2 - 1 : WIDTH // 2 + 1]
     assert middle.max() < 0.1

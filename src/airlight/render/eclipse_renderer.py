@@ -1,4 +1,4 @@
-"""Picture of a planet in the shadow of a moon, drawn on the CPU."""
+"""``EclipseRenderer``: frame of a planet in the shadow of a moon, on the CPU."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
 from airlight.kernel.threads import Cancel, Progress
-from airlight.pixels.eclipsed_pixel import draw_eclipsed
-from airlight.render.drawing import Drawing, color_weights
+from airlight.pixels.eclipsed_pixel import render_eclipsed
+from airlight.render.cpu_renderer import CpuRenderer, color_weights
 from airlight.scene import Scene
 from airlight.solvers.eclipsed.shadow_tables import new_shadow_workspace
 from airlight.solvers.eclipsed.solution import EclipsedSolution
@@ -19,36 +19,35 @@ Float32Array = NDArray[np.float32]
 
 
 def check_unfiltered(scene: Scene) -> None:
-    """Refuse a filter where light is drawn without its polarisation.
+    """Raise if the camera has a polarising filter, which eclipses do not support.
 
     Raises
     ------
     ParameterError
-        If the scene's camera has one.
+        If it has.
     """
     angle = scene.camera.polariser
     if angle is not None:
-        raise ParameterError("camera.polariser", angle, "none where a moon's shadow is drawn")
+        raise ParameterError("camera.polariser", angle, "none where a moon's shadow is rendered")
 
 
-class EclipsedDrawing(Drawing):
-    """Picture by a star that a moon hides in part; each pixel is marched.
+class EclipseRenderer(CpuRenderer):
+    """Renderer under a partly occulted star; every pixel is marched.
 
     Parameters
     ----------
     eclipsed : EclipsedSolution
-        Solution of the planet and of the shadow.
+        Solution of the planet and the shadow.
     scene : Scene
         Observer and camera, in the frame of the star.
     local : array, shape (3, 3)
-        Axes of the observer's frame in that of the eclipse, as rows: x to the side of the star, z
-        to the zenith. [1]
+        Axes of the observer's local frame in that of the eclipse, as rows: x horizontally towards
+        the star, z to the zenith. [1]
 
     Raises
     ------
     ParameterError
-        If the camera has a polarising filter: light in a moon's shadow is drawn without its
-        polarisation.
+        If the camera has a polarising filter, as eclipses are rendered without polarisation.
     """
 
     def __init__(self, eclipsed: EclipsedSolution, scene: Scene, local: FloatArray) -> None:
@@ -58,24 +57,26 @@ class EclipsedDrawing(Drawing):
         self._turn = np.ascontiguousarray(eclipsed.axes @ local.T)
         self._colors = color_weights(eclipsed.solution)
 
-    def fill_sky(self, *, cancel: Cancel | None = None, progress: Progress | None = None) -> None:
+    def fill_sky_view(
+        self, *, cancel: Cancel | None = None, progress: Progress | None = None
+    ) -> None:
         """Do nothing: there is no sky-view LUT."""
 
-    def draw_pixels(
+    def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
     ) -> None:
-        """See ``Drawing``; there is no picture of Q or U.
+        """See ``CpuRenderer``; Stokes Q and U are not supported.
 
         Raises
         ------
         ParameterError
-            If one is requested.
+            If Q or U is requested.
         """
         if element is not None:
-            raise ParameterError("stokes", True, "False where a moon's shadow is drawn")
+            raise ParameterError("stokes", True, "False where a moon's shadow is rendered")
         out = np.empty((px.size, self._tables.lanes), np.float32)
-        draw_eclipsed(
-            px, py, self._turn, self._observer, self._screen, self._tables, self._shadow,
+        render_eclipsed(
+            px, py, self._turn, self._observer, self._view, self._tables, self._shadow,
             new_workspace(self._tables), new_shadow_workspace(self._shadow), out,
         )  # fmt: skip
         rgb[:] = out[:, : len(self._colors)] @ self._colors

@@ -1,4 +1,4 @@
-"""Part of a table of the sky that a picture sees, and resolution of the table."""
+"""Window of the sky-view LUT that a camera needs, and resolution of the LUT."""
 
 from __future__ import annotations
 
@@ -10,32 +10,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.mappings.sky_view import row_from_angle, row_from_impact
-from airlight.pixels.sky_table import Observer
+from airlight.pixels.sky_view_lut import Observer
 from airlight.scene import Camera
 from airlight.scene.projections.projected import projected_rays
 
 FloatArray = NDArray[np.float64]
 
-#: Azimuths over half a turn, and rows of each half, of the coarsest table.
+#: Azimuths from 0 to π, and rows of each half, of the coarsest LUT.
 COARSEST: Final = (192, 192)
-#: Largest factor by which a finer table has more of each.
+#: Largest refinement factor per axis.
 _FINEST: Final = 4.0
-#: Pixels per texel of a fine table; and of the coarsest, the fewest for which it is worth filling.
+#: Target pixels per texel; and fewest pixels per texel for which a LUT is worthwhile.
 _PIXELS_A_TEXEL: Final = 48
 _FEWEST_PIXELS_A_TEXEL: Final = 2
-#: Pixels between two samples of a picture.
+#: Sampling step over the frame. [pixel]
 _STEP: Final = 8
 
 
-class SkyWindow(NamedTuple):
-    """Part of a table of the sky that is filled.
+class SkyViewWindow(NamedTuple):
+    """Window of the sky-view LUT.
 
     Attributes
     ----------
     columns, rows : int
-        Azimuths of the whole table over half a turn, and rows of each half.
+        Azimuths of the whole LUT from 0 to π, and rows of each half.
     first_column, column_count : int
-        Azimuths: the first, and how many.
+        First azimuth, and number of azimuths.
     first_sky, sky_count, first_ground, ground_count : int
         Rows of each half, counted from the horizon.
     """
@@ -50,42 +50,44 @@ class SkyWindow(NamedTuple):
     ground_count: int
 
     @classmethod
-    def whole(cls, columns: int, rows: int) -> SkyWindow:
-        """Window of a complete table.
+    def whole(cls, columns: int, rows: int) -> SkyViewWindow:
+        """Window of the complete LUT.
 
         Parameters
         ----------
         columns, rows : int
-            Azimuths over half a turn, and rows of each half.
+            Azimuths from 0 to π, and rows of each half.
         """
         return cls(columns, rows, 0, columns, 0, rows, 0, rows)
 
     @property
     def texels(self) -> int:
-        """Number of texels of sky and ground; water mirrors as many as the ground's again."""
+        """Number of texels of sky and ground, without those of the mirrored sky."""
         return (self.sky_count + self.ground_count) * self.column_count
 
 
-def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) -> SkyWindow | None:
-    """Part of the table of the sky that a camera sees.
+def sky_view_window(
+    camera: Camera, observer: Observer, bottom: float, top: float
+) -> SkyViewWindow | None:
+    """Window of the sky-view LUT that a camera needs.
 
-    The table is as fine as possible while there are many more pixels than texels.
+    The LUT is refined while there are many more pixels than texels.
 
     Parameters
     ----------
     camera : Camera
         Camera of the scene.
     observer : Observer
-        Position of observer and star.
+        Observer and star.
     bottom, top : float
         Radii of the ground and of the shell's top. [m]
 
     Returns
     -------
-    SkyWindow or None
-        Window; None where a march of each pixel takes less time.
+    SkyViewWindow or None
+        Window; None where marching every pixel is faster.
     """
-    # a window of the picture reads the texels that the whole picture has there
+    # cropped frames use the same texels as the whole frame
     seen = _seen_ranges(replace(camera, crop=None), observer, bottom, top)
     coarse = _window(COARSEST, *seen)
     pixels = camera.width * camera.height
@@ -99,7 +101,7 @@ def sky_window(camera: Camera, observer: Observer, bottom: float, top: float) ->
 
 
 def is_always_read(camera: Camera) -> bool:
-    """Whether pictures of a camera's size are read from a table, wherever it stands and looks."""
+    """Whether frames of this size always use a sky-view LUT, for any observer and direction."""
     texels = 2 * COARSEST[0] * COARSEST[1]
     return texels * _FEWEST_PIXELS_A_TEXEL <= camera.width * camera.height
 
@@ -109,19 +111,19 @@ def _window(
     azimuths: tuple[float, float],
     sky: tuple[float, float],
     ground: tuple[float, float],
-) -> SkyWindow:
-    """Window around ranges of azimuth, in half turns, and of the rows' coordinates."""
+) -> SkyViewWindow:
+    """Window around ranges of azimuth over π and of row coordinates."""
     ends: list[int] = []
     for (low, high), count in zip((azimuths, sky, ground), (shape[0], shape[1], shape[1]),
                                   strict=True):  # fmt: skip
         first = min(max(floor(low * (count - 1)), 0), count - 2)
         last = min(max(ceil(high * (count - 1)), first + 1), count - 1)
         ends += [first, last - first + 1]
-    return SkyWindow(*shape, *ends)
+    return SkyViewWindow(*shape, *ends)
 
 
 def _sampled(first: int, count: int, side: int) -> FloatArray:
-    """Positions along a side of the picture, two steps beyond what is drawn of it. [pixel]"""
+    """Sample positions along a side, with a margin of two steps. [pixel]"""
     low, high = max(first - 2 * _STEP, 0), min(first + count + 2 * _STEP, side)
     return np.linspace(low, high, max(2, -(-(high - low) // _STEP) + 1))
 
@@ -129,7 +131,7 @@ def _sampled(first: int, count: int, side: int) -> FloatArray:
 def _seen_ranges(
     camera: Camera, observer: Observer, bottom: float, top: float
 ) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-    """Ranges of azimuth, in half turns, and of both halves' rows over all pixels drawn. [1]"""
+    """Ranges of azimuth over π and of row coordinates in both halves, over all pixels. [1]"""
     assert camera.field_of_view is not None
     x = _sampled(camera.left, camera.columns, camera.width)
     y = _sampled(camera.top, camera.rows, camera.height)

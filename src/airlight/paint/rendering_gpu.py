@@ -1,7 +1,7 @@
-"""Device that solves and draws, and the reason if it is not the requested one.
+"""Choice of the GPU for solving and rendering, with the reason of a fallback to the CPU.
 
-A still picture leaves a software device out unless it is requested by name. Live pictures take one,
-since the processor finishes them (``ScenePainter``), and solves in its place (``solve_planet``).
+Still frames use a software GPU only on request. Live frames use it, as the CPU renders their final
+frame (``Renderer``) and solves (``solve_planet``).
 """
 
 from __future__ import annotations
@@ -13,25 +13,25 @@ if TYPE_CHECKING:
     from airlight.gpu.device.device import Device
     from airlight.planets.planet import Planet
 
-#: Requested renderer.
+#: Requested device.
 Choice = Literal["auto", "cpu", "gpu"]
 
 
-def live_device(choice: Choice, device: Device | None) -> Device | None:
-    """Device for the pictures and solutions of a session, or None for the CPU.
+def live_gpu(choice: Choice, device: Device | None) -> Device | None:
+    """GPU for the frames and solutions of a session; None for the CPU.
 
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        ``cpu`` ignores a device, the others take it.
+        ``cpu`` ignores the GPU.
     device : Device or None
-        Open device, if any.
+        Open GPU, if any.
     """
     return None if choice == "cpu" else device
 
 
-def any_device() -> Device | None:
-    """Device of this machine, opened, or None if there is none."""
+def any_gpu() -> Device | None:
+    """Open GPU of this machine; None without one."""
     from airlight.gpu.device.device import NoDevice, open_device
 
     try:
@@ -40,27 +40,27 @@ def any_device() -> Device | None:
         return None
 
 
-def drawing_device(
+def rendering_gpu(
     choice: Choice,
     planet: Planet,
     wavelengths: int,
     width: int,
     refused: Callable[[str], None] | None = None,
 ) -> Device | None:
-    """Device that can draw a still picture, or None for the CPU.
+    """GPU that can render a still frame; None for the CPU.
 
     Parameters
     ----------
     choice : "auto", "cpu" or "gpu"
-        ``auto`` takes no software device, and falls back silently; ``gpu`` takes either.
+        ``auto`` ignores software GPUs and falls back silently; ``gpu`` accepts both.
     planet : Planet
         Planet whose constituents the shaders must hold.
     wavelengths : int
         Number of wavelengths.
     width : int
-        Width of the picture. [pixel]
+        Width of the frame. [pixel]
     refused : callable, optional
-        Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
+        Receives one line with the reason when ``gpu`` falls back to the CPU.
     """
     if choice == "cpu":
         return None

@@ -13,7 +13,7 @@ import pytest
 
 from airlight.errors import Cancelled
 from airlight.planets import Planet, load_planet
-from airlight.viewer.background.solving import Solving
+from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.session.session import Session
 
 PLANET = "earth-atmosphere-plus"
@@ -56,7 +56,7 @@ def fake() -> Fake:
 
 def test_preview_comes_first_and_the_wanted_quality_follows(fake: Fake) -> None:
     # By contract; the solver records the order.
-    with Solving(Session(PLANET), solver=fake) as solving:
+    with SolverThread(Session(PLANET), solver=fake) as solving:
         assert solving.wait(LONG)
         assert fake.asked == [(0.1, "preview"), (0.1, "default")]
         assert solving.latest is not None
@@ -69,7 +69,7 @@ def test_the_newest_edit_stops_what_runs_for_an_older_one(fake: Fake) -> None:
     # The gate stays shut: only cancelling lets the next solve begin.
     fake.held = ("default",)
     session = Session(PLANET)
-    with Solving(session, solver=fake) as solving:
+    with SolverThread(session, solver=fake) as solving:
         assert fake.running.wait(LONG)
         session.set("ground.albedo", 0.5)
         fake.held = ()
@@ -89,7 +89,7 @@ def test_edits_faster_than_previews_do_not_starve_the_picture(fake: Fake) -> Non
         if solving.latest is not None:
             shown.append(solving.latest.version)
 
-    with Solving(session, solver=fake) as solving:
+    with SolverThread(session, solver=fake) as solving:
         assert fake.running.wait(LONG)
         solving._on_change = note
         first = session.versions.planet
@@ -106,10 +106,10 @@ def test_a_preview_that_takes_too_long_is_given_up_for_a_newer_edit(
     fake: Fake, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # The gate stays shut: only patience ends the preview of the first planet.
-    monkeypatch.setattr("airlight.viewer.background.solving.PATIENCE", 0.05)
+    monkeypatch.setattr("airlight.viewer.background.solver_thread.PATIENCE", 0.05)
     fake.held = ("preview",)
     session = Session(PLANET)
-    with Solving(session, solver=fake) as solving:
+    with SolverThread(session, solver=fake) as solving:
         assert fake.running.wait(LONG)
         session.set("ground.albedo", 0.5)
         fake.held = ()
@@ -121,7 +121,7 @@ def test_a_preview_that_takes_too_long_is_given_up_for_a_newer_edit(
 def test_view_and_display_need_no_solution(fake: Fake) -> None:
     # Only the planet, its switches, wavelengths and quality are solved.
     session = Session(PLANET)
-    with Solving(session, solver=fake) as solving:
+    with SolverThread(session, solver=fake) as solving:
         assert solving.wait(LONG)
         asked = len(fake.asked)
         session.set("view.altitude", 1e6)
@@ -134,7 +134,7 @@ def test_view_and_display_need_no_solution(fake: Fake) -> None:
 def test_undo_and_the_other_side_come_from_what_is_kept(fake: Fake) -> None:
     # The same planet was solved just before.
     session = Session(PLANET)
-    with Solving(session, solver=fake) as solving:
+    with SolverThread(session, solver=fake) as solving:
         assert solving.wait(LONG)
         session.swap()
         session.set("ground.albedo", 0.5)
@@ -153,7 +153,7 @@ def test_undo_and_the_other_side_come_from_what_is_kept(fake: Fake) -> None:
 def test_an_impossible_planet_is_one_line_and_leaves_the_picture(fake: Fake) -> None:
     # Air cannot end below the ground: the reader says so.
     session = Session(PLANET)
-    with Solving(session, solver=fake) as solving:
+    with SolverThread(session, solver=fake) as solving:
         assert solving.wait(LONG)
         before = solving.latest
         session.set("shell.top_radius", 6000.0)
@@ -170,7 +170,7 @@ def test_an_impossible_planet_is_one_line_and_leaves_the_picture(fake: Fake) -> 
 def test_a_star_without_light_has_no_picture_and_says_so(fake: Fake) -> None:
     # The reader allows an irradiance of 0, which cannot serve as a weight.
     session = Session("earth-bruneton")
-    with Solving(session, solver=fake) as solving:
+    with SolverThread(session, solver=fake) as solving:
         session.set("light.wavelengths", "three")  # those of the file, 550 nm among them
         session.set("star.irradiance[1]", 0.0)
         assert solving.wait(LONG)
@@ -186,7 +186,7 @@ def test_a_solver_that_breaks_does_not_end_the_thread(fake: Fake) -> None:
             raise RuntimeError("two\nlines")
         return fake(planet, *arguments, **named)
 
-    with Solving(session, solver=breaks) as solving:
+    with SolverThread(session, solver=breaks) as solving:
         session.set("ground.albedo", 0.5)
         assert solving.wait(LONG)
         assert solving.status.error == "RuntimeError: two lines"
@@ -195,9 +195,9 @@ def test_a_solver_that_breaks_does_not_end_the_thread(fake: Fake) -> None:
         assert solving.status.error == ""
 
 
-def test_idle_costs_no_processor_time_and_close_ends_the_thread(fake: Fake) -> None:
+def test_idle_costs_no_cpu_time_and_close_ends_the_thread(fake: Fake) -> None:
     # A thread waiting on a condition uses no time; the clock counts this process's threads.
-    solving = Solving(Session(PLANET), solver=fake)
+    solving = SolverThread(Session(PLANET), solver=fake)
     assert solving.wait(LONG)
     spent, until = 1.0, time.monotonic() + LONG
     while spent >= 0.02:  # what the last solve leaves behind may take a moment to end
@@ -218,7 +218,7 @@ def test_a_switched_off_constituent_is_gone_from_what_is_solved() -> None:
         planets.append(planet)
 
     session = Session(PLANET)
-    with Solving(session, solver=note) as solving:
+    with SolverThread(session, solver=note) as solving:
         session.set("light.constituents[0]", False)
         assert solving.wait(LONG)
     own = load_planet(PLANET)

@@ -1,8 +1,8 @@
-"""Table of the sky around one observer: one line of sight a texel.
+"""Sky-view LUT (Hillaire 2020, CGF 39, 13): radiance by direction from one observer.
 
-A texel holds fourth roots, so that light that falls e-fold from one texel to the next is still
-accurate to a per cent between them, and nothing is negative. Where some of the ground is water a
-third part follows sky and ground: the sky that is seen mirrored at the ground's end of each line.
+Texels hold fourth roots, which keep interpolation positive and accurate to 1 % where radiance
+changes by a factor e between texels. With water, a third part after sky and ground holds the
+mirrored sky at the ground end of each line of sight.
 """
 
 from __future__ import annotations
@@ -21,34 +21,32 @@ from airlight.solvers.moments.irradiance import ground_light
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.source import read_phase
 
-#: Position of the last row of the sky, seen from outside, in rows inside the top.
+#: Offset of the last sky row from the top of the shell, from outside. [rows]
 INSIDE = 0.1
-#: Least sine of the zenith angle of a texel of Q and U, which refer to a vertical line's azimuth:
-#: all azimuths meet there, and single precision cannot tell them apart. [1]
+#: Smallest sine of the zenith angle of texels of Q and U, whose meridian plane is undefined at the
+#: zenith. [1]
 UPRIGHT: Final = 5e-3
 
 
 class Observer(NamedTuple):
-    """Position of the observer, and direction of the star.
+    """Observer and direction of the star.
 
     Attributes
     ----------
     r : float
-        Distance from the centre, as optical radius inside the shell. [m]
+        Distance from the centre; the optical radius inside the shell. [m]
     optical_altitude : float
-        ``r`` less the optical radius of the ground, which single precision has from ``r`` to half a
-        metre only. [m]
+        ``r`` minus the optical radius of the ground, stored separately for single precision. [m]
     outside : bool
         Whether the observer is above the top of the shell.
     horizon_mu, horizon_sine : float
         Cosine and sine of the horizon's zenith angle. [1]
     sun_x, sun_z : float
-        Horizontal and vertical component towards the star, whose vertical plane contains the
-        frame's first axis. [1]
+        Horizontal and vertical component towards the star, whose azimuth is 0. [1]
     seen_x, seen_z : float
         Components towards the apparent star. [1]
     orders : int
-        1: light scattered once; 0: all other light; 2: both.
+        1: single scattering; 0: multiple scattering; 2: both.
     """
 
     r: float
@@ -65,7 +63,7 @@ class Observer(NamedTuple):
 
 @kernel
 def half_sine_between(x, y, z, sun_x, sun_z):
-    """Half-angle sine sin(θ/2) between a direction and the star, from the vectors' difference. [1]
+    """sin(θ/2) of the angle between a direction and the star, from their chord. [1]
 
     Parameters
     ----------
@@ -80,7 +78,7 @@ def half_sine_between(x, y, z, sun_x, sun_z):
 
 @inlined
 def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
-    """Find the stretch of a line of sight that lies in the air.
+    """Segment of a line of sight inside the shell.
 
     Parameters
     ----------
@@ -90,8 +88,8 @@ def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
     Returns
     -------
     r, start_mu, start_mu_s, nu, length : float
-        Radius of its start [m], cosines of its and of the star's zenith angle there [1] and of
-        the angle between line and star [1], and its length [m].
+        Radius at its start [m], view-zenith and star-zenith cosines there [1], cosine between line
+        and star [1], and length [m].
     """
     nu = min(max(sine * cos_azimuth * observer.sun_x + mu * observer.sun_z, -1.0), 1.0)
     r, start_mu, start_mu_s = observer.r, mu, observer.sun_z
@@ -109,7 +107,7 @@ def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
 
 @inlined
 def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer, tables):
-    """Cosine of the star's zenith angle at the end of a line of sight, and angle of refraction.
+    """Star-zenith cosine at the end of a line of sight, and angle of refraction.
 
     Parameters
     ----------
@@ -142,7 +140,7 @@ def look(
     mu, sine, cos_azimuth, half_sine, to_ground, mirrored, separated_phases, air, peaks, polarised,
     observer, tables, work, result,
 ):  # fmt: skip
-    """Light along one line of sight, and that of a ground behind the air.
+    """March one line of sight: radiance of the air, and of a white ground behind it.
 
     Parameters
     ----------
@@ -153,18 +151,18 @@ def look(
     to_ground : bool
         Whether the line ends on the ground.
     mirrored : bool
-        Whether the light is asked of the sky that water at that end mirrors, without the air in
-        front of it. It is spread as the facets are: a peaked phase function is read no closer to
-        the star than that.
+        Whether to march the ray mirrored by water at that end instead. The phase functions are
+        blurred by the slope distribution of the facets.
     separated_phases : bool
-        Whether the air's radiance has the single scattering of the peaked constituents.
+        Whether the radiance includes single scattering by separated constituents.
     air, peaks, polarised, work : bool, bool, bool, MarchWorkspace
         Arguments of ``march``.
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
     result : array, shape (4·w,), or (6·w,) if ``polarised``
-        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single
-        scattering by the two peaked constituents [1], and Q and U of the air's light. [sr⁻¹]
+        Receives the radiance of the air and of a white Lambert ground behind it [sr⁻¹], single
+        scattering by the two separated constituents without phase function [1], and Q and U.
+        [sr⁻¹]
 
     Returns
     -------
@@ -210,14 +208,14 @@ def look(
 
 @inlined
 def phases_towards(half_sine, separated_phases, table, tables, phase):
-    """Element of all constituents' phase matrices; 0 for the peaked ones unless kept. [sr⁻¹]
+    """Phase matrix element of all constituents; 0 for separated ones on request. [sr⁻¹]
 
     Parameters
     ----------
     half_sine : float
         sin(θ/2). [1]
     separated_phases : bool
-        Whether those of the peaked constituents are kept.
+        Whether separated constituents are included.
     table : array
         ``phase`` or ``phase_f12`` of the tables.
     tables : MarchTables
@@ -236,12 +234,12 @@ def phases_towards(half_sine, separated_phases, table, tables, phase):
 
 @inlined
 def direction_of_texel(column, row, columns, rows, observer, tables):
-    """Line of sight of a texel.
+    """Direction of a texel.
 
     Parameters
     ----------
     column, row, columns, rows, observer, tables :
-        Arguments of ``sky_texel``.
+        Arguments of ``sky_view_texel``.
 
     Returns
     -------
@@ -267,15 +265,15 @@ def direction_of_texel(column, row, columns, rows, observer, tables):
 
 @kernel
 def row_coordinate(row, rows, outside):
-    """Coordinate of a row of the table in its half. [1]
+    """Coordinate of a row in its half. [1]
 
-    From outside the last row of the sky lies slightly inside the top of the shell: at the top
-    itself a line has zero length, and fourth roots fall too steeply towards zero.
+    From outside, the last sky row is slightly inside the top of the shell, as fourth roots are too
+    steep at zero length.
 
     Parameters
     ----------
     row, rows : int
-        Arguments of ``sky_texel``.
+        Arguments of ``sky_view_texel``.
     outside : bool
         Whether the observer is outside the shell.
 
@@ -291,18 +289,18 @@ def row_coordinate(row, rows, outside):
 
 
 @inlined
-def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, tables, work, result):
-    """Texel of the table: fourth roots of the results of ``look``.
-
-    Q and U may be negative, and I + Q and I + U are stored.
+def sky_view_texel(
+    column, row, columns, rows, air, peaks, polarised, observer, tables, work, result
+):
+    """Texel: fourth roots of the results of ``look``, with I + Q and I + U.
 
     Parameters
     ----------
     column, row : int
-        Indices; the first ``rows`` of 3·rows are the sky's, from the horizon up, the next the
-        ground's, and the last the mirrored sky's, of the same lines.
+        Indices; of 3·rows, the first third is the sky from the horizon up, the second the ground,
+        the last the mirrored sky for the same lines of sight as the ground.
     columns, rows : int
-        Numbers of azimuths from 0 to π, ends included, and of rows of one half.
+        Numbers of azimuths from 0 to π inclusive, and of rows of one half.
     air, peaks, polarised, observer, tables, work, result :
         Arguments of ``look``.
     """
@@ -327,7 +325,7 @@ def sky_texel(column, row, columns, rows, air, peaks, polarised, observer, table
                 store(result, tables.lanes * layer + at, fourth_root(maximum(both, 0.0)))
         for layer in range(4):
             root = splat(0.0)
-            # The mirrored sky has its peaks in the light of the air.
+            # The mirrored sky includes separated constituents.
             if not mirrored or (shown and layer < 2):
                 root = fourth_root(load(result, tables.lanes * layer + at))
             store(result, tables.lanes * layer + at, root)

@@ -1,4 +1,4 @@
-"""``Pictures``: the view of a camera, drawn by the GPU from a solution."""
+"""``GpuRenderer``: frames of a solution on the GPU, as radiance or displayed in a texture."""
 
 from __future__ import annotations
 
@@ -32,20 +32,20 @@ from airlight.kernel.large_arrays import release, zeros
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.capacity import check_capacity
-from airlight.pixels.lit_scenes import LitScene, lit_scenes
 from airlight.pixels.march_points import FEW
-from airlight.pixels.picture_numbers import (
+from airlight.pixels.render_tables import WAVELENGTHS, pack_texels, render_tables
+from airlight.pixels.scenes_by_light import SceneForLight, scenes_by_light
+from airlight.pixels.sky_view_cpu import fill_sky_view
+from airlight.pixels.sky_view_lut import Observer
+from airlight.pixels.sky_view_window import COARSEST, SkyViewWindow
+from airlight.pixels.view_uniforms import (
     checked_samples,
-    display_numbers,
-    lamp_numbers,
+    display_uniforms,
+    lamp_uniforms,
     observer_from,
     order_number,
-    scene_numbers,
+    view_uniforms,
 )
-from airlight.pixels.shown import WAVELENGTHS, as_texels, shown_solution
-from airlight.pixels.sky_by_processor import filled_sky
-from airlight.pixels.sky_table import Observer
-from airlight.pixels.sky_window import COARSEST, SkyWindow
 from airlight.scene import Scene
 from airlight.scene.frame import Frame
 from airlight.solvers.moments.march_tables import MarchTables, quadratures
@@ -54,22 +54,22 @@ from airlight.solvers.moments.solution import MomentsSolution
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
 
-#: Shape of the table of the sky: azimuths over half a turn, and rows of each half.
-SKY_SHAPE: Final = COARSEST
-#: Shape of that table on a page, where the whole one would take too long while something moves.
-MEDIUM_SKY_SHAPE: Final = (128, 64)
-#: Shape of that table on a software device while something moves.
-QUICK_SKY_SHAPE: Final = (64, 64)
-#: Pixels drawn at once, read from a table, marched, and marched in software: no driver then assumes
-#: that the device hangs, and a strip of a picture that is read back takes 64 MiB at most.
+#: Default size of the sky-view LUT: azimuths from 0 to π, and rows of each half.
+SKY_VIEW_SIZE: Final = COARSEST
+#: Size on a page while the view moves.
+MEDIUM_SKY_VIEW_SIZE: Final = (128, 64)
+#: Size on a software GPU while the view moves.
+QUICK_SKY_VIEW_SIZE: Final = (64, 64)
+#: Pixels per submission: interpolated, marched, and marched in software. It stays below the
+#: watchdog limits of drivers, and a strip that is read back takes 64 MiB at most.
 _PIXELS_AT_ONCE: Final = (1 << 22, 1 << 20, 1 << 16)
-#: Entry point of the shaders of a picture.
+#: Entry point of the pixel shaders.
 _ENTRY: Final = "linear_picture"
 
 
 @dataclass(eq=False)
-class _Sky:
-    """Table of the sky of one light.
+class _SkyView:
+    """Sky-view LUT of one light.
 
     Attributes
     ----------
@@ -78,11 +78,11 @@ class _Sky:
     layers : dict
         Textures by name.
     law : array or None
-        Darkening of the light's disc, where it is not that of the solution's star.
+        Limb darkening of the light; None for that of the solution's star.
     disc : wgpu.GPUTexture or None
-        The same on the device.
+        Texture of ``law``.
     seen : tuple or None
-        Everything on which the table depends; None before it is filled.
+        Key of the current contents; None before they are computed.
     """
 
     shape: tuple[int, int]
@@ -92,91 +92,93 @@ class _Sky:
     seen: tuple[Observer, float, float, bool] | None = None
 
     @classmethod
-    def of(cls, device: Device, shape: tuple[int, int]) -> _Sky:
+    def of(cls, device: Device, shape: tuple[int, int]) -> _SkyView:
         count = 3 * shape[0] * shape[1]
         return cls(shape, {name: empty_flat_texture(device, count, 4, name) for name in LAYERS})
 
 
-class Pictures:
-    """Renderer of one solution at a time, for any scene.
+class GpuRenderer:
+    """Renderer of the current solution, for any scene.
 
     Parameters
     ----------
     device : Device
         Device from ``open_device``.
-    sky_shape : (int, int)
-        Azimuths and rows of the table of the sky; together a multiple of ``FLAT_WIDTH``.
-    sky_by_processor : bool, optional
-        Whether the CPU fills that table; by default on software devices.
+    sky_view_size : (int, int)
+        Azimuths and rows of the sky-view LUT; their product is a multiple of ``FLAT_WIDTH``.
+    sky_view_on_cpu : bool, optional
+        Whether the CPU fills the sky-view LUT; by default with software GPUs.
 
     Examples
     --------
     >>> from airlight.gpu.device.device import open_device  # doctest: +SKIP
-    >>> pictures = Pictures(open_device())  # doctest: +SKIP
-    >>> pictures.show(solution)  # doctest: +SKIP
-    >>> frame = pictures.frame(Scene())  # doctest: +SKIP
+    >>> renderer = GpuRenderer(open_device())  # doctest: +SKIP
+    >>> renderer.set_solution(solution)  # doctest: +SKIP
+    >>> frame = renderer.render(Scene())  # doctest: +SKIP
     """
 
     def __init__(
         self,
         device: Device,
-        sky_shape: tuple[int, int] = SKY_SHAPE,
+        sky_view_size: tuple[int, int] = SKY_VIEW_SIZE,
         *,
-        sky_by_processor: bool | None = None,
+        sky_view_on_cpu: bool | None = None,
     ) -> None:
         self.device = device
-        self._by_processor = device.software if sky_by_processor is None else sky_by_processor
+        self._sky_view_on_cpu = device.software if sky_view_on_cpu is None else sky_view_on_cpu
         self._passes = FramePasses(device)
         self._sum = LightSum(device)
-        self._skies: list[_Sky] = []
+        self._sky_views: list[_SkyView] = []
         self._solution: MomentsSolution | None = None
         self._textures: SolutionTextures | None = None
         self._given: FloatArray | None = None
-        self._shown_tables: MarchTables | None = None
+        self._tables: MarchTables | None = None
         self._display = DisplayPasses(device)
-        self.sky_shape = sky_shape
+        self.sky_view_size = sky_view_size
 
     @property
-    def sky_shape(self) -> tuple[int, int]:
-        """Azimuths, and rows of each half, of the table of the sky."""
-        return self._sky_shape
+    def sky_view_size(self) -> tuple[int, int]:
+        """Azimuths, and rows of each half, of the sky-view LUT."""
+        return self._sky_view_size
 
-    @sky_shape.setter
-    def sky_shape(self, shape: tuple[int, int]) -> None:
+    @sky_view_size.setter
+    def sky_view_size(self, shape: tuple[int, int]) -> None:
         columns, rows = shape
         whole = columns >= 2 and rows >= 2 and 3 * columns * rows % FLAT_WIDTH == 0
         if not whole or 3 * columns * rows > FLAT_WIDTH * 4096:
-            raise ParameterError("sky_shape", shape, "columns and rows whose product fills rows")
-        self._sky_shape = (columns, rows)
+            raise ParameterError(
+                "sky_view_size", shape, "columns and rows whose product fills rows"
+            )
+        self._sky_view_size = (columns, rows)
         self._forget()
 
     def _forget(self) -> None:
-        """Forget what was drawn from other tables."""
-        self._skies = [one for one in self._skies if one.shape == self._sky_shape]
-        if self._textures is not None and not self._skies:
-            self._skies.append(_Sky.of(self.device, self._sky_shape))
-        for number in range(len(self._skies)):
+        """Invalidate the sky-view LUTs and the displayed frame."""
+        self._sky_views = [one for one in self._sky_views if one.shape == self._sky_view_size]
+        if self._textures is not None and not self._sky_views:
+            self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
+        for number in range(len(self._sky_views)):
             self._read(number, None)
-        self._display.drawn = None
+        self._display.rendered = None
 
     def _read(self, number: int, law: Float32Array | None) -> None:
-        """Let the passes of a light read the solution's tables, and its disc's law if another."""
+        """Bind the tables of the solution, and the limb darkening of a light, to its passes."""
         assert self._textures is not None
-        sky = self._skies[number]
+        sky = self._sky_views[number]
         textures = {**self._textures.textures, **sky.layers}
         if law is not None:
             sky.disc = textures["disc"] = flat_texture(self.device, law, "disc")
         sky.law, sky.seen = law, None
         self._passes.read(textures, self._textures.places, number)
 
-    def _sky(self, number: int, lit: MomentsSolution) -> _Sky:
-        """Table of the sky of a light of the picture, with the law of its disc."""
-        while len(self._skies) <= number:
-            self._skies.append(_Sky.of(self.device, self._sky_shape))
-            self._read(len(self._skies) - 1, None)
-        sky, law = self._skies[number], None
+    def _sky(self, number: int, lit: MomentsSolution) -> _SkyView:
+        """Sky-view LUT of a light."""
+        while len(self._sky_views) <= number:
+            self._sky_views.append(_SkyView.of(self.device, self._sky_view_size))
+            self._read(len(self._sky_views) - 1, None)
+        sky, law = self._sky_views[number], None
         if lit is not self._solution:
-            law = as_texels(lit.tables.darkening, lit.wavelengths.size)
+            law = pack_texels(lit.tables.darkening, lit.wavelengths.size)
         same = law is sky.law or (
             law is not None and sky.law is not None and np.array_equal(law, sky.law)
         )
@@ -184,10 +186,10 @@ class Pictures:
             self._read(number, law)
         return sky
 
-    def show(
+    def set_solution(
         self, solution: MomentsSolution, weights: FloatArray | None = None, *, maps: bool = True
     ) -> None:
-        """Set the solution that is drawn from now on.
+        """Set the current solution.
 
         Parameters
         ----------
@@ -196,7 +198,7 @@ class Pictures:
         weights : array, shape (nl, 3), optional
             Linear sRGB per radiance; by default ``picture_weights``.
         maps : bool
-            Whether the maps of the ground are drawn; they take up to 270 MB of the device.
+            Whether ground maps are used; they take up to 270 MB of GPU memory.
 
         Raises
         ------
@@ -213,14 +215,14 @@ class Pictures:
         elif np.shape(weights) != (nm.size, 3):
             raise ParameterError("weights", np.shape(weights), f"an array of shape ({nm.size}, 3)")
         points = None if self.device.software else FEW.points
-        self._shown_tables = shown_solution(solution, points=points)
+        self._tables = render_tables(solution, points=points)
         self._textures = SolutionTextures.of(
-            self.device, solution, self._shown_tables, self._textures, maps=maps
+            self.device, solution, self._tables, self._textures, maps=maps
         )
         self._solution = solution
         self._forget()
 
-    def frame(
+    def render(
         self,
         scene: Scene,
         *,
@@ -231,21 +233,21 @@ class Pictures:
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> Frame:
-        """Draw a picture in linear light, strip by strip.
+        """Render a frame of linear radiance.
 
         Parameters
         ----------
         scene : Scene
-            Observer, lights and camera; the pictures of several lights are added on the host.
+            Observer, lights and camera; frames of several lights are added on the CPU.
         exact : bool
-            Whether each pixel is marched; otherwise it reads the table of the sky.
+            Whether every pixel is marched; otherwise the sky-view LUT is interpolated.
         orders : str
             ``all``, ``single`` or ``multiple``.
         disc : bool
-            Whether the star's disc is drawn.
+            Whether the star's disc is rendered.
         samples : int
-            Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb have
-            more by themselves, except where a software device marches them.
+            Samples per side of every pixel, 1 to 16. Pixels on the horizon and the limb are
+            supersampled anyway, except if a software GPU marches them.
         progress, cancel : callable, optional
             See ``airlight.kernel.threads``.
 
@@ -257,20 +259,20 @@ class Pictures:
         Raises
         ------
         ParameterError
-            If no solution has been shown yet, the picture is wider than a texture may be, or a
-            software device shall march several samples of a pixel.
+            If there is no solution, the frame exceeds the largest texture, or several samples per
+            side are requested of exact rendering on a software GPU.
         CostError
-            If the picture needs more memory than is free.
+            If the frame needs more memory than is free.
         Cancelled
             If ``cancel`` requested it.
         """
         width, height = scene.camera.columns, scene.camera.rows
         check_drawn(width, height)
-        lights = lit_scenes(scene, self._shown())
-        drawn = width * height * checked_samples(samples) ** 2 * len(lights)
-        with timed(DEVICE, drawn, f"a picture of {width}x{height} pixels"):
+        lights = scenes_by_light(scene, self._require_solution())
+        rendered = width * height * checked_samples(samples) ** 2 * len(lights)
+        with timed(DEVICE, rendered, f"a picture of {width}x{height} pixels"):
             frames = [
-                self._frame(number, one, exact, orders, disc, samples, progress, cancel)
+                self._render(number, one, exact, orders, disc, samples, progress, cancel)
                 for number, one in enumerate(lights)
             ]
         if len(frames) == 1:
@@ -279,10 +281,10 @@ class Pictures:
             np.add(frames[0].rgb, one.rgb, out=frames[0].rgb)
         return replace(frames[0], scene=scene)
 
-    def _frame(
+    def _render(
         self,
         number: int,
-        light: LitScene,
+        light: SceneForLight,
         exact: bool,
         orders: str,
         disc: bool,
@@ -290,7 +292,7 @@ class Pictures:
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> Frame:
-        """Draw a picture by one light; arguments of ``frame``."""
+        """Frame of one light; arguments of ``render``."""
         import wgpu
 
         scene, solution = light.scene, light.solution
@@ -299,11 +301,11 @@ class Pictures:
         limit = self.device.device.limits["max-texture-dimension-2d"]
         if width > limit:
             raise ParameterError("camera.width", width, f"at most {limit} pixels on the GPU")
-        numbers = self._numbers(light, (camera.width, camera.height), exact, orders, disc)
-        numbers["first_column"] = camera.left
-        if checked_samples(samples) > 1 and not numbers["edges"]:
-            raise ParameterError("samples", samples, "1 for an exact picture of a software device")
-        numbers["samples"] = samples
+        uniforms = self._uniforms(light, (camera.width, camera.height), exact, orders, disc)
+        uniforms["first_column"] = camera.left
+        if checked_samples(samples) > 1 and not uniforms["edges"]:
+            raise ParameterError("samples", samples, "1 for an exact picture of a software GPU")
+        uniforms["samples"] = samples
         rows = self._rows_at_once(samples * samples * width, height, exact)
         use = wgpu.TextureUsage
         target = self.device.device.create_texture(
@@ -311,13 +313,13 @@ class Pictures:
         )
         view = target.create_view()
         rgb = zeros((height, width, 3), np.float32)
-        self._fill_sky(number, light, numbers, exact)
+        self._fill_sky_view(number, light, uniforms, exact)
         try:
             for first in range(0, height, rows):
                 if cancel is not None and cancel():
                     raise Cancelled
                 count = min(rows, height - first)
-                strip = {**numbers, "first_row": camera.top + first}
+                strip = {**uniforms, "first_row": camera.top + first}
                 self._passes.run(
                     picture_shader(exact), _ENTRY, strip, [view], (LINEAR,),
                     (0, 0, width, count), light=number,
@@ -343,7 +345,7 @@ class Pictures:
             origin=(camera.left, camera.top),
         )
 
-    def draw(
+    def display(
         self,
         scene: Scene,
         view: Any,
@@ -359,28 +361,28 @@ class Pictures:
         size: tuple[int, int] | None = None,
         uniforms: Mapping[str, float] | None = None,
     ) -> None:
-        """Draw into a texture.
+        """Render and display into a texture.
 
-        What is exposed is kept in linear light: it is not drawn again for another display.
+        Linear radiance is cached: a change of display settings alone renders nothing again.
 
         Parameters
         ----------
         scene, exact, orders, disc :
-            Arguments of ``frame``.
+            Arguments of ``render``.
         view : wgpu.GPUTextureView
             View of the target.
         target_format : str
             Format of the target.
         exposure : float, optional
-            Exposure; without it linear light is written. [EV]
+            Exposure; by default linear radiance is written. [EV]
         tone_map : str
             Name from ``TONE_MAPS``.
         encoding : str or None
-            Name from ``ENCODINGS``; None for a target that encodes by itself.
+            Name from ``ENCODINGS``; None for a target with its own encoding.
         glare : float
-            Amount of glare, 1 for that of a lens. [1]
+            Glare relative to a typical lens. [1]
         size : (int, int), optional
-            Size of the target if it differs from the camera's. [pixel]
+            Size of the target; by default the camera's. [pixel]
         uniforms : mapping, optional
             Further uniforms of the display, by name.
 
@@ -390,155 +392,155 @@ class Pictures:
             If the amount of glare is not 0 to 10.
         """
         width, height = size or (scene.camera.width, scene.camera.height)
-        lights = lit_scenes(scene, self._shown())
-        numbers = [self._numbers(one, (width, height), exact, orders, disc) for one in lights]
+        lights = scenes_by_light(scene, self._require_solution())
+        by_light = [self._uniforms(one, (width, height), exact, orders, disc) for one in lights]
         parts = [
-            partial(self._draw_light, *one, exact)
-            for one in zip(range(len(lights)), lights, numbers, strict=True)
+            partial(self._render_light, *one, exact)
+            for one in zip(range(len(lights)), lights, by_light, strict=True)
         ]
         if exposure is None:
-            self._sum.draw(parts, view, (width, height), target_format)
+            self._sum.render(parts, view, (width, height), target_format)
             return
-        kept = self._display
-        picture = kept.picture(width, height)
-        drawn = exact, tuple(self._passes.packed(one).tobytes() for one in numbers)
-        if kept.drawn != drawn:
-            kept.drawn = None
-            self._sum.draw(parts, picture, (width, height), LINEAR)
-            kept.drawn = drawn
-        shown = {
-            **display_numbers(exposure, tone_map, encoding), "glare": checked_amount(glare),
+        display = self._display
+        picture = display.picture(width, height)
+        rendered = exact, tuple(self._passes.packed(one).tobytes() for one in by_light)
+        if display.rendered != rendered:
+            display.rendered = None
+            self._sum.render(parts, picture, (width, height), LINEAR)
+            display.rendered = rendered
+        values = {
+            **display_uniforms(exposure, tone_map, encoding), "glare": checked_amount(glare),
             "circle": scene.camera.circle is not None, **(uniforms or {}),
         }  # fmt: skip
-        kept.show(shown, scene.camera.glare_angle, view, target_format)
+        display.display(values, scene.camera.glare_angle, view, target_format)
 
-    def _draw_light(
+    def _render_light(
         self,
         number: int,
-        light: LitScene,
-        numbers: dict[str, float],
+        light: SceneForLight,
+        uniforms: dict[str, float],
         exact: bool,
         view: Any,
         target_format: str,
     ) -> None:
-        """Draw linear light of one light into a texture."""
-        width, height = int(numbers["width"]), int(numbers["height"])
-        self._fill_sky(number, light, numbers, exact)
+        """Render linear radiance of one light into a texture."""
+        width, height = int(uniforms["width"]), int(uniforms["height"])
+        self._fill_sky_view(number, light, uniforms, exact)
         if self.device.software and not exact:
-            # Such a device evaluates both sides of every branch: each band has a shader with no
-            # more branches than it needs.
-            for band in self._bands(light, numbers):
+            # A software GPU evaluates both sides of every branch: each band has a shader with only
+            # the branches that it needs.
+            for band in self._bands(light, uniforms):
                 seen = {
-                    **numbers,
-                    "mapped": numbers["mapped"] * band.ground,
-                    "wet": numbers["wet"] * band.ground,
-                    "draws_disc": numbers["draws_disc"] * band.star,
-                    "edges": numbers["edges"] * band.edge,
+                    **uniforms,
+                    "mapped": uniforms["mapped"] * band.ground,
+                    "wet": uniforms["wet"] * band.ground,
+                    "draws_disc": uniforms["draws_disc"] * band.star,
+                    "edges": uniforms["edges"] * band.edge,
                 }
                 self._passes.run(
-                    picture_shader(exact, FRAME.fixed(seen)), _ENTRY, numbers, [view],
+                    picture_shader(exact, FRAME.fixed(seen)), _ENTRY, uniforms, [view],
                     (target_format,), (0, band.first, width, band.rows), band.first > 0, number,
                 )  # fmt: skip
             return
         rows = self._rows_at_once(width, height, exact)
         for first in range(0, height, rows):
             self._passes.run(
-                picture_shader(exact), _ENTRY, numbers, [view], (target_format,),
+                picture_shader(exact), _ENTRY, uniforms, [view], (target_format,),
                 (0, first, width, min(rows, height - first)), first > 0, number,
             )  # fmt: skip
 
-    def _numbers(
-        self, light: LitScene, size: tuple[int, int], exact: bool, orders: str, disc: bool
+    def _uniforms(
+        self, light: SceneForLight, size: tuple[int, int], exact: bool, orders: str, disc: bool
     ) -> dict[str, float]:
-        """Uniforms of a picture by one light, except those of its display."""
+        """Uniforms of a frame of one light, without those of the display."""
         solution = light.solution
         assert self._textures is not None
-        numbers = scene_numbers(light.scene, solution) | self._textures.numbers
+        uniforms = view_uniforms(light.scene, solution) | self._textures.uniforms
         if solution is not self._solution:
-            numbers |= lamp_numbers(solution) | {"star_radius": solution.tables.star_radius}
-        peaks = 0.0 if exact else float(numbers["separated_1"] >= 0)
-        numbers |= {
+            uniforms |= lamp_uniforms(solution) | {"star_radius": solution.tables.star_radius}
+        peaks = 0.0 if exact else float(uniforms["separated_1"] >= 0)
+        uniforms |= {
             "width": size[0],
             "height": size[1],
             "orders": order_number(orders),
-            "draws_disc": float(disc and orders == "all" and numbers["disc"] > 0.0),
-            "sky_columns": self._sky_shape[0],
-            "sky_rows": self._sky_shape[1],
+            "draws_disc": float(disc and orders == "all" and uniforms["disc"] > 0.0),
+            "sky_columns": self._sky_view_size[0],
+            "sky_rows": self._sky_view_size[1],
             "separated_phases": peaks,
             "draws_air": float(light.air),
         }
-        if exact and self.device.software:  # it ends all loops of a pixel after 65 535 turns
-            numbers["edges"] = 0.0
+        if exact and self.device.software:  # limited to 65 535 loop iterations per pixel
+            uniforms["edges"] = 0.0
         if exact:
-            numbers |= {"separated_1": -1.0, "separated_2": -1.0}
+            uniforms |= {"separated_1": -1.0, "separated_2": -1.0}
         weights = np.zeros((WAVELENGTHS, 3))
         weights[: solution.wavelengths.size] = solution.lights[0].colors(self._given)
         for channel, column in zip(("red", "green", "blue"), weights.T, strict=True):
-            numbers |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
-        return numbers
+            uniforms |= {f"{channel}_{i}": float(value) for i, value in enumerate(column)}
+        return uniforms
 
     def _rows_at_once(self, width: int, height: int, exact: bool) -> int:
-        """Number of rows of one strip."""
+        """Rows per submission."""
         pixels = _PIXELS_AT_ONCE[(2 if self.device.software else 1) if exact else 0]
         return min(max(1, pixels // width), height)
 
-    def _bands(self, light: LitScene, numbers: Mapping[str, float]) -> list[Band]:
-        """Rows of the target by what is visible in them."""
+    def _bands(self, light: SceneForLight, uniforms: Mapping[str, float]) -> list[Band]:
+        """Bands of rows, by what may be visible in them."""
         scene, solution = light.scene, light.solution
-        width, height = int(numbers["width"]), int(numbers["height"])
+        width, height = int(uniforms["width"]), int(uniforms["height"])
         if (width, height) != (scene.camera.width, scene.camera.height):
             return [Band(0, height, True, True, True)]
-        star = (numbers["seen_x"], 0.0, numbers["seen_z"])
-        reach = 2.0 * solution.lights[0].angular_radius + 3.0 * numbers["pixel_angle"]
-        return bands(scene, numbers["horizon_mu"], star, reach + solution.geometry.max_refraction)
+        star = (uniforms["seen_x"], 0.0, uniforms["seen_z"])
+        reach = 2.0 * solution.lights[0].angular_radius + 3.0 * uniforms["pixel_angle"]
+        return bands(scene, uniforms["horizon_mu"], star, reach + solution.geometry.max_refraction)
 
-    def _fill_sky(
-        self, number: int, light: LitScene, numbers: Mapping[str, float], exact: bool
+    def _fill_sky_view(
+        self, number: int, light: SceneForLight, uniforms: Mapping[str, float], exact: bool
     ) -> None:
-        """Fill the table of the sky of a light, unless it is current for observer and light."""
+        """Fill the sky-view LUT of a light if it is out of date."""
         sky = self._sky(number, light.solution)
-        polarised = numbers["filter"] > 0
+        polarised = uniforms["filter"] > 0
         seen = (
-            observer_from(numbers),
-            numbers["separated_phases"],
-            numbers["star_radius"],
+            observer_from(uniforms),
+            uniforms["separated_phases"],
+            uniforms["star_radius"],
             polarised,
         )
         if exact or not light.air or seen == sky.seen:
             return
-        if self._by_processor:
-            self._upload_sky(sky, numbers)
+        if self._sky_view_on_cpu:
+            self._upload_sky_view(sky, uniforms)
             sky.seen = seen
             return
         passes = [(sky_air_shader(), LAYERS[:2])]
-        if numbers["separated_phases"]:
+        if uniforms["separated_phases"]:
             passes.append((sky_peaks_shader(), LAYERS[2:4]))
         if polarised:
             passes.append((sky_polarised_shader(), LAYERS[4:]))
         for shader, layers in passes:
             targets = [sky.layers[name] for name in layers]
             self._passes.run(
-                shader, next(iter(shader.entries)), numbers, targets, (LINEAR, LINEAR),
+                shader, next(iter(shader.entries)), uniforms, targets, (LINEAR, LINEAR),
                 light=number,
             )  # fmt: skip
         sky.seen = seen
 
-    def _upload_sky(self, sky: _Sky, numbers: Mapping[str, float]) -> None:
-        """Upload the table of the sky, marched on the CPU."""
-        assert self._shown_tables is not None
-        tables = self._shown_tables._replace(
-            rules=quadratures(FEW.points), panels=FEW.panels, star_radius=numbers["star_radius"]
+    def _upload_sky_view(self, sky: _SkyView, uniforms: Mapping[str, float]) -> None:
+        """Fill the sky-view LUT on the CPU and upload it."""
+        assert self._tables is not None
+        tables = self._tables._replace(
+            rules=quadratures(FEW.points), panels=FEW.panels, star_radius=uniforms["star_radius"]
         )
-        layers = filled_sky(
-            tables, observer_from(numbers), SkyWindow.whole(*self._sky_shape),
-            polarised=numbers["filter"] > 0,
+        layers = fill_sky_view(
+            tables, observer_from(uniforms), SkyViewWindow.whole(*self._sky_view_size),
+            polarised=uniforms["filter"] > 0,
         )  # fmt: skip
-        unread = () if numbers["separated_phases"] else LAYERS[2:4]
+        unread = () if uniforms["separated_phases"] else LAYERS[2:4]
         for name, layer in zip(LAYERS, layers, strict=True):
             if layer.size > 1 and name not in unread:
-                update_flat(self.device, sky.layers[name], 0, as_texels(layer, WAVELENGTHS))
+                update_flat(self.device, sky.layers[name], 0, pack_texels(layer, WAVELENGTHS))
 
-    def _shown(self) -> MomentsSolution:
+    def _require_solution(self) -> MomentsSolution:
         if self._solution is None:
-            raise ParameterError("solution", None, "one, taken up by show()")
+            raise ParameterError("solution", None, "a solution set by set_solution()")
         return self._solution

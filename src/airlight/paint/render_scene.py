@@ -1,4 +1,4 @@
-"""``paint_scene``: a planet and a scene become a frame, on the CPU or on a device."""
+"""``render_scene``: frame of a planet, solved and rendered on the CPU or the GPU."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from airlight.errors import Cancelled, ParameterError
 from airlight.kernel.first_compilation import FIRST_COMPILATION
 from airlight.kernel.memory import check_drawn
 from airlight.kernel.threads import thread_count
-from airlight.paint.drawing_device import Choice, drawing_device
-from airlight.paint.scene_painter import ScenePainter
+from airlight.paint.renderer import Renderer
+from airlight.paint.rendering_gpu import Choice, rendering_gpu
 from airlight.paint.solve_planet import solve_planet
 from airlight.paint.star_points import add_catalogue, check_stars
-from airlight.pixels.sky_window import is_always_read
+from airlight.pixels.sky_view_window import is_always_read
 from airlight.planets.picture_wavelengths import (
     LIVE,
     picture_wavelengths,
     texel_wavelengths,
 )
 from airlight.planets.reading.reader import PlanetLike, load_planet
-from airlight.render.background_compilation import DRAWING, start_sky_view_compiler
+from airlight.render.background_compilation import SKY_VIEW_LOOPS, start_sky_view_compiler
 from airlight.scene.basin import on_basin_floor
 from airlight.scene.frame import Frame
 from airlight.scene.local_ground import local_ground
@@ -40,22 +40,22 @@ if TYPE_CHECKING:
 FEWEST: Final = 3
 
 
-class PaintedScene(NamedTuple):
-    """Picture of a scene, and the solution that it shows.
+class RenderedScene(NamedTuple):
+    """Frame and the solution from which it was rendered.
 
     Attributes
     ----------
     frame : Frame
         Linear sRGB radiance. [W m⁻² sr⁻¹]
     solution : MomentsSolution
-        Light of the planet's air.
+        Solution of the planet.
     """
 
     frame: Frame
     solution: MomentsSolution
 
 
-def paint_scene(
+def render_scene(
     planet: PlanetLike,
     scene: Scene,
     *,
@@ -74,7 +74,7 @@ def paint_scene(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Frame:
-    """Solve a planet and draw a camera's view of it.
+    """Solve a planet and render a scene.
 
     Parameters
     ----------
@@ -83,32 +83,31 @@ def paint_scene(
     scene : Scene
         Observer, star and camera.
     wavelengths : array, shape (nl,), optional
-        Wavelengths, at least three. By default sixteen over the visible; on a device the four that
-        reproduce colours best, with a matrix fitted to the star. [nm]
+        Wavelengths, at least three. By default sixteen over the visible; on the GPU the four that
+        reproduce colours best, with a colour matrix fitted to the star. [nm]
     quality : str
         Quality as for ``airlight.solve``.
     polarisation : bool
-        Whether light is polarised, as for ``airlight.solve``.
+        Whether transfer is vectorial, as for ``airlight.solve``.
     device : "cpu", "gpu" or "auto"
-        ``gpu`` leaves to the CPU what exceeds the capacity of the device; ``auto`` takes a device
-        if it is a hardware GPU.
+        ``gpu`` falls back to the CPU beyond the GPU's capacity; ``auto`` takes a hardware GPU.
     exact : bool
-        Whether each pixel is marched, instead of read from a table of the sky.
+        Whether every pixel is marched; otherwise a sky-view LUT is interpolated.
     orders : str
-        Orders as for ``airlight.render``.
+        Orders of scattering as for ``airlight.render``.
     samples : int
         Samples per side of every pixel, as for ``airlight.render``.
     stokes : bool
-        Whether the frame has Q and U beside the picture, which the CPU draws.
+        Whether the frame also has Stokes Q and U; CPU only.
     cache : bool
-        Whether the CPU looks for the solution on disk first, and stores it there.
+        Whether the CPU reads and stores solutions on disk.
     local : bool
-        Whether a planet with a map of the ground is solved for the ground around the observer
-        (``airlight.local_ground``), instead of for the mean of its planet.
+        Whether a planet with a ground map is solved with the albedo around the observer
+        (``airlight.local_ground``) instead of the planet's mean.
     stars : bool
-        Whether the stars of the catalogue are added, of a planet whose ``body`` is known.
+        Whether the star catalogue is added, for planets with a known ``body``.
     refused : callable, optional
-        Receives the reason, one line, where ``gpu`` has to leave the work to the CPU.
+        Receives one line with the reason when ``gpu`` falls back to the CPU.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -120,11 +119,11 @@ def paint_scene(
     Raises
     ------
     ParameterError
-        If there are fewer than three wavelengths, or one is outside the planet's range; if the
-        quality or the orders are unknown, the observer is below the planet's deepest basin, or
-        stars are requested where none can be shown.
+        If there are fewer than three wavelengths or one is outside the planet's range, the quality
+        or the orders are unknown, the observer is below the planet's deepest basin, or the planet
+        or projection does not support stars.
     ConvergenceError
-        If the orders of scattering do not converge.
+        If the solver does not converge.
     Cancelled
         If ``cancel`` requested it.
 
@@ -133,19 +132,19 @@ def paint_scene(
     >>> from airlight import Camera, Scene, load_planet
     >>> earth = load_planet("earth-atmosphere-plus")
     >>> scene = Scene(altitude=2.0, sun_zenith=60.0, camera=Camera(width=8, height=6))
-    >>> frame = paint_scene(earth, scene, wavelengths=(680, 550, 440), quality="preview")
+    >>> frame = render_scene(earth, scene, wavelengths=(680, 550, 440), quality="preview")
     >>> frame.rgb.shape, frame.metadata["device"]
-    ((6, 8, 3), 'processor')
+    ((6, 8, 3), 'CPU')
     """
-    painted = paint_solved(
+    rendered = render_with_solution(
         planet, scene, wavelengths=wavelengths, quality=quality, polarisation=polarisation,
         device=device, exact=exact, orders=orders, samples=samples, stokes=stokes, cache=cache,
         local=local, stars=stars, refused=refused, progress=progress, cancel=cancel,
     )  # fmt: skip
-    return painted.frame
+    return rendered.frame
 
 
-def paint_solved(
+def render_with_solution(
     planet: PlanetLike,
     scene: Scene,
     *,
@@ -164,28 +163,28 @@ def paint_solved(
     refused: Callable[[str], None] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> PaintedScene:
-    """Draw a scene as ``paint_scene`` does, and keep the solution.
+) -> RenderedScene:
+    """Frame of ``render_scene`` together with its solution.
 
     Parameters
     ----------
     planet, scene, wavelengths, quality, polarisation, device, exact, orders, samples, stokes :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
     cache, local, stars :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
     disc : bool
-        Whether the discs of the lights are drawn.
+        Whether the discs of the lights are rendered.
     refused, progress, cancel :
-        Arguments of ``paint_scene``.
+        Arguments of ``render_scene``.
 
     Returns
     -------
-    PaintedScene
+    RenderedScene
 
     Raises
     ------
     ParameterError, ConvergenceError, Cancelled
-        As ``paint_scene``.
+        As ``render_scene``.
     """
     planet = load_planet(planet, progress=progress, cancel=cancel)
     if stars:
@@ -197,12 +196,12 @@ def paint_solved(
             raise ParameterError("wavelengths", list(nm), f"{FEWEST} or more, or none given")
     if stokes and device != "cpu":
         if device == "gpu" and refused is not None:
-            refused("a device draws no Q and U")
+            refused("the GPU does not render Q and U")
         device = "cpu"
     check_drawn(scene.camera.columns, scene.camera.rows, 3 if stokes else 1)
     count = LIVE if nm is None else len(nm)
-    chosen = drawing_device(device, planet, count, scene.camera.columns, refused)
-    weights, told = None, {}
+    chosen = rendering_gpu(device, planet, count, scene.camera.columns, refused)
+    weights, metadata = None, {}
     if nm is None:
         by_default = picture_wavelengths if chosen is None else texel_wavelengths
         nm = tuple(by_default(planet).tolist())
@@ -210,11 +209,11 @@ def paint_solved(
             from airlight.color.four_wavelengths import fitted_weights
 
             weights = fitted_weights(nm, planet.lights(nm)[0].spectrum)
-            told = {"colour": "from four wavelengths, fitted to the star"}
+            metadata = {"colour": "from four wavelengths, fitted to the star"}
     if scene.altitude < 0.0:
-        eyes = scene.altitude
+        requested = scene.altitude
         planet, scene = on_basin_floor(planet, scene)
-        told["solved_floor"] = f"ground lowered to {eyes - scene.altitude:.10g} m"
+        metadata["solved_floor"] = f"ground lowered to {requested - scene.altitude:.10g} m"
     if local:
         planet = local_ground(
             planet,
@@ -227,33 +226,33 @@ def paint_solved(
             planet, nm, quality, polarisation=polarisation, cache=cache, progress=progress,
             cancel=cancel,
         )  # fmt: skip
-    frame = ScenePainter(chosen).frame(
+    frame = Renderer(chosen).render(
         solution, scene, exact=exact, orders=orders, disc=disc, samples=samples, stokes=stokes,
         weights=weights, progress=progress, cancel=cancel,
     )  # fmt: skip
     if stars:
         add_catalogue(frame.rgb, scene, solution, planet.body)
-        told["stars"] = "to magnitude 6.5"
+        metadata["stars"] = "to magnitude 6.5"
     if solution.report.ground:
-        told["solved_ground"] = solution.report.ground
-    return PaintedScene(replace(frame, metadata={**frame.metadata, **told}), solution)
+        metadata["solved_ground"] = solution.report.ground
+    return RenderedScene(replace(frame, metadata={**frame.metadata, **metadata}), solution)
 
 
 @contextmanager
 def _compiling(reads_table: bool, cancel: Cancel | None) -> Iterator[None]:
-    """Have what draws the picture compiled by another process, if it is not, and then wait for it.
+    """Compile the rendering loops in another process meanwhile, unless they are on disk.
 
-    The first picture on a machine compiles longer than it solves and draws. Numba compiles one
-    function at a time in a process, so that a second core is of use only to another one.
+    The first frame on a machine takes longer to compile than to solve and render. Numba compiles
+    one function at a time per process, so a second core needs a second process.
     """
     if not reads_table or thread_count() < 2:
         yield
         return
     ahead = start_sky_view_compiler()
     try:
-        with FIRST_COMPILATION.elsewhere(DRAWING):
+        with FIRST_COMPILATION.elsewhere(SKY_VIEW_LOOPS):
             yield
-            for loop in DRAWING:
+            for loop in SKY_VIEW_LOOPS:
                 if not ahead.wait(loop, cancel or (lambda: False)):
                     raise Cancelled("cancelled")
     finally:

@@ -1,4 +1,4 @@
-"""Pictures that sum to a scene's: one for each of its lights."""
+"""Decomposition of a scene into single-light scenes, whose radiances add up."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from airlight.pixels.light_shown import light_shown
+from airlight.pixels.light_visibility import light_visibility
 from airlight.pixels.occulted_light import occulted_light
 from airlight.planets.light_source import LightSource
 from airlight.scene import Scene
@@ -15,19 +15,19 @@ from airlight.scene.light_position import LightPosition
 from airlight.solvers.moments.solution import MomentsSolution
 
 
-class LitScene(NamedTuple):
-    """Picture by one light.
+class SceneForLight(NamedTuple):
+    """Scene and solution of a single light.
 
     Attributes
     ----------
     scene : Scene
-        Scene with the light at the sun's place.
+        Scene in the frame of the light, as its sun.
     solution : MomentsSolution
-        Solution under this light.
+        Solution with this light.
     air : bool
-        Whether its light on air and ground is drawn; otherwise its disc alone.
+        Whether air and ground are illuminated; otherwise only the disc is rendered.
     light : LightPosition
-        The light in the scene of all.
+        Light in the original scene.
     """
 
     scene: Scene
@@ -36,16 +36,11 @@ class LitScene(NamedTuple):
     light: LightPosition
 
 
-def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
-    """Scene and solution of each light alone.
+def scenes_by_light(scene: Scene, solution: MomentsSolution) -> list[SceneForLight]:
+    """Single-light scenes of all visible lights.
 
-    Light adds up, so a picture is the sum of those of its lights: each has the light at the sun's
-    place, with its own irradiance, spectrum and disc. No light costs another solve. The lamps of
-    towns shine in the first.
-
-    A moon in front of a star hides its disc and dims its light, see ``occulted_light``.
-
-    Lights beside the first that cannot be seen are left out, see ``light_shown``.
+    All share one solution, scaled by the irradiance and spectrum of each light. City lights belong
+    to the first. Eclipses follow ``occulted_light``, visibility ``light_visibility``.
 
     Parameters
     ----------
@@ -56,34 +51,34 @@ def lit_scenes(scene: Scene, solution: MomentsSolution) -> list[LitScene]:
 
     Returns
     -------
-    list of LitScene
-        Pictures, in the order of ``scene.lights``.
+    list of SceneForLight
+        Single-light scenes, in the order of ``scene.lights``.
     """
     sources = solution.lights
-    pictures: list[LitScene] = []
+    pictures: list[SceneForLight] = []
     for number, light in enumerate(scene.lights):
         source = occulted_light(light.source(sources), light, scene.lights)
         first = pictures[0].solution.lights[0] if pictures else source
-        shown = 2.0 if number == 0 else _shown(scene, solution, light, source, first)
-        if shown == 0.0:
+        visibility = 2.0 if number == 0 else _visibility(scene, solution, light, source, first)
+        if visibility == 0.0:
             continue
         plain = number == 0 and source is sources[0]
         lit = solution if plain else solution.with_light(source, secondary=number > 0)
-        pictures.append(LitScene(scene.with_light(light), lit, shown > 1.0, light))
+        pictures.append(SceneForLight(scene.with_light(light), lit, visibility > 1.0, light))
     return pictures
 
 
-def _shown(
+def _visibility(
     scene: Scene,
     solution: MomentsSolution,
     light: LightPosition,
     source: LightSource,
     first: LightSource,
 ) -> float:
-    """Result of ``light_shown`` for a light beside the first."""
+    """Visibility of a secondary light, see ``light_visibility``."""
     medium = solution.medium
     share = float(np.max(source.irradiance / np.maximum(first.irradiance, 1e-300)))
-    return light_shown(
+    return light_visibility(
         light.zenith, scene.lights[0].zenith, math.degrees(source.angular_radius), share,
         scene.altitude, medium.bottom_radius, medium.thickness,
     )  # fmt: skip

@@ -1,7 +1,7 @@
-"""Thread that follows a session and reads and solves each requested planet, preview first.
+"""Solver thread: observes a session, and reads and solves each planet, preview first.
 
-The newest edit wins. The host never waits: it reads ``latest`` and ``status`` at any time and is
-called when they change. The thread sleeps while there is no request.
+The newest edit wins. The host never blocks: it reads ``latest`` and ``status`` at any time and is
+notified of changes.
 """
 
 from __future__ import annotations
@@ -24,44 +24,44 @@ from airlight.viewer.background.error_line import one_line
 from airlight.viewer.session.constituent_switches import switched
 from airlight.viewer.session.solve_request import SolveRequest, Versions
 
-#: Time after which a preview is abandoned for a newer edit. Faster previews are finished, so that
-#: the picture follows a drag whose edits come faster than previews. [s]
+#: Time after which a preview is cancelled by a newer edit. Faster previews are finished, so that
+#: the frame keeps up during a drag. [s]
 PATIENCE: Final = 3.0
-#: Number of solutions kept, so that an undo or a switch to the other side is immediate.
+#: Number of cached solutions, for immediate undo and change of side.
 CACHE_SIZE: Final = 4
-#: Part of a task after which the time left is told. [1]
-_TELLING: Final = 0.1
+#: Completed fraction from which the remaining time is estimated. [1]
+_ESTIMATE_AFTER: Final = 0.1
 #: Shortest time between progress reports. [s]
 _REPORT_EVERY: Final = 0.1
 
 
-class Followed(Protocol):
-    """Session, or one side of it."""
+class ObservableSession(Protocol):
+    """Observable source of solve requests: a session or one of its sides."""
 
     @property
     def solve_request(self) -> SolveRequest:
         """Request to solve."""
 
-    def follow(self, follower: Callable[[Versions], None]) -> Callable[[], None]:
-        """Call ``follower`` after every change, on the host's thread; returns an unsubscriber."""
+    def subscribe(self, observer: Callable[[Versions], None]) -> Callable[[], None]:
+        """Call ``observer`` after every change, on the host's thread; returns the unsubscriber."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Solved:
-    """Solution with its planet and version.
+class SolverResult:
+    """Result of a solve, with planet and version.
 
     Attributes
     ----------
     solution : Solution
-        Result of the solver.
+        Solution.
     planet : Planet
-        Planet as solved: constituents that are switched off neither scatter nor absorb.
+        Solved planet; disabled constituents neither scatter nor absorb.
     version : int
-        Version of the session's planet; the newest equals ``session.versions.planet``.
+        Version of the session's planet.
     quality : str
         Quality level of the solution.
     seconds : float
-        Time from the edit to the solution, including reading. [s]
+        Time from the edit to the solution. [s]
     """
 
     solution: Any
@@ -84,11 +84,11 @@ class SolverStatus:
     done, total : int
         Progress of that task. [1]
     version : int
-        Version of the planet in work, or of the last one.
+        Version of the current or last planet.
     error : str
         One-line error if the planet of ``version`` is invalid or cannot be solved; else empty.
     left : float or None
-        Time left, as that task has gone so far; None before that can be told. [s]
+        Estimated time left; None while unknown. [s]
     """
 
     busy: bool = False
@@ -115,15 +115,15 @@ class SolverStatus:
         return f"{self.doing}{part}{left} …"
 
 
-class Solving:
+class SolverThread:
     """Thread that solves the requests of a session.
 
     Parameters
     ----------
     session : Session or SessionSide
-        Session to follow, from construction on.
+        Session to observe.
     solver : PlanetSolver, optional
-        Solver, called on the thread; by default the processor's.
+        Solver, called on the thread; by default on the CPU.
     wavelengths : callable
         ``wavelengths(planet, count)`` [nm], with ``count`` as for ``picture_wavelengths``.
     on_change : callable, optional
@@ -137,7 +137,7 @@ class Solving:
 
     def __init__(
         self,
-        session: Followed,
+        session: ObservableSession,
         *,
         solver: PlanetSolver | None = None,
         wavelengths: Callable[[Planet, str], FloatArray] = picture_wavelengths,
@@ -151,20 +151,20 @@ class Solving:
         self._request = session.solve_request
         self._asked = time.perf_counter()
         self._served: SolveRequest | None = None
-        self._latest: Solved | None = None
+        self._latest: SolverResult | None = None
         self._status = SolverStatus(busy=True, doing="starting", version=self._request.version)
         self._closed = False
-        self._kept: OrderedDict[tuple[Any, ...], Solved] = OrderedDict()
+        self._kept: OrderedDict[tuple[Any, ...], SolverResult] = OrderedDict()
         self._planets: OrderedDict[str, Planet] = OrderedDict()
         self._reported = 0.0
-        self._unfollow = session.follow(self._follow)
+        self._unsubscribe = session.subscribe(self._on_session_change)
         self._thread = threading.Thread(target=self._run, name="airlight solving", daemon=True)
         self._thread.start()
 
     # --- on the host's thread -----------------------------------------------------------------
 
     @property
-    def latest(self) -> Solved | None:
+    def latest(self) -> SolverResult | None:
         """Newest solution, or None before the first."""
         return self._latest
 
@@ -188,20 +188,20 @@ class Solving:
 
     def close(self) -> None:
         """Cancel the running solve and end the thread."""
-        self._unfollow()
+        self._unsubscribe()
         with self._condition:
             self._closed = True
             self._condition.notify_all()
         if threading.current_thread() is not self._thread:
             self._thread.join()
 
-    def __enter__(self) -> Solving:
+    def __enter__(self) -> SolverThread:
         return self
 
     def __exit__(self, *error: object) -> None:
         self.close()
 
-    def _follow(self, versions: Versions) -> None:
+    def _on_session_change(self, versions: Versions) -> None:
         """Handle a change of the session; changes of view and display need no solution."""
         if versions.planet == self._request.version:
             return
@@ -233,7 +233,7 @@ class Solving:
                 self._status = SolverStatus(version=request.version, error=error)
                 self._served = request
                 self._condition.notify_all()
-            self._tell()
+            self._notify()
 
     def _serve(self, request: SolveRequest, asked: float) -> None:
         """Solve a planet at each quality up to the requested one, the fastest first."""
@@ -263,7 +263,7 @@ class Solving:
                 cancel=newer,
             )
             self._publish(
-                Solved(
+                SolverResult(
                     solution=solution,
                     planet=planet,
                     version=request.version,
@@ -303,14 +303,14 @@ class Solving:
                 self._planets.popitem(last=False)
         return switched(planet, request.state.off)
 
-    def _publish(self, solved: Solved, request: SolveRequest) -> None:
+    def _publish(self, solved: SolverResult, request: SolveRequest) -> None:
         self._kept[(*request.key, solved.quality)] = solved
         self._kept.move_to_end((*request.key, solved.quality))
         while len(self._kept) > 2 * CACHE_SIZE:
             self._kept.popitem(last=False)
         self._latest = solved
         self._status = replace(self._status, version=solved.version, error="")
-        self._tell()
+        self._notify()
 
     def _reporter(self, request: SolveRequest, doing: str) -> Progress:
         began = time.perf_counter()
@@ -318,16 +318,16 @@ class Solving:
         def report(done: int, total: int, message: str) -> None:
             now = time.perf_counter()
             share = done / max(total, 1)
-            left = (now - began) * (1.0 / share - 1.0) if share >= _TELLING else None
+            left = (now - began) * (1.0 / share - 1.0) if share >= _ESTIMATE_AFTER else None
             self._status = SolverStatus(
                 busy=True, doing=doing, done=done, total=total, version=request.version, left=left
             )
             if now - self._reported >= _REPORT_EVERY:
                 self._reported = now
-                self._tell()
+                self._notify()
 
         return report
 
-    def _tell(self) -> None:
+    def _notify(self) -> None:
         if self._on_change is not None:
             self._on_change()

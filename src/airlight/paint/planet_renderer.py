@@ -1,4 +1,4 @@
-"""Moons in front of a star, as a planet's air sees them: who draws the planet then."""
+"""CPU renderer of a planet in a scene of several bodies, with or without a moon's shadow."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from airlight.geometry.occulted_star import OccultedStar, occulted_star
 from airlight.kernel.threads import Cancel, Progress
 from airlight.paint.scene_lights import SceneLights
 from airlight.planets.light_source import LightSource
-from airlight.render.drawing import Drawing
-from airlight.render.eclipsed_drawing import EclipsedDrawing, check_unfiltered
+from airlight.render.cpu_renderer import CpuRenderer
+from airlight.render.eclipse_renderer import EclipseRenderer, check_unfiltered
 from airlight.scene import Scene
 from airlight.solvers.eclipsed.solution import EclipsedSolution
 from airlight.solvers.moments.solution import MomentsSolution
@@ -22,7 +22,7 @@ from airlight.system.light import Light
 FloatArray = NDArray[np.float64]
 
 
-def planet_drawing(
+def planet_renderer(
     lights: SceneLights,
     light: Light,
     body: Body,
@@ -33,8 +33,8 @@ def planet_drawing(
     cache: bool = True,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Drawing:
-    """Picture of a planet by one light, in the shadow of a moon if one falls on its air.
+) -> CpuRenderer:
+    """Renderer of a planet under one light; ``EclipseRenderer`` in the shadow of a moon.
 
     Parameters
     ----------
@@ -49,28 +49,28 @@ def planet_drawing(
     local : array, shape (3, 3)
         Axes of that frame in the scene's, as rows. [1]
     cache, progress, cancel :
-        See ``paint_system``.
+        See ``render_system``.
 
     Raises
     ------
     ParameterError
-        If the camera has a polarising filter, and a shadow falls.
+        If the camera has a polarising filter and a shadow falls on the air.
     """
     source = lights.seen_from(light, body)
-    star = None if light.star is None else moon_before(lights, light, body, source)
+    star = None if light.star is None else occulting_moon(lights, light, body, source)
     if star is None:
-        return Drawing(lit, scene, disc=False)
-    check_unfiltered(scene)  # before the minutes that a shadow takes
+        return CpuRenderer(lit, scene, disc=False)
+    check_unfiltered(scene)  # before the shadow is solved, which takes minutes
     eclipsed = EclipsedSolution(lit, star, cache=cache, progress=progress, cancel=cancel)
-    return EclipsedDrawing(eclipsed, scene, local)
+    return EclipseRenderer(eclipsed, scene, local)
 
 
-def moon_before(
+def occulting_moon(
     lights: SceneLights, star: Light, body: Body, source: LightSource
 ) -> OccultedStar | None:
-    """Body without air that hides a part of a star from the air of a planet; None if there is none.
+    """Airless body that occults a star for a planet's atmosphere; None if there is none.
 
-    Of several the one whose shadow passes nearest to the planet's centre is taken.
+    Of several, the body whose shadow axis passes nearest to the planet's centre.
 
     Parameters
     ----------

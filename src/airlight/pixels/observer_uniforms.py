@@ -1,14 +1,14 @@
-"""Uniforms of an observer and a star, as plain numbers, for hosts in any language."""
+"""Uniforms of observer and star; also emitted as JavaScript."""
 
 from __future__ import annotations
 
 import math
 
 
-def observer_numbers(
+def observer_uniforms(
     r: float, bottom: float, sun_x: float, sun_y: float, seen: float, star_radius: float
 ) -> tuple[float, float, float, float, float]:
-    """Uniforms of an observer and a star that follow from their positions.
+    """Uniforms derived from the positions of observer and star.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def observer_numbers(
 
     Examples
     --------
-    >>> observer_numbers(2.0, 1.0, 0.6, 0.0, 0.8, 0.0)[1:]
+    >>> observer_uniforms(2.0, 1.0, 0.6, 0.0, 0.8, 0.0)[1:]
     (0.5, 0.6, 0.6, 0.0)
     """
     half = math.sin(0.5 * star_radius)

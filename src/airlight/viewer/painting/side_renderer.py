@@ -1,4 +1,4 @@
-"""Painter of a side of the window: steps of a live picture, exposed, as textures."""
+"""``SideRenderer``: progressive frames of one side of the window, displayed in textures."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, Final
 
 from airlight.color.display import to_display
 from airlight.color.exposure import MOST_EXPOSURE
-from airlight.paint.scene_painter import LivePicture, ScenePainter
+from airlight.paint.renderer import LiveFrame, Renderer
 from airlight.scene.metering import METERED, scene_exposure
 from airlight.scene.picture_size import scaled
 from airlight.viewer.painting.picture_source import Picture, Request
@@ -18,47 +18,47 @@ from airlight.viewer.painting.picture_texture import Canvases
 _PAUSE: Final = 1.0 / 60.0
 
 
-class PicturePainter:
-    """``Painter`` that asks a ``ScenePainter`` for each step.
+class SideRenderer:
+    """``PictureSource`` that displays the steps of a ``Renderer``.
 
     Parameters
     ----------
     device : wgpu.GPUDevice
-        Device that holds the pictures.
-    painter : ScenePainter
-        Policy of who draws; it is closed with this painter.
+        Device of the textures.
+    renderer : Renderer
+        Renderer, which this object closes.
     """
 
-    def __init__(self, device: Any, painter: ScenePainter) -> None:
+    def __init__(self, device: Any, renderer: Renderer) -> None:
         self._canvases = Canvases(device)
-        self._painter = painter
+        self._renderer = renderer
         self._measured: tuple[Request, float] | None = None
 
-    def paint(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
-        """See ``Painter.paint``."""
+    def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
+        """See ``PictureSource.render``."""
         picture: Picture | None = None
-        for step in self._painter.live(
+        for step in self._renderer.live(
             request.solution, request.scene, orders=request.orders, stale=stale
         ):
-            picture = self._shown(request, step)
+            picture = self._displayed(request, step)
             yield picture
         while picture is not None and step.finished and not (picture.finished or stale()):
-            # Complete but for its exposure, which is still on its way.
+            # Final radiance, while the exposure still adapts.
             sleep(_PAUSE)
-            picture = self._shown(request, step)
+            picture = self._displayed(request, step)
             yield picture
 
     def close(self) -> None:
-        """See ``Painter.close``."""
-        self._painter.close()
+        """See ``PictureSource.close``."""
+        self._renderer.close()
 
-    def _shown(self, request: Request, step: LivePicture) -> Picture:
+    def _displayed(self, request: Request, step: LiveFrame) -> Picture:
         started, camera = perf_counter(), step.scene.camera
         exposure, settled = self._exposure(request, step)
         texture = self._canvases.next()
         if step.frame is None:
             texture.resize(camera.width, camera.height)
-            step.draw(
+            step.display(
                 texture.view, exposure=exposure, tone_map=request.tone_map,
                 uniforms=request.uniforms,
             )  # fmt: skip
@@ -82,8 +82,8 @@ class PicturePainter:
             by=step.by,
         )
 
-    def _exposure(self, request: Request, step: LivePicture) -> tuple[float, bool]:
-        """Exposure of a step, with the automatic one if that is on [EV], and whether it stays."""
+    def _exposure(self, request: Request, step: LiveFrame) -> tuple[float, bool]:
+        """Exposure of a step [EV], and whether it has settled."""
         exposure, settled = request.exposure, True
         if request.automatic:
             measured, adaptation = self._automatic(request, step), request.adaptation
@@ -94,8 +94,8 @@ class PicturePainter:
                 settled = request.held or adaptation.reached(measured)
         return min(max(exposure, -MOST_EXPOSURE), MOST_EXPOSURE), settled
 
-    def _automatic(self, request: Request, step: LivePicture) -> float:
-        """Measured exposure; a device draws for it, so that of the same light is kept. [EV]"""
+    def _automatic(self, request: Request, step: LiveFrame) -> float:
+        """Metered exposure, cached as the GPU has to render for it. [EV]"""
         radius = request.solution.lights[0].angular_radius
         if step.frame is not None:
             return scene_exposure(step.frame.rgb, step.scene, radius)
