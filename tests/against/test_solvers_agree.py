@@ -11,7 +11,7 @@ import pytest
 
 from airlight.solvers.direct.settings import Settings as DirectSettings
 from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
-from airlight.validation.agreement import Answer, agreements, answers
+from airlight.validation.agreement import Result, agreements, results
 from airlight.validation.cases import CASES, WAVELENGTHS
 from airlight.validation.metrics import summarise
 
@@ -38,7 +38,7 @@ CHECKED = (
 )
 LATER = pytest.mark.validation
 
-Answered = Callable[..., list[Answer]]
+Answered = Callable[..., list[Result]]
 
 
 @pytest.fixture
@@ -46,11 +46,11 @@ def answered(once: Callable[[str, Callable[[], Any]], Any]) -> Answered:
     """Direct and Monte Carlo at a wavelength, which is solved by one worker of a run."""
     return lambda planet, nm, every, judges=SOLVERS[1:]: once(
         f"{planet} at {nm:g} nm, every {every}, {len(judges)}",
-        lambda: answers(planet, judges, cases=CASES[::every], wavelengths=(nm,)),
+        lambda: results(planet, judges, cases=CASES[::every], wavelengths=(nm,)),
     )
 
 
-def joined(parts: Sequence[Answer]) -> Answer:
+def joined(parts: Sequence[Result]) -> Result:
     """Answers of a solver at single wavelengths, as one."""
     return replace(
         parts[0],
@@ -94,7 +94,7 @@ def test_three_solvers_agree_from_ground_to_space(
 ) -> None:
     # Three independent methods; two values agree within 1 % or within three standard errors.
     cases = CASES[::every]
-    given = answers(planet, (("moments", quality),), cases=cases, wavelengths=wavelengths)
+    given = results(planet, (("moments", quality),), cases=cases, wavelengths=wavelengths)
     apart = (answered(planet, nm, every, judges) for nm in wavelengths)
     given += [joined(parts) for parts in zip(*apart, strict=True)]
     pairs = agreements(given)

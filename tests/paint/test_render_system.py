@@ -23,7 +23,7 @@ from airlight.system.body import Body
 from airlight.system.light import Light
 from airlight.system.stars import stars
 from airlight.system.vectors import unit
-from airlight.system.viewpoint import Observer, View
+from airlight.system.viewpoint import SceneObserver, View
 
 NM = (680.0, 550.0, 440.0)
 SUN = airlight.Star(spectrum="astm-g173")
@@ -32,7 +32,7 @@ MOON = Body(name="moon", radius=1737.4e3, reflection="moon", position=(3.844e8, 
 SIZE = {"width": 60, "height": 40}
 
 
-def system(*bodies: Body, lights: tuple[Light, ...], observer: Observer, view: View) -> System:
+def system(*bodies: Body, lights: tuple[Light, ...], observer: SceneObserver, view: View) -> System:
     return System(name="x", bodies=bodies, lights=lights, observer=observer, view=view)
 
 
@@ -49,7 +49,7 @@ def test_a_planet_alone_is_drawn_as_render_draws_it(
     sun = np.sin(np.radians(10.0)) * up + np.cos(np.radians(10.0)) * east
     got = rendered(system(
         EARTH, lights=(Light(star=SUN, direction=tuple(sun)),),
-        observer=Observer(body="earth", altitude=altitude),
+        observer=SceneObserver(body="earth", altitude=altitude),
         view=View(
             look_zenith=95.0, look_bearing=135.0, roll=20.0, field_of_view=70.0,
             polariser=polariser,
@@ -76,7 +76,7 @@ def test_a_filter_halves_the_light_of_moons_and_stars() -> None:
     # Unpolarised light, whatever the axis: a half-lit moon, a star's disc and the points of stars.
     scene = System(
         name="x", bodies=(MOON,), lights=(Light(star=SUN, direction=(0.2, 1.0, 0.0)),),
-        observer=Observer(position=(3.7e8, 0.0, 0.0)), stars=True,
+        observer=SceneObserver(position=(3.7e8, 0.0, 0.0)), stars=True,
         view=View(direction=(1.0, 0.4, 0.0), field_of_view=120.0),
     )  # fmt: skip
     open_, *behind = (
@@ -100,7 +100,7 @@ def test_the_full_moons_light_is_that_of_its_picture() -> None:
     # magnitude by which the Moon lights a landscape.
     scene = system(
         MOON, EARTH, lights=(Light(star=SUN, direction=(-1.0, 0.05, 0.0)), Light(body="moon")),
-        observer=Observer(position=(7e7, 0.0, 0.0)), view=View(look_at="moon", field_of_view=1.0),
+        observer=SceneObserver(position=(7e7, 0.0, 0.0)), view=View(look_at="moon", field_of_view=1.0),
     )  # fmt: skip
     rgb = rendered(scene, width=80, height=80, wavelengths=NM)
     eye = scene.eye
@@ -118,7 +118,7 @@ def test_a_body_in_front_hides_and_one_behind_is_hidden() -> None:
     near = Body(name="near", radius=1e6, albedo=0.5, position=(1e8, 0.0, 0.0))
     far = Body(name="far", radius=2e6, albedo=0.05, position=(2e8, 0.0, 0.0))
     view = View(direction=(1.0, 0.0, 0.0), field_of_view=1.6)
-    observer = Observer(position=(0.0, 0.0, 0.0))
+    observer = SceneObserver(position=(0.0, 0.0, 0.0))
     both = rendered(system(near, far, lights=lights, observer=observer, view=view))
     swapped = rendered(system(far, near, lights=lights, observer=observer, view=view))
     assert_allclose(both, swapped)
@@ -138,14 +138,14 @@ def test_a_moon_seen_through_the_air_is_dimmed_by_its_transmittance() -> None:
     dimmer, bare = (
         rendered(system(*bodies, lights=lights, observer=observer, view=view), width=4, height=4)
         for bodies, observer in (
-            ((EARTH, moon), Observer(body="earth", altitude=2.0)),
-            ((moon,), Observer(position=(6378e3, 0.0, 0.0))),
+            ((EARTH, moon), SceneObserver(body="earth", altitude=2.0)),
+            ((moon,), SceneObserver(position=(6378e3, 0.0, 0.0))),
         )
     )
     solution = airlight.solve(airlight.load_planet("earth"), NM, quality="preview")
     zenith = np.degrees(np.arccos(unit(moon.centre - [6378e3, 0.0, 0.0], "x") @ up))
     dimmed = solution.transmittance(altitude=2.0, view_zenith=zenith).values
-    lights_at = SceneLights(system(moon, lights=lights, observer=Observer(position=(0, 0, 0)),
+    lights_at = SceneLights(system(moon, lights=lights, observer=SceneObserver(position=(0, 0, 0)),
                                    view=view), np.array(NM), {})  # fmt: skip
     colors = lights_at.seen_from(lights[0], moon).colors() * moon.albedos(NM)[:, None]
     expected = (dimmed @ colors) / colors.sum(axis=0)
@@ -156,7 +156,7 @@ def test_a_stars_disc_has_its_irradiance_and_its_dark_rim() -> None:
     scene = system(
         Body(name="rock", radius=1.0, position=(0.0, 1e6, 0.0)),
         lights=(Light(star=SUN, direction=(1.0, 0.0, 0.0)),),
-        observer=Observer(position=(0.0, 0.0, 0.0)), view=View(look_at="sun", field_of_view=0.7),
+        observer=SceneObserver(position=(0.0, 0.0, 0.0)), view=View(look_at="sun", field_of_view=0.7),
     )  # fmt: skip
     rgb = rendered(scene, width=70, height=70)
     lights = SceneLights(scene, np.array(NM), {})
@@ -172,7 +172,7 @@ def test_a_stars_disc_has_its_irradiance_and_its_dark_rim() -> None:
 def test_two_suns_are_the_sum_of_each() -> None:
     towards = ((0.2, 1.0, 0.0), (0.3, 0.9, 0.4))
     suns = [Light(name=f"s{k}", star=SUN, direction=d) for k, d in enumerate(towards)]
-    observer = Observer(body="earth", altitude=2.0)
+    observer = SceneObserver(body="earth", altitude=2.0)
     view = View(look_zenith=60.0, look_bearing=0.0, field_of_view=60.0)
     pictures = [
         rendered(system(EARTH, lights=tuple(some), observer=observer, view=view))
@@ -189,7 +189,7 @@ def test_moonlight_is_a_faint_day() -> None:
     towards = np.array([0.6, 0.8, 0.0])
     place = tuple(3.844e8 * towards)
     moon = Body(name="moon", radius=1737.4e3, reflection="moon", position=place)
-    observer = Observer(body="earth", altitude=2.0)
+    observer = SceneObserver(body="earth", altitude=2.0)
     view = View(look_zenith=30.0, look_bearing=270.0, field_of_view=60.0)
     day = rendered(system(EARTH, lights=(Light(star=SUN, direction=tuple(towards)),),
                        observer=observer, view=view))  # fmt: skip
@@ -205,7 +205,7 @@ def test_moonlight_is_a_faint_day() -> None:
 def test_options_out_of_range_are_refused() -> None:
     scene = system(
         MOON, lights=(Light(star=SUN, direction=(-1.0, 0.0, 0.0)),),
-        observer=Observer(position=(0.0, 0.0, 0.0)), view=View(look_at="moon"),
+        observer=SceneObserver(position=(0.0, 0.0, 0.0)), view=View(look_at="moon"),
     )  # fmt: skip
     with pytest.raises(ParameterError, match=r"samples is 17; allowed: 1 to 16"):
         render_system(scene, samples=17)
@@ -220,7 +220,7 @@ def test_stars_have_their_light_and_their_place() -> None:
     rock = Body(name="rock", radius=1.0, position=tuple(-1e6 * towards))
     scene = replace(
         system(rock, lights=(Light(star=SUN, direction=tuple(-towards)),),
-               observer=Observer(position=(0.0, 0.0, 0.0)),
+               observer=SceneObserver(position=(0.0, 0.0, 0.0)),
                view=View(direction=tuple(towards), field_of_view=20.0)),
         stars=True,
     )  # fmt: skip
@@ -248,7 +248,7 @@ def test_a_star_is_lifted_dimmed_and_hidden() -> None:
     earth = Body(name="earth", planet="earth", position=tuple(-radius * up))
     scene = system(
         earth, lights=(Light(star=SUN, direction=tuple(-up)),),
-        observer=Observer(position=tuple(2.0 * up)),
+        observer=SceneObserver(position=tuple(2.0 * up)),
         view=View(direction=tuple(towards), up=tuple(up), field_of_view=2.0),
     )  # fmt: skip
     dark = rendered(scene, width=40, height=40)
@@ -275,7 +275,7 @@ def test_a_low_light_looked_at_is_in_the_middle_of_the_picture(
     # flattening and the loss of light towards its lower rim; without refraction it is 0.4° off
     turn = np.radians(zenith)
     lights = (Light(star=SUN, direction=(np.cos(turn), np.sin(turn), 0.0)),)
-    observer = Observer(body="earth", altitude=altitude)
+    observer = SceneObserver(body="earth", altitude=altitude)
     view = View(look_at="sun", field_of_view=1.5)
     bright = luminance(rendered(system(EARTH, lights=lights, observer=observer, view=view)))
     planet = airlight.load_planet("earth")
@@ -298,7 +298,7 @@ def test_a_star_limits_the_exposure_of_a_scene(field_of_view: float) -> None:
     # picture; without the sun in view the exposure is that of what is there, a moon in its light
     scene = system(
         MOON, lights=(Light(star=SUN, direction=(0.0, 1.0, 0.0)),),
-        observer=Observer(position=(0.0, 0.0, 0.0)),
+        observer=SceneObserver(position=(0.0, 0.0, 0.0)),
         view=View(look_at="sun", field_of_view=field_of_view),
     )  # fmt: skip
     frame = render_system(scene, **SIZE, wavelengths=NM, quality="preview")

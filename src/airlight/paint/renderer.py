@@ -11,9 +11,9 @@ The policy of command line, window and saved frames alike:
   without changes the CPU renders the final frame, which, unlike a long pass, leaves the GPU
   queue free for the window.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are
-  not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU renders first.
-  The first frame of a window has full resolution, as coarse frames need the loop that marches
-  every pixel, which takes longer to compile or load.
+  not compiled either, which takes longer (``render.background_compilation``): then a hardware GPU
+  renders first. The first frame of a window has full resolution, as coarse frames need the loop
+  that marches every pixel, which takes longer to compile or load.
 
 All of them interpolate a sky-view LUT, unless an exact frame is requested.
 """
