@@ -110,6 +110,6 @@ def filled(away: FloatArray, partial: NDArray[np.bool_], reach: int) -> FloatArr
         return away
     from scipy.ndimage import distance_transform_edt
 
-    apart, nearest = distance_transform_edt(np.isinf(away), return_indices=True)
+    gap, nearest = distance_transform_edt(np.isinf(away), return_indices=True)
     found = away[tuple(nearest)]
-    return np.where(lacking & (apart <= reach), found, away)
+    return np.where(lacking & (gap <= reach), found, away)

@@ -74,7 +74,7 @@ class LightPosition:
         """
         return star
 
-    def beside(self, star: LightPosition) -> LightPosition:
+    def relative_to(self, star: LightPosition) -> LightPosition:
         """Light in a scene with a given first light, on which its disc may depend.
 
         Parameters

@@ -139,8 +139,8 @@ def ring_mean(
     Returns
     -------
     array, shape (4,)
-        Mean of the map's four channels, each ring at the level whose texels are as far apart as
-        its points or the rings. [1]
+        Mean of the map's four channels, each ring at the mip level with the spacing of its points
+        or of the rings. [1]
     """
     bearing = 2.0 * np.pi * (np.arange(_BEARINGS) + 0.5) / _BEARINGS
     far, near = np.sin(distances)[:, None], np.cos(distances)[:, None]
@@ -148,7 +148,7 @@ def ring_mean(
     up = np.broadcast_to(near, north.shape)
     # x to the north, y to the west: the local frame of a star in the north
     x, y, z = np.tensordot(planet_frame(latitude, longitude, 0.0), [north, -east, up], axes=1)
-    apart = np.maximum(np.gradient(distances), far[:, 0] * (2.0 * np.pi / _BEARINGS))
-    level = np.broadcast_to(shown.level(apart)[:, None], x.shape)
+    spacing = np.maximum(np.gradient(distances), far[:, 0] * (2.0 * np.pi / _BEARINGS))
+    level = np.broadcast_to(shown.level(spacing)[:, None], x.shape)
     lat, lon = np.degrees(np.arcsin(np.clip(z, -1.0, 1.0))), np.degrees(np.arctan2(y, x))
     return np.asarray(shown.sample(lat, lon, level).astype(np.float64).mean(axis=(0, 1)))

@@ -94,13 +94,14 @@ class MoonLight(LightPosition):
         """Angular radius of its disc; see ``LightPosition.radius``. [rad]"""
         return math.radians(self.angular_radius)
 
-    def beside(self, star: LightPosition) -> MoonLight:
+    def relative_to(self, star: LightPosition) -> MoonLight:
         """Moon with its bright limb towards a star, unless set explicitly.
 
         Examples
         --------
         >>> setting = LightPosition(zenith=90.0)
-        >>> MoonLight(zenith=90.0, azimuth=-40.0).beside(setting).limb  # the sun is to its right
+        >>> moon = MoonLight(zenith=90.0, azimuth=-40.0)
+        >>> moon.relative_to(setting).limb  # the sun is to its right
         90.0
         """
         if self.limb is not None:

@@ -95,8 +95,8 @@ def _newton(
         y = float(min(max(y + step[1], 0.0), camera.height - 2.0 * _SLOPE))
         if max(abs(step)) < 1e-6:
             break
-    apart = np.linalg.norm(_rays(camera, np.array([x]), np.array([y]))[0, 0] - direction)
-    return x, y, solid, bool(apart < _NEAR * math.sqrt(solid))
+    error = np.linalg.norm(_rays(camera, np.array([x]), np.array([y]))[0, 0] - direction)
+    return x, y, solid, bool(error < _NEAR * math.sqrt(solid))
 
 
 def _rays(camera: Camera, x: FloatArray, y: FloatArray) -> FloatArray:

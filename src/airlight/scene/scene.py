@@ -59,7 +59,7 @@ class Scene:
     time : datetime, optional
         Instant that the scene shows; it moves nothing, ``at`` makes a scene by it.
     secondary_lights : tuple of LightPosition
-        Lights beside the sun: a ``MoonLight``, a second star as ``StarLight``, or any other.
+        Lights other than the sun: a ``MoonLight``, a second star as ``StarLight``, or any other.
 
     Raises
     ------
@@ -209,7 +209,7 @@ class Scene:
     def lights(self) -> tuple[LightPosition, ...]:
         """All lights: the sun, at azimuth 0, then the secondary lights."""
         sun = LightPosition(zenith=self.sun_zenith)
-        return (sun, *(one.beside(sun) for one in self.secondary_lights))
+        return (sun, *(one.relative_to(sun) for one in self.secondary_lights))
 
     def lit_by(self, light: LightPosition) -> Scene:
         """Single-light scene in the frame of that light, at azimuth 0.

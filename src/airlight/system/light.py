@@ -130,8 +130,8 @@ class Light(Record):
         """
         if self.direction is not None:
             return np.broadcast_to(unit(self.direction, "direction"), np.shape(points))
-        apart = np.asarray(self.position, float) - points
-        return np.asarray(apart / np.linalg.norm(apart, axis=-1, keepdims=True))
+        offset = np.asarray(self.position, float) - points
+        return np.asarray(offset / np.linalg.norm(offset, axis=-1, keepdims=True))
 
     def star_at(self, point: FloatArray) -> Star:
         """Star with its irradiance and angular radius at a point.

@@ -166,14 +166,14 @@ class System:
         Raises
         ------
         ParameterError
-            With the pair, and the smallest distance that it may have.
+            Names the pair and its minimum distance.
         """
         for i, body in enumerate(self.bodies):
             for other in self.bodies[:i]:
-                apart = float(np.linalg.norm(body.centre - other.centre))
+                distance = float(np.linalg.norm(body.centre - other.centre))
                 least = self.outer_radius(body) + self.outer_radius(other)
-                if apart < least:
-                    raise ParameterError(f"bodies[{i}].position", f"{apart:.6g} m from"
+                if distance < least:
+                    raise ParameterError(f"bodies[{i}].position", f"{distance:.6g} m from"
                                          f" {other.name}", f"at least {least:.6g} m")  # fmt: skip
 
     @cached_property
