@@ -224,11 +224,11 @@ def _point_like(px, py, otherwise, observer, view, light, columns):
         steps[3 * place + 2] = nz
         fits[place] = 1.0 if free else 0.0
     for place in range(1, _PLACES):
-        separation = 0.0
+        square = 0.0
         for c in range(3):
             steps[3 * place + c] -= steps[c]
-            separation += steps[3 * place + c] * steps[3 * place + c]
-        if separation >= (_APART * view.pixel_angle) ** 2:
+            square += steps[3 * place + c] * steps[3 * place + c]
+        if square >= (_APART * view.pixel_angle) ** 2:
             fits[place] = 0.0
     if fits[1] + fits[3] < 0.5 or fits[2] + fits[4] < 0.5:
         return otherwise

@@ -239,9 +239,9 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     kinds = {"color": LocalArray(GROUND_VALUES)}
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
-        single_sample_light if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
-        _whole_window(), FRAME.struct_value(Observer, fixed),
-        FRAME.struct_value(ViewUniforms, fixed),
+        single_sample_light if once else sampled_light,
+        F32, F32, Constant(exact), Constant(_NO_REACH), _whole_window(),
+        FRAME.struct_value(Observer, fixed), FRAME.struct_value(ViewUniforms, fixed),
         FRAME.struct_value(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip
