@@ -41,15 +41,16 @@ def local_ground(
 ) -> Planet:
     """Planet with the mean albedo of the ground that illuminates an observer's sky.
 
-    The map's means of colour, water and clouds are taken with the weight of
-    ``airlight.scene.ground_weight``: half of it is a few tens of kilometres around a low observer,
-    the visible disc from far away. The albedo of the planet's file is multiplied by what they give
-    over what the means of the whole map give; the map itself is rendered as it is.
+    Colour, water and clouds of the map are averaged with the weight of
+    ``airlight.scene.ground_weight``: half of it is within a few tens of kilometres of a low
+    observer, and on the visible disc from far away. The albedo of the planet's file is multiplied
+    by the ratio of the albedos of these means and of the means over the whole map; the rendered map
+    is unchanged.
 
     Parameters
     ----------
     planet : Planet, str, Path or Solution
-        Planet, see ``load_planet``; it is returned as it is if it has neither map nor clouds.
+        Planet, see ``load_planet``; returned unchanged if it has neither map nor clouds.
     latitude, longitude : float
         Coordinates of the point below the observer, -90 to 90 and -360 to 360, north and east
         positive. [deg]

@@ -28,8 +28,8 @@ MEAN_RADIUS: Final = 0.259
 class MoonLight(LightPosition):
     """Moon as a secondary light, with irradiance and disc by phase.
 
-    It has the Moon's albedo, colour and phase curve, whatever the planet. Its light is that of the
-    planet's star, at the planet's distance from it.
+    Albedo, colour and phase curve are those of Earth's Moon for every planet. It is illuminated by
+    the planet's star, at the planet's distance from it.
 
     Parameters
     ----------
@@ -42,8 +42,8 @@ class MoonLight(LightPosition):
     angular_radius : float
         Angular radius, above 0 to 30; the Moon's is 0.245 to 0.282. [deg]
     limb : float, optional
-        Direction from its middle to its bright limb, clockwise from the zenith's. By default the
-        direction towards the star. [deg]
+        Position angle of the bright limb, clockwise from the zenith; by default towards the star.
+        [deg]
 
     Raises
     ------
@@ -143,7 +143,7 @@ def bright_limb(zenith: float, azimuth: float, star_zenith: float) -> float:
     Parameters
     ----------
     zenith, azimuth : float
-        Of the moon; azimuth from the star's side, to the right. [deg]
+        Direction of the moon; azimuth from the star's side, to the right. [deg]
     star_zenith : float
         Zenith angle of the star. [deg]
 

@@ -30,15 +30,14 @@ def pixel_positions(
     Parameters
     ----------
     camera : Camera
-        Camera; its direction does not count.
+        Camera; its orientation is ignored.
     directions : array, shape (n, 3)
         Unit vectors in the camera's frame: right, up, forward.
 
     Returns
     -------
     x, y : array, shape (n,)
-        Position from the left and the top edge; not a number where the picture does not show the
-        direction. [pixel]
+        Position from the left and the top edge; NaN for directions outside the frame. [pixel]
     solid_angle : array, shape (n,)
         Solid angle of a pixel. [sr]
 

@@ -34,22 +34,21 @@ class System:
     name, description : str
         Title, and a sentence about it.
     bodies : tuple of Body
-        Bodies; their spheres, and the air around them, do not touch each other.
+        Bodies, whose spheres and atmospheres do not overlap.
     lights : tuple of Light
-        Stars, and bodies that shine by reflected light; at least one star.
+        Stars, and bodies that reflect starlight; at least one star.
     observer : Observer
         Place of the observer.
     view : View
         Camera.
     folder : Path, optional
-        Folder of the files that it names.
+        Folder that paths refer to.
     stars : bool
         Whether the star catalogue is rendered; the frame is then equatorial J2000.
     time : datetime, optional
-        Time for which an ephemeris placed its bodies.
+        Time for which an ephemeris determined the positions of the bodies.
     changes : mapping
-        Keys of planet files that are changed before they are read, from path to value, by the name
-        of the body.
+        Overrides of planet files, from path to value, by the name of the body.
 
     Raises
     ------
