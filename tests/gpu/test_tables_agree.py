@@ -403,8 +403,8 @@ def test_a_formula_with_tables_on_the_gpu_is_the_cpu_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_gpu_renderer.py::test_a_marched_picture_has_the_cpu_s_radiance": (
-        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_shares", "ground_angles",
-        "ground_factor", "mirrored_line", "look", "line_of_sight",
+        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_shares",
+        "ground_angles", "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
