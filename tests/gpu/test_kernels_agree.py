@@ -334,10 +334,10 @@ STEPS = [
         (1.0, 0.0045 * UNIT, 0.00465, 1e-4, UNIT, True, 0.8, 0.6, 2.65),
         atol=1000 * EPS,
     ),
-    Case(star_disc.coverage, (0.01 * UNIT, 0.00465, 1e-3), atol=16 * EPS),
-    Case(star_disc.coverage, (0.01 * UNIT, 0.00465, 1e-2), atol=16 * EPS),
+    Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-3), atol=16 * EPS),
+    Case(star_disc.covered, (0.01 * UNIT, 0.00465, 1e-2), atol=16 * EPS),
     Case(
-        star_disc.splat_weight, (0.01 * MU, 0.01 * MU_S, 0.00465, 0.01, 0.002, 0.008), atol=16 * EPS
+        star_disc.shared_out, (0.01 * MU, 0.01 * MU_S, 0.00465, 0.01, 0.002, 0.008), atol=16 * EPS
     ),
 ]
 

@@ -403,8 +403,8 @@ def test_a_formula_with_tables_on_the_gpu_is_the_cpu_s(
 #: another method of the CPU for the same light: the test, and the functions.
 WHOLE = {
     "test_gpu_renderer.py::test_a_marched_picture_has_the_cpu_s_radiance": (
-        "pixel_light", "classify_ray", "reflectance", "ground_color", "ground_shares",
-        "ground_angles", "ground_factor", "mirrored_line", "look", "line_of_sight",
+        "pixel_light", "sight", "reflectance", "ground_color", "ground_shares", "ground_angles",
+        "ground_factor", "mirrored_line", "look", "line_of_sight",
         "star_on_ground", "phases_towards", "march", "add_point", "add_star", "star_columns",
         "field_place", "multiple_scattering_at", "place_panels", "place_panel", "panel_columns",
         "columns_along", "columns_between", "meets_ground", "ground_light", "camera_direction",
@@ -417,13 +417,13 @@ WHOLE = {
     "test_gpu_renderer.py::test_a_filter_lets_the_same_light_through_as_the_cpu_s": (
         "add_polarised_star", "add_polarised_light", "polarised_scattering_source",
         "polarised_between", "polarised_ratio_columns",
-        "filter_weights",
+        "filter_shares",
     ),
     "test_gpu_renderer.py::test_the_shader_fills_the_table_as_the_cpu_does": (
         "sky_view_texel", "direction_of_texel",
     ),
     "test_gpu_renderer.py::test_the_disc_s_light_does_not_depend_on_how_it_is_shared_out": (
-        "star_disc", "leaving_air", "_point_like", "darkened", "full_disc_powers",
+        "star_disc", "leaving_air", "_point_like", "darkened", "whole_powers",
     ),
     "test_lights.py::test_several_lights_are_shown_as_by_the_cpu": ("added_texel",),
     "test_gpu_renderer.py::test_what_is_drawn_is_exposed_and_tone_mapped": (
@@ -434,7 +434,7 @@ WHOLE = {
         "sine", "cosine", "sine_of_quarter", "cosine_of_quarter", "reduced_angle",
     ),
     "test_emitter.py::test_arcs_are_good_to_the_ends": ("arc_cosine", "arc_sine"),
-    "test_emitter.py::test_the_cube_root_is_numpy_s": ("positive_cube_root",),
+    "test_emitter.py::test_the_cube_root_is_numpy_s": ("third_power_root",),
     "test_emitter.py::test_the_angle_of_a_point_is_right_in_every_quadrant": ("angle_of",),
     "test_kernels_agree.py::test_an_encoding_s_number_is_its_place": ("encoded",),
     "test_kernels_agree.py::test_a_tone_map_s_number_is_its_place": (

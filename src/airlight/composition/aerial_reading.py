@@ -19,7 +19,7 @@ from airlight.kernel.shader_fields import Always, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle
 from airlight.pixels.pixel import between_texels, texel_before
 from airlight.pixels.sky_view_lut import half_sine_between
-from airlight.pixels.star_disc import coverage
+from airlight.pixels.star_disc import covered
 
 
 class AerialTables(NamedTuple):
@@ -181,7 +181,7 @@ def sky_radiance(x, y, z, pixel, tables):
     near, right, down = texel_towards(x, y, z, tables.sky_columns, tables.sky_rows, tables)
     columns = tables.sky_columns
     sky = between_texels(tables.air_sky, near, columns, right, down, tables.lanes, 0)
-    separation = 2.0 * half_sine_between(x, y, z, tables.star_x, tables.star_z)
-    share = coverage(separation, tables.star_radius, pixel)
+    apart = 2.0 * half_sine_between(x, y, z, tables.star_x, tables.star_z)
+    share = covered(apart, tables.star_radius, pixel)
     disc = between_texels(tables.air_star, near, columns, right, down, tables.lanes, 0)
     return sky + disc * np.float32(share)

@@ -23,7 +23,7 @@ _GAUSS: Final = 3.0**-0.5
 
 
 #: Uniforms of a moon's shading: phase, and direction of the bright limb.
-SHADING: Final = ("phase_sine", "phase_cosine", "phase_scale", "limb_x", "limb_y", "limb_z")
+SHADING: Final = ("phase_sine", "phase_cosine", "phase_share", "limb_x", "limb_y", "limb_z")
 #: Uniforms of an occulting moon: direction and angular radius.
 OCCULTER: Final = ("occulter_x", "occulter_y", "occulter_z", "occulter_radius")
 
@@ -43,7 +43,7 @@ def shading_uniforms(
     Examples
     --------
     >>> half = shading_uniforms(90.0, 0.0, 1.0, 0.0)  # on the horizon, lit from above
-    >>> half["limb_x"], half["limb_z"], round(half["phase_scale"], 2)
+    >>> half["limb_x"], half["limb_z"], round(half["phase_share"], 2)
     (-0.0, 1.0, 5.31)
     """
     if phase is None:
@@ -74,7 +74,7 @@ def phase_shading(
 
 
 @kernel
-def moon_shade(mu, toward, phase_sine, phase_cosine, phase_scale):
+def moon_shade(mu, toward, phase_sine, phase_cosine, phase_share):
     r"""Radiance of a Lommel-Seeliger sphere over the mean of its whole disc. [1]
 
     .. math:: \frac{L}{\bar L} = \frac{2}{\Phi(\alpha)} \frac{\mu_0}{\mu_0 + \mu}, \qquad
@@ -88,7 +88,7 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_scale):
         Coordinate t towards the bright limb, in radii. [1]
     phase_sine, phase_cosine : float
         Of the phase angle α. [1]
-    phase_scale : float
+    phase_share : float
         2 / Φ(α), from ``dusty_sphere``. [1]
 
     References
@@ -103,11 +103,11 @@ def moon_shade(mu, toward, phase_sine, phase_cosine, phase_scale):
     lit = toward * phase_sine + mu * phase_cosine
     if lit <= 0.0:
         return 0.0
-    return phase_scale * lit / (lit + max(mu, 0.0))
+    return phase_share * lit / (lit + max(mu, 0.0))
 
 
 @inlined
-def full_disc_powers(share):
+def whole_powers(share):
     """Means of the powers of μ over a whole disc, times ``share``; see ``disc_powers``."""
     return (
         share, share * 2.0 / 3.0, share / 2.0, share * 2.0 / 5.0, share / 3.0, share * 2.0 / 7.0
@@ -116,7 +116,7 @@ def full_disc_powers(share):
 
 @kernel
 def disc_powers(
-    share, separation, radius, pixel, along, phased, phase_sine, phase_cosine, phase_scale
+    share, apart, radius, pixel, along, phased, phase_sine, phase_cosine, phase_share
 ):  # fmt: skip
     """Means of the powers of μ over the part of a disc in a pixel, times ``share``.
 
@@ -127,13 +127,13 @@ def disc_powers(
     ----------
     share : float
         Radiance of a uniform disc in the pixel, per irradiance. [sr⁻¹]
-    separation, radius, pixel : float
+    apart, radius, pixel : float
         Angles: from the disc's centre to the pixel, radius of the disc, size of the pixel. [rad]
     along : float
         Cosine of the position angle between pixel and bright limb. [1]
     phased : bool
         Whether the disc is a moon's, with the arguments of ``moon_shade``.
-    phase_sine, phase_cosine, phase_scale : float
+    phase_sine, phase_cosine, phase_share : float
         Arguments of ``moon_shade``.
 
     Returns
@@ -141,8 +141,8 @@ def disc_powers(
     tuple of six float
         Mean of μ^k for k = 0 to 5, times ``share`` and, for a moon, ``moon_shade``. [sr⁻¹]
     """
-    inner = min(max(separation - 0.5 * pixel, 0.0) / radius, 1.0)
-    outer = min((separation + 0.5 * pixel) / radius, 1.0)
+    inner = min(max(apart - 0.5 * pixel, 0.0) / radius, 1.0)
+    outer = min((apart + 0.5 * pixel) / radius, 1.0)
     middle = 0.5 * (inner * inner + outer * outer)
     half = 0.5 * (outer - inner) * (outer + inner)
     p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -151,7 +151,7 @@ def disc_powers(
         mu = sqrt(max(1.0 - square, 0.0))
         part = 0.5 * share
         if phased:
-            part *= moon_shade(mu, sqrt(square) * along, phase_sine, phase_cosine, phase_scale)
+            part *= moon_shade(mu, sqrt(square) * along, phase_sine, phase_cosine, phase_share)
         p0 += part
         p1 += part * mu
         p2 += part * mu * mu

@@ -93,9 +93,9 @@ def occulted_light(
     nearest, found = math.inf, None
     for moon in lights:
         if isinstance(moon, MoonLight):
-            separation = 2.0 * math.asin(min(0.5 * math.dist(towards, moon.direction), 1.0))
-            if separation < min(nearest, alpha + math.radians(moon.angular_radius)):
-                nearest, found = separation, moon
+            apart = 2.0 * math.asin(min(0.5 * math.dist(towards, moon.direction), 1.0))
+            if apart < min(nearest, alpha + math.radians(moon.angular_radius)):
+                nearest, found = apart, moon
     if found is None:
         return source
     left = visible_light(

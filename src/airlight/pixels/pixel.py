@@ -14,7 +14,7 @@ from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_
 from airlight.pixels.disc_shading import darkened
 from airlight.pixels.ground import ground_factor, ground_shares, lamp_light
 from airlight.pixels.ground_angles import bent_to_ground, columns_to_ground
-from airlight.pixels.polarising_filter import filter_weights
+from airlight.pixels.polarising_filter import filter_shares
 from airlight.pixels.sky_view_lut import half_sine_between, look
 from airlight.pixels.star_disc import star_disc
 from airlight.solvers.moments.march_tables import MIRRORED
@@ -45,7 +45,7 @@ class ViewUniforms(NamedTuple):
     phased: bool
     phase_sine: float
     phase_cosine: float
-    phase_scale: float
+    phase_share: float
     limb_x: float
     limb_y: float
     limb_z: float
@@ -407,7 +407,7 @@ def pixel_light(
                 columns_to_ground(z, sine, observer, light, work.columns_total, work.columns_so_far)
     whole, stokes_q, stokes_u = 1.0, 0.0, 0.0
     if view.filter > 0:
-        whole, stokes_q, stokes_u = filter_weights(x, y, z, view)
+        whole, stokes_q, stokes_u = filter_shares(x, y, z, view)
     for at in range(0, light.lanes, LANES):
         total = splat(0.0)
         if through_air:
@@ -427,9 +427,9 @@ def pixel_light(
                 total = total + load(work.found, 5 * light.lanes + at) * np.float32(stokes_u)
         store(result, at, total)
     if view.draws_disc and not to_ground:
-        separation = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
+        apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
         p0, p1, p2, p3, p4, p5 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        if separation < reach:
+        if apart < reach:
             p0, p1, p2, p3, p4, p5 = star_disc(
                 px, py, x, y, z, observer, view, light, work.columns_total
             )

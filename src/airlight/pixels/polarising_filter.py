@@ -20,7 +20,7 @@ ASLANT: Final = 3
 
 
 @inlined
-def filter_weights(x, y, z, view):
+def filter_shares(x, y, z, view):
     """Weights of Stokes I, Q and U.
 
     Parameters

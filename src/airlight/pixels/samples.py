@@ -73,7 +73,7 @@ def sample_place(px, py, sample, side, view):
 
 
 @inlined
-def single_sample_light(
+def light_of_centre(
     px, py, exact, reach, window, observer, view, light, work, color, result
 ):  # fmt: skip
     """Spectral radiance of a pixel with one sample; arguments of ``sampled_light``."""

@@ -14,7 +14,7 @@ import numpy as np
 from airlight.geometry.bending import bend_angle
 from airlight.kernel import inlined, kernel
 from airlight.mappings.sky_view import angle_above_horizon
-from airlight.pixels.disc_shading import disc_powers, full_disc_powers
+from airlight.pixels.disc_shading import disc_powers, whole_powers
 from airlight.pixels.sky_view_lut import half_sine_between
 from airlight.scene.projections.projected import projected_ray
 from airlight.tables.column_ratios import columns_to_top
@@ -106,7 +106,7 @@ def leaving_air(x, y, z, observer, light, columns):
 
 
 @kernel
-def splat_weight(across, down, radius, right_x, below_x, below_y):
+def shared_out(across, down, radius, right_x, below_x, below_y):
     """Bilinear weight of a small disc in a pixel. [1]
 
     Parameters
@@ -121,7 +121,7 @@ def splat_weight(across, down, radius, right_x, below_x, below_y):
 
     Examples
     --------
-    >>> splat_weight(0.25, 0.0, 0.0, 1.0, 0.0, 1.0)  # a point: three quarters are here
+    >>> shared_out(0.25, 0.0, 0.0, 1.0, 0.0, 1.0)  # a point: three quarters are here
     0.75
     """
     total = 0.0
@@ -136,14 +136,14 @@ def splat_weight(across, down, radius, right_x, below_x, below_y):
 
 
 @kernel
-def coverage(separation, radius, pixel):
+def covered(apart, radius, pixel):
     """Antialiased coverage of a pixel by a disc, linear across its rim. [1]
 
     Its integral over the sphere is the solid angle of the disc.
 
     Parameters
     ----------
-    separation : float
+    apart : float
         Angle between the pixel and the disc's centre. [rad]
     radius, pixel : float
         Radius of the disc; angle that a pixel spans. [rad]
@@ -152,7 +152,7 @@ def coverage(separation, radius, pixel):
     rim = pixel * pixel / 12.0
     wide = max(sqrt(max(radius * radius - rim, 0.0)), 0.75 * pixel)
     share = radius * radius / (wide * wide + rim)
-    return share * min(max((wide - separation) / pixel + 0.5, 0.0), 1.0)
+    return share * min(max((wide - apart) / pixel + 0.5, 0.0), 1.0)
 
 
 @inlined
@@ -178,30 +178,28 @@ def star_disc(px, py, x, y, z, observer, view, light, columns):
     if x == 0.0 and y == 0.0 and z == 0.0:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     lx, ly, lz, free = leaving_air(x, y, z, observer, light, columns)
-    separation = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
+    apart = 2.0 * half_sine_between(lx, ly, lz, observer.sun_x, observer.sun_z)
     pixel = view.pixel_angle
     # Beyond two pixel diagonals no point is splatted.
-    if not free or separation > light.star_radius + 3.0 * pixel:
+    if not free or apart > light.star_radius + 3.0 * pixel:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    part = coverage(separation, light.star_radius, pixel) * view.disc
+    part = covered(apart, light.star_radius, pixel) * view.disc
     if light.star_radius < SMALL * pixel:
         part = _point_like(px, py, part, observer, view, light, columns)
-        return full_disc_powers(part)
+        return whole_powers(part)
     if view.occulter_radius > 0.0:
         dx, dy, dz = lx - view.occulter_x, ly - view.occulter_y, lz - view.occulter_z
-        occulter_separation = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
+        beside = 2.0 * min(0.5 * sqrt(dx * dx + dy * dy + dz * dz), 1.0)
         # Pixels with both rims: coverages are subtracted.
-        part = max(
-            part - coverage(occulter_separation, view.occulter_radius, pixel) * view.disc, 0.0
-        )
+        part = max(part - covered(beside, view.occulter_radius, pixel) * view.disc, 0.0)
     along = 0.0
     if view.phased:
         toward = (lx - observer.sun_x) * view.limb_x + ly * view.limb_y
         toward += (lz - observer.sun_z) * view.limb_z
-        along = toward / max(separation, 1e-12)
+        along = toward / max(apart, 1e-12)
     return disc_powers(
-        part, separation, light.star_radius, pixel, along, view.phased, view.phase_sine,
-        view.phase_cosine, view.phase_scale,
+        part, apart, light.star_radius, pixel, along, view.phased, view.phase_sine,
+        view.phase_cosine, view.phase_share,
     )  # fmt: skip
 
 
@@ -224,11 +222,11 @@ def _point_like(px, py, otherwise, observer, view, light, columns):
         steps[3 * place + 2] = nz
         fits[place] = 1.0 if free else 0.0
     for place in range(1, _PLACES):
-        square = 0.0
+        apart = 0.0
         for c in range(3):
             steps[3 * place + c] -= steps[c]
-            square += steps[3 * place + c] * steps[3 * place + c]
-        if square >= (_APART * view.pixel_angle) ** 2:
+            apart += steps[3 * place + c] * steps[3 * place + c]
+        if apart >= (_APART * view.pixel_angle) ** 2:
             fits[place] = 0.0
     if fits[1] + fits[3] < 0.5 or fits[2] + fits[4] < 0.5:
         return otherwise
@@ -271,5 +269,5 @@ def _point_like(px, py, otherwise, observer, view, light, columns):
         return otherwise
     across = dx * ux + dy * uy + dz * uz
     down = (dx * vx + dy * vy + dz * vz) / upright
-    part = splat_weight(across, down, light.star_radius, right, slant, upright)
+    part = shared_out(across, down, light.star_radius, right, slant, upright)
     return part / area

@@ -92,7 +92,7 @@ def arc_sine(x):
     return angle_of(x, math.sqrt(max((1.0 - x) * (1.0 + x), 0.0)))
 
 
-def positive_cube_root(x):
+def third_power_root(x):
     """Cube root, 0 for numbers that are not above 0."""
     return x ** (1.0 / 3.0) if x > 0.0 else 0.0
 
@@ -102,5 +102,5 @@ MATHEMATICS: Final[dict[Any, str | Callable[..., Any]]] = {
     math.sqrt: "sqrt", math.exp: "exp", math.log: "log", math.log2: "log2", math.tan: "tan",
     math.floor: "floor", abs: "abs", min: "min", max: "max", pow: "pow",
     math.sin: sine, math.cos: cosine, math.acos: arc_cosine, math.asin: arc_sine,
-    math.atan: arc_tangent, math.atan2: angle_of, cube_root: positive_cube_root,
+    math.atan: arc_tangent, math.atan2: angle_of, cube_root: third_power_root,
 }  # fmt: skip

@@ -27,7 +27,7 @@ from airlight.gpu.picture.uniforms import CHANNELS, FRAME
 from airlight.pixels.ground import GROUND_VALUES
 from airlight.pixels.pixel import ViewUniforms
 from airlight.pixels.render_tables import MAX_CONSTITUENTS, MAX_POINTS, MAX_TERMS
-from airlight.pixels.samples import sampled_light, single_sample_light
+from airlight.pixels.samples import light_of_centre, sampled_light
 from airlight.pixels.sky_view_lut import Observer, sky_view_texel
 from airlight.pixels.sky_view_window import SkyViewWindow
 from airlight.solvers.moments.march_tables import MarchTables, spectral_sizes, workspace_sizes
@@ -239,9 +239,9 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     kinds = {"color": LocalArray(GROUND_VALUES)}
     arrays = [emitter.module_array(n, kinds.get(n, LocalArray(1, VEC4))) for n in places]
     made = emitter.add(
-        single_sample_light if once else sampled_light,
-        F32, F32, Constant(exact), Constant(_NO_REACH), _whole_window(),
-        FRAME.struct_value(Observer, fixed), FRAME.struct_value(ViewUniforms, fixed),
+        light_of_centre if once else sampled_light, F32, F32, Constant(exact), Constant(_NO_REACH),
+        _whole_window(), FRAME.struct_value(Observer, fixed),
+        FRAME.struct_value(ViewUniforms, fixed),
         FRAME.struct_value(MarchTables, fixed), march_workspace(emitter), *arrays,
         name="light_of_pixel",
     )  # fmt: skip

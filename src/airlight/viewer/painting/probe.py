@@ -328,7 +328,7 @@ def _star(
     along = float((outside - towards) @ [across, aside, numbers["limb_z"]]) / max(apart, 1e-12)
     powers = disc_powers(
         1.0 / (left * sun_solid_angle(alpha)), apart, alpha, 0.0, along, star.phase is not None,
-        numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_scale"],
+        numbers["phase_sine"], numbers["phase_cosine"], numbers["phase_share"],
     )  # fmt: skip
     return np.asarray(through * star.irradiance * (star.darkenings @ powers))
 
