@@ -59,11 +59,11 @@ class Froxels:
         Parameters
         ----------
         air : Air
-            Atmosphere in front of the observer.
+            Air before the observer.
         directions : array, shape (rows, columns, 3)
             Unit vectors of the nodes of the screen, in the observer's local frame. [1]
         nearest, farthest : float
-            Range of distances to interpolate. [m]
+            Distances between which the table is to be read. [m]
         """
         steps = int(np.ceil(STEPS * np.log10(max(farthest / nearest, 1.0)))) + 1
         steps = min(steps, _MOST)
@@ -98,8 +98,7 @@ class Froxels:
         Returns
         -------
         radiance, transmittance, usable :
-            As from ``Air.before``, shape (n, nl), and whether all surrounding nodes are usable,
-            (n,).
+            As from ``Air.before``, shape (n, nl), and whether all nodes around can be used, (n,).
         """
         count = self.values.shape[3] // 2
         out = np.empty((x.size, 2 * count), np.float32)

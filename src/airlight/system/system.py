@@ -36,7 +36,7 @@ class System:
     bodies : tuple of Body
         Bodies, whose spheres and atmospheres do not overlap.
     lights : tuple of Light
-        Stars, and bodies that reflect starlight; at least one star.
+        Stars, and bodies that shine by reflected light; at least one star.
     observer : Observer
         Place of the observer.
     view : View
