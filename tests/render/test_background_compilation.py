@@ -38,7 +38,7 @@ def test_empty_arguments_have_the_types_of_a_picture(solved: Callable[..., Any])
     fill, draw, _ = _arguments()
     points = np.zeros(4)
     real = (
-        points, points, renderer.window, renderer._observer, renderer._screen, renderer._tables,
+        points, points, renderer.window, renderer._observer, renderer._view, renderer._tables,
         new_workspace(renderer._tables), renderer._weights, renderer._reach,
     )  # fmt: skip
     for made, one in zip(draw[:9], real, strict=True):

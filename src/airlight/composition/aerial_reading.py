@@ -34,17 +34,17 @@ class AerialTables(NamedTuple):
     star_radius : float
         Angular radius of its disc. [rad]
     nearest, farthest : float
-        Distances between which the air is tabled. [m]
+        Range of tabulated distances. [m]
     octave : float
-        Steps of distance to a factor of two. [1]
+        Number of distances per factor of two. [1]
     columns, rows, steps : int
-        Azimuths, rows of each half, and distances of the air's tables.
+        Numbers of azimuths, of rows per hemisphere, and of distances of the air tables.
     sky_columns, sky_rows : int
-        Azimuths, and rows of each half, of the tables.
+        Numbers of azimuths and of rows per hemisphere of the sky tables.
     lanes : int
-        Numbers of a texel.
+        Number of lanes of a texel.
     light_scale, extinction_scale : float
-        Radiance over distance [m⁻¹] and mean extinction [m⁻¹] of a stored 1.
+        Radiance over distance [m⁻¹] and mean extinction [m⁻¹] of a stored value of 1.
     air_light, air_extinction : array
         Stored radiance over distance, and mean extinction; red, green, blue. [1]
     air_sky, air_star : array
@@ -82,7 +82,7 @@ def texel_towards(x, y, z, columns, rows, tables):
     x, y, z : float
         Direction in the observer's frame: x level towards the star, z up. A unit vector. [1]
     columns, rows : int
-        Azimuths, and rows of each half.
+        Numbers of azimuths and of rows per hemisphere.
     tables : AerialTables
         Tables with their horizon.
 
@@ -176,7 +176,7 @@ def sky_radiance(x, y, z, pixel, tables):
     x, y, z, tables :
         Arguments of ``air_radiance``.
     pixel : float
-        Angle that a pixel spans, over which the disc's rim is smooth. [rad]
+        Angle of a pixel, the width of the disc's antialiased rim. [rad]
     """
     near, right, down = texel_towards(x, y, z, tables.sky_columns, tables.sky_rows, tables)
     columns = tables.sky_columns

@@ -58,7 +58,7 @@ class Composed:
     rgb : array, shape (h, w, 3), float32
         Linear sRGB, on the scale of the input.
     scale : array, shape (3,)
-        Radiance of value 1 in each channel. [W m⁻² sr⁻¹]
+        Radiance of the unit of each channel. [W m⁻² sr⁻¹]
     scene : Scene
         Scene with the observer, light and field of view of the image.
     star_radius : float
@@ -67,7 +67,7 @@ class Composed:
         Fraction of surface pixels that were marched instead of interpolated in froxels.
     error : float
         Largest froxel error, sampled at one pixel per cell, over the radiance of a grey surface
-        behind the air; 0 without froxels.
+        with aerial perspective; 0 without froxels.
     """
 
     rgb: Float32Array
@@ -360,9 +360,9 @@ class _LightRenderer:
         camera, rows, away, solid :
             Arguments of ``air``.
         parts : list of array
-            Albedo, normals and visible part of the star of the surfaces.
+            Albedo, normals, and visible fraction of the star, of the surfaces.
         transmittance : array, shape (n, nl)
-            Transmittance of the air before them. [1]
+            Transmittance between camera and surfaces. [1]
         """
         albedo, normals, lit = (np.asarray(one, np.float64) for one in parts)
         reached = away[solid]

@@ -31,7 +31,7 @@ def kind_of(depth: NDArray[np.floating], kind: str) -> str:
     Raises
     ------
     ParameterError
-        If there is no such kind, or the pass has the wrong number of channels.
+        If the kind is unknown, or the pass has the wrong number of channels.
     """
     if kind not in KINDS:
         raise ParameterError("depth_kind", kind, ", ".join(KINDS))
@@ -51,12 +51,12 @@ def distances(
     Parameters
     ----------
     depth : array, shape (rows, width) or (rows, width, 3)
-        Depth pass of these rows. Planar: along the camera's axis; distance: along the pixel's line;
-        position: the point seen, in the scene's coordinates; inverse: 1 over planar. [scene units]
+        Depth pass of these rows. Planar: along the optical axis; distance: along the ray; position:
+        surface point in scene coordinates; inverse: 1 over planar. [scene units]
     kind : str
         Result of ``kind_of``.
     camera : Pinhole
-        Camera of the picture.
+        Camera of the image.
     rows : slice
         Rows.
     metres_per_unit : float
@@ -65,8 +65,8 @@ def distances(
     Returns
     -------
     array, shape (rows, width)
-        Distance; infinite where there is no surface: not a number, 0 or less, ``FAR`` or more, and
-        a position of exactly 0, 0, 0. [m]
+        Distance; infinite without a surface: for NaN, 0 or less, ``FAR`` or more, and a position of
+        exactly 0, 0, 0. [m]
     """
     given = np.asarray(depth, np.float64)
     if kind == "position":
@@ -87,18 +87,18 @@ def distances(
 
 
 def filled(away: FloatArray, partial: NDArray[np.bool_], reach: int) -> FloatArray:
-    """Distances with that of the nearest surface in partially covered pixels.
+    """Fill partially covered pixels without depth from the nearest surface.
 
-    A depth pass has one sample a pixel, which on a silhouette may have missed what the colour has.
+    A depth pass has a single sample per pixel, which may miss a surface on its silhouette.
 
     Parameters
     ----------
     away : array, shape (h, w)
         Distances, infinite without a surface. [m]
     partial : array of bool, shape (h, w)
-        Pixels that a surface covers in part.
+        Pixels that a surface covers partially.
     reach : int
-        Largest distance of that surface. [pixel]
+        Maximum distance of the surface. [pixel]
 
     Examples
     --------
@@ -110,6 +110,6 @@ def filled(away: FloatArray, partial: NDArray[np.bool_], reach: int) -> FloatArr
         return away
     from scipy.ndimage import distance_transform_edt
 
-    apart, nearest = distance_transform_edt(np.isinf(away), return_indices=True)
+    gap, nearest = distance_transform_edt(np.isinf(away), return_indices=True)
     found = away[tuple(nearest)]
-    return np.where(lacking & (apart <= reach), found, away)
+    return np.where(lacking & (gap <= reach), found, away)

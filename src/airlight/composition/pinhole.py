@@ -40,15 +40,15 @@ class Pinhole:
     focal_x, focal_y : float
         Focal lengths. [pixel]
     centre_x, centre_y : float, optional
-        Principal point from the left and the top edge; the picture's centre by default. [pixel]
+        Principal point from the left and the top edge; by default the image centre. [pixel]
     to_world : array, shape (4, 4)
-        Matrix from the camera's to the scene's coordinates: columns are the camera's right, its up,
-        what is behind it (it looks along -Z), and its position in scene units.
+        Camera-to-scene matrix: columns are right, up and backward of the camera, which looks along
+        -Z, and its position in scene units.
 
     Raises
     ------
     ParameterError
-        With the field, the value and what is allowed.
+        With the field, the value and the allowed range.
 
     Examples
     --------
@@ -150,7 +150,7 @@ class Pinhole:
         Raises
         ------
         ParameterError
-            If the picture has another shape.
+            If the aspect ratio differs.
         """
         if (width, height) == (self.width, self.height):
             return self
@@ -174,25 +174,25 @@ def camera_from_json(
     ----------
     path : str or Path
         JSON with ``fl_x``, ``fl_y``, ``cx``, ``cy`` or ``camera_angle_x`` [rad], ``w`` and ``h``
-        [pixel], and ``transform_matrix``, either beside them or in one of ``frames``.
+        [pixel], and ``transform_matrix``, at the same level or in one of ``frames``.
     picture : str
-        Path of the picture; where there are several frames, that whose ``file_path`` has this name.
+        Path of the image; selects the frame whose ``file_path`` has this name.
     size : (int, int), optional
-        Width and height of the picture, where the file has none. [pixel]
+        Width and height of the image, if not in the file. [pixel]
 
     Returns
     -------
     camera : Pinhole
         Camera.
     place : dict
-        Its block ``airlight``, as it stands; empty without one.
+        Block ``airlight`` of the file, unvalidated; empty without one.
 
     Raises
     ------
     FileError
         If the file cannot be read as JSON.
     ParameterError
-        If something is missing, or is not what it should be; it names file and field.
+        If a field is missing or invalid; with file and field.
     """
     try:
         data = json.loads(read_text(path))
@@ -276,14 +276,14 @@ def camera_from_matrices(
     ----------
     world_to_camera, world_to_ndc : array, shape (4, 4)
         ``worldToCamera``, whose camera looks along +Z with X to the right and Y up, and
-        ``worldToNDC``, 0 to 1 across the picture from its left upper corner; both multiply rows.
+        ``worldToNDC``, 0 to 1 across the image from its upper left corner; for row vectors.
     width, height : int
         Size of the image. [pixel]
 
     Raises
     ------
     ParameterError
-        If the matrices are no perspective camera's.
+        If the matrices are not those of a perspective camera.
 
     References
     ----------

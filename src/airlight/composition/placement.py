@@ -98,9 +98,9 @@ class Placement:
         Parameters
         ----------
         block : dict
-            Values by the names of ``KEYS``; ``planet`` is left to the caller.
+            Values by the names of ``KEYS``; ``planet`` is ignored.
         **given : float or str
-            Fields that replace the block's, where they are not None.
+            Overrides of the block, if not None.
 
         Raises
         ------

@@ -2,7 +2,7 @@
 
 Sunlight is attenuated from space to each point. Radiance of sky and ground, without the scene, is
 projected on spherical harmonics at the point's altitude and star-zenith angle, and convolved with
-the clamped cosine of the normal. Shadowing by the scene itself is left to the caller.
+the clamped cosine of the normal. Shadows within the scene are the caller's task.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ class SurroundingLight:
         normals : array, shape (n, 3)
             Unit normals in the local frame of each point: x to the star's side, z up. [1]
         lit : array, shape (n,)
-            Part of the star that the scene leaves visible. [1]
+            Fraction of the star that the scene does not occlude. [1]
         """
         medium = self._solution.medium
         held = np.clip(r, medium.bottom_radius, medium.top_radius)
@@ -139,7 +139,7 @@ class SurroundingLight:
 def _harmonics(v: FloatArray) -> FloatArray:
     """Real spherical harmonics even in y, of the degrees used, shape (n, 27).
 
-    The light of a sky is symmetric about the plane of the star, so that odd ones vanish.
+    The sky is symmetric about the plane of the star, so that odd harmonics vanish.
     """
     x, y, z = v.T
     around = np.ones_like(x, np.complex128)
@@ -181,13 +181,13 @@ class Relight:
         Parameters
         ----------
         points : array, shape (n, 3)
-            Positions from the observer, in his local frame. [m]
+            Positions relative to the observer, in the observer's local frame. [m]
         normals : array, shape (n, 3)
-            Normals in the same frame, of any length; a zero vector receives like a level surface.
+            Normals in the same frame, of any length; a zero vector stands for a horizontal surface.
         albedo : array, shape (n, 3)
             Lambert albedo, linear sRGB under the star. [1]
         lit : array, shape (n,)
-            Part of the star that the scene leaves visible. [1]
+            Fraction of the star that the scene does not occlude. [1]
         """
         from_centre = points + np.array([0.0, 0.0, self._r])
         r = np.linalg.norm(from_centre, axis=-1)

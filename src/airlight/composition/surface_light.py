@@ -24,13 +24,13 @@ class SurfaceLight:
     solution : MomentsSolution
         Solution, whose first light is the star.
     white : float or None
-        Value of a white Lambert surface that faces the star without air; None for colours in
+        Value of a white Lambert surface facing the star without atmosphere; None for colours in
         radiance. [1]
 
     Attributes
     ----------
     scale : array, shape (3,)
-        Radiance of the value 1 in each channel. [W m⁻² sr⁻¹]
+        Radiance of the unit of each channel. [W m⁻² sr⁻¹]
     colors : array, shape (nl, 3)
         Linear sRGB per radiance over the star's irradiance. [W m⁻² sr⁻¹ sr]
     """
@@ -53,7 +53,7 @@ class SurfaceLight:
         colors : array, shape (n, 3)
             Colours of surfaces, linear sRGB. [any unit]
         transmittance : array, shape (n, nl)
-            Transmittance of the air before them. [1]
+            Transmittance between camera and surfaces. [1]
         """
         matrices = (transmittance @ self._shares.reshape(-1, 9)).reshape(-1, 3, 3)
         return np.asarray(np.einsum("nij,nj->ni", matrices, colors))

@@ -40,23 +40,22 @@ class Consumer:
     Attributes
     ----------
     name : str
-        Word of the command line.
+        Name on the command line.
     title : str
-        Name of the program and of the part of it that reads the map.
+        Name of the program and of its component that reads the map.
     projection : str
-        Projection of the picture: a name in ``PROJECTIONS``.
+        Projection of the map: a name in ``PROJECTIONS``.
     axes : tuple of three vectors
         The program's x, y and z in ENU. [1]
     centre : float
-        Bearing to which the middle of the picture looks, or, where the middle is overhead, that of
-        the bottom edge's middle. [deg]
+        Bearing of the image centre or, if the centre is the zenith, of the middle of the bottom
+        edge. [deg]
     tilt : float
-        Zenith angle of the middle, of a dome. [deg]
+        Zenith angle of the image centre of a dome. [deg]
     keeps_halves : bool
-        Whether it stores maps in half floats, of whichever file.
+        Whether the program stores maps in half floats, whatever the file format.
     rows_reach_poles : bool
-        Whether it takes the first and the last row for the poles themselves, not for half a texel
-        from them.
+        Whether the first and the last row are at the poles, not half a texel from them.
     """
 
     name: str
@@ -93,7 +92,7 @@ class Consumer:
         Raises
         ------
         ParameterError
-            If it is another word, or the program is not USD, whose layers alone choose.
+            If the axis is invalid, or the program is not USD.
         """
         if self.name != "usd":
             raise ConflictError("up", "requires usd")
@@ -114,7 +113,7 @@ class Consumer:
         Raises
         ------
         ParameterError
-            If it is no dome, or a value is out of range.
+            If the program is not a dome, or a value is out of range.
         """
         if self.tilt is None:
             raise ConflictError("front", "requires a dome")
@@ -170,7 +169,7 @@ def consumer_named(name: str) -> Consumer:
     Raises
     ------
     ParameterError
-        If there is none.
+        If the name is unknown.
 
     Examples
     --------

@@ -83,7 +83,7 @@ class EnvironmentMap:
         Parameters
         ----------
         normal : array, shape (3,)
-            Unit vector that the plane faces, in ENU. [1]
+            Normal of the plane in ENU, a unit vector. [1]
         """
         camera = self.scene.camera
         facing = normal @ enu_from_local(self.scene.sun_azimuth)
@@ -106,7 +106,7 @@ def map_camera(consumer: Consumer, width: int, height: int, sun_azimuth: float) 
     width, height : int
         Size of the map. [pixel]
     sun_azimuth : float
-        Compass bearing of the sun, from which the camera's azimuth counts. [deg]
+        Compass bearing of the sun, the zero of the camera's azimuth. [deg]
     """
     return Camera(
         projection=consumer.projection,
@@ -144,20 +144,21 @@ def environment_map(
     planet : Planet, str, Path or Solution
         Planet to solve, see ``load_planet``.
     scene : Scene
-        Observer and lights; of its camera only the size counts.
+        Observer and lights; of the camera, only the size is used.
     consumer : Consumer
-        Program that the map is for.
+        Target program.
     sun : str
-        ``include``: the discs of sun and moon are in the map; ``exclude``: they are not; ``light``:
-        they are not, and are lights of their own.
+        Discs of sun and moon: in the map (``include``), omitted (``exclude``), or separate lights
+        instead (``light``).
     ground : str
-        Lower half: ``neutral``, an even grey of the ground's albedo; ``map``, the planet's own;
-        ``black``, nothing.
+        Lower hemisphere: ``neutral``, a uniform grey of the ground's albedo; ``map``, the planet's
+        ground map; or ``black``.
     placed : bool
-        Whether the scene's latitude and longitude are meant: otherwise the air is lit by the mean
-        of the planet's ground.
+        Whether latitude and longitude of the scene were given by the user; otherwise the
+        atmosphere is solved with the mean albedo of the planet.
     local : bool
-        Whether the planet is solved for the ground around a meant place, as by ``render_scene``.
+        Whether the planet is solved with the albedo around a given location, as by
+        ``render_scene``.
     wavelengths, quality, polarisation, device, exact, stars, cache, refused, progress, cancel :
         Arguments of ``render_scene``.
 

@@ -45,9 +45,9 @@ class WrittenMap:
     path : Path
         Map.
     beside : tuple of Path
-        JSON, and the scene if there is one.
+        JSON sidecar, and scene file if any.
     scale : float
-        Factor of the map's numbers over radiances. [1]
+        Ratio of the map's numbers to radiances. [1]
     exposure : float or None
         Exposure of a PNG. [EV]
     """
@@ -68,7 +68,7 @@ def check_beside(
     path : Path
         Map.
     consumer : Consumer
-        Program that reads it.
+        Target program.
     overwrite : bool
         Whether files beside it may be replaced that airlight has not written, or that were changed
         since. The map itself always is.
@@ -117,7 +117,7 @@ def write_map(
     Parameters
     ----------
     path : Path
-        Path ending in ``.exr`` or ``.hdr``, or ``.png`` for a picture to look at.
+        Path ending in ``.exr`` or ``.hdr``, or ``.png`` for a preview.
     made : EnvironmentMap
         Map.
     precision, compression : str
@@ -127,7 +127,7 @@ def write_map(
         (in the file, which ``dwa`` makes one of halves, or in the program that reads it) the power
         of two at which they can. [1]
     metadata : mapping of str to str, optional
-        Further facts of how it was made.
+        Additional metadata.
     display : mapping, optional
         Arguments of ``write_picture`` for a PNG.
     overwrite : bool

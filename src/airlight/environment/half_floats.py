@@ -25,8 +25,8 @@ _SAMPLED: Final = 1 << 20
 def half_scale(rgb: NDArray[np.floating]) -> float:
     """Power of two that scales a map into the range of half floats.
 
-    Below 1 where a texel, such as one with the sun's disc, would be infinite; above 1 where more
-    than a twentieth of the lit texels would lose digits, as at night, and the brightest has room.
+    Below 1 if a texel, such as one with the sun's disc, would overflow; above 1 if more than 5 % of
+    the nonzero texels would be subnormal, as at night, and the brightest texel permits it.
 
     Parameters
     ----------

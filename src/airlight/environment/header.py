@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def standard_attributes(made: EnvironmentMap, scale: float) -> dict[str, Any]:
     """Standard attributes: projection, place, time and unit.
 
-    Place and time are written where they are known: ``latitude`` and ``longitude`` north and east
+    Location and time are written if known: ``latitude`` and ``longitude`` north and east
     positive [deg], ``altitude`` [m], ``capDate`` in universal time with ``utcOffset`` 0 [s].
 
     Parameters
@@ -22,8 +22,8 @@ def standard_attributes(made: EnvironmentMap, scale: float) -> dict[str, Any]:
     made : EnvironmentMap
         Map.
     scale : float
-        Factor of its numbers; ``whiteLuminance``, the luminance of three ones, has its reciprocal.
-        [1]
+        Ratio of the file's numbers to radiances; ``whiteLuminance``, the luminance of (1, 1, 1), is
+        proportional to its reciprocal. [1]
 
     References
     ----------

@@ -31,9 +31,9 @@ def mitsuba_scene(made: EnvironmentMap, name: str, scale: float) -> str:
     made : EnvironmentMap
         Map for ``mitsuba``.
     name : str
-        Name of its file, beside the scene.
+        Name of its file, in the folder of the scene.
     scale : float
-        Factor of the file's numbers, which the emitter undoes. [1]
+        Ratio of the file's numbers to radiances, compensated by the emitter. [1]
     """
     lights = "".join(
         _LIGHT.format(

@@ -23,7 +23,7 @@ def check_map(camera: Camera) -> None:
     Raises
     ------
     ParameterError
-        If it is none of ``MAPS``.
+        If the projection is not in ``MAPS``.
     """
     if camera.projection not in MAPS:
         raise ParameterError("camera.projection", camera.projection, f"{', '.join(MAPS)}")
@@ -40,7 +40,7 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     camera : Camera
         Camera that renders the map.
     rows : slice, optional
-        Rows from the top; all if left out.
+        Rows from the top; by default all.
 
     Returns
     -------
@@ -50,7 +50,7 @@ def texel_solid_angles(camera: Camera, rows: slice | None = None) -> FloatArray:
     Raises
     ------
     ParameterError
-        If the camera renders no such map.
+        If the projection is unsupported.
 
     Examples
     --------
@@ -86,13 +86,12 @@ def texel_positions(camera: Camera, directions: FloatArray) -> tuple[FloatArray,
     Returns
     -------
     x, y : array, shape (n,)
-        Distances from the left and the top edge; NaN where a fisheye does not reach.
-        [pixel]
+        Distances from the left and the top edge; NaN outside the image circle. [pixel]
 
     Raises
     ------
     ParameterError
-        If the camera renders no such map.
+        If the projection is unsupported.
 
     Examples
     --------

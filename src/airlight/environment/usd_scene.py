@@ -67,18 +67,18 @@ _LIGHT: Final = """
 def usd_scene(made: EnvironmentMap, name: str, scale: float) -> str:
     """Text of a ``.usda`` layer: y up, x east, z south; or z up, x east, y north.
 
-    The dome's intensity undoes the scale, so that its radiances, and the irradiances of the
+    The dome's intensity compensates the scale, so that its radiances, and the irradiances of the
     normalised distant lights, are in the units of the map (W m⁻² sr⁻¹; times 683 in nits). The
-    variant ``DomeLight_1`` says its pole by itself, which older programs do not know.
+    variant ``DomeLight_1`` has an explicit pole axis, but older programs do not support it.
 
     Parameters
     ----------
     made : EnvironmentMap
         Map for ``usd``.
     name : str
-        Name of its file, beside the layer.
+        Name of its file, in the folder of the layer.
     scale : float
-        Factor of the file's numbers. [1]
+        Ratio of the file's numbers to radiances. [1]
 
     References
     ----------
@@ -126,7 +126,7 @@ def _text(text: str) -> str:
 def axes_towards(direction: NDArray[np.float64]) -> NDArray[np.float64]:
     """Right-handed axes as rows, the third along a direction, shape (3, 3). [1]
 
-    A light that shines along its -z then comes from there.
+    In these axes, a light along -z comes from that direction.
 
     Parameters
     ----------

@@ -95,14 +95,14 @@ def occulting_moon(
     for other in system.bodies:
         if other.name == body.name or other.planet is not None:
             continue
-        apart = other.centre - body.centre
-        distance, radius = float(np.linalg.norm(apart)), system.radius(other)
-        if apart @ towards <= 0.0 or (
+        offset = other.centre - body.centre
+        distance, radius = float(np.linalg.norm(offset)), system.radius(other)
+        if offset @ towards <= 0.0 or (
             star.position is not None
             and distance > float(np.linalg.norm(np.asarray(star.position) - body.centre))
         ):
             continue
-        miss = float(np.linalg.norm(np.cross(apart, towards)))
+        miss = float(np.linalg.norm(np.cross(offset, towards)))
         # The penumbra's edge; the star's parallax over the planet is far less than its radius.
         if miss - reach < radius + (distance + reach) * math.tan(alpha) and miss < nearest:
             nearest, found = miss, other

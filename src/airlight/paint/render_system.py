@@ -185,17 +185,17 @@ class _SystemRenderer:
         ]  # fmt: skip
 
     def _power(self, body: Body) -> float:
-        apart = float(np.linalg.norm(body.centre - self.eye))
+        distance = float(np.linalg.norm(body.centre - self.eye))
         outer = self.system.outer_radius(body)
-        return (apart - outer) * (apart + outer)
+        return (distance - outer) * (distance + outer)
 
     # --- planets with air ---------------------------------------------------------------------
 
     def _place(self, body: Body) -> tuple[float, float, float]:
         """Latitude, longitude and altitude of the observer above a body. [deg], [m]"""
-        apart = self.eye - body.centre
-        distance = float(np.linalg.norm(apart))
-        x, y, z = self.system.axes(body) @ (apart / distance)
+        offset = self.eye - body.centre
+        distance = float(np.linalg.norm(offset))
+        x, y, z = self.system.axes(body) @ (offset / distance)
         altitude = max(distance - self.system.radius(body), 0.0)
         if self.system.observer.body == body.name:
             altitude = self.system.observer.altitude
@@ -363,12 +363,12 @@ class _SystemRenderer:
         shown = np.any(rays != 0.0, axis=-1)
         for k, item in enumerate(self.items):
             body = item.body if isinstance(item, _AtmosphereLayer) else item
-            apart = body.centre - self.eye
-            distance = float(np.linalg.norm(apart))
+            offset = body.centre - self.eye
+            distance = float(np.linalg.norm(offset))
             for radius in {self.system.radius(body), self.system.outer_radius(body)}:
                 if radius >= distance:
                     continue
-                angle = _angle_between(rays, apart / distance) - math.asin(radius / distance)
+                angle = _angle_between(rays, offset / distance) - math.asin(radius / distance)
                 if isinstance(item, Body):
                     inside |= shown & (angle < margin + bend)
                     edge |= shown & (np.abs(angle) < margin + bend * (k > 0))
@@ -454,11 +454,11 @@ class _SystemRenderer:
 
     def _meets(self, body: Body, rays: FloatArray) -> tuple[NDArray[np.intp], FloatArray]:
         """Indices of rays that hit an airless body, and distances. [m]"""
-        apart = body.centre - self.eye
+        offset = body.centre - self.eye
         radius = self.system.radius(body)
-        along = rays @ apart
+        along = rays @ offset
         # R² - d² sin² by the cross product, which avoids cancellation at large distances.
-        miss = np.linalg.norm(np.cross(rays, apart), axis=-1)
+        miss = np.linalg.norm(np.cross(rays, offset), axis=-1)
         met = np.flatnonzero((along > 0.0) & (miss < radius))
         length = along[met] - np.sqrt((radius - miss[met]) * (radius + miss[met]))
         return met, np.maximum(length, 0.0)
@@ -495,8 +495,8 @@ class _SystemRenderer:
         if body.map is None:
             return np.ones((len(normal), 3))
         folder = self.system.folder
-        beside = None if folder is None else folder / body.map
-        path = str(beside) if beside is not None and beside.is_file() else body.map
+        own_file = None if folder is None else folder / body.map
+        path = str(own_file) if own_file is not None and own_file.is_file() else body.map
         picture = surface_map(path)
         x, y, z = (normal @ self.system.axes(body).T).T
         footprint = length * self.camera.pixel_angle / self.system.radius(body)

@@ -150,7 +150,7 @@ class Renderer:
         self._compiling: threading.Thread | None = None
         self._compiled = device is None
         self._closing = False
-        self._began = False
+        self._has_rendered = False
         self._rate = _FIRST_GUESS
         self._last: tuple[MomentsSolution, LiveFrame] | None = None  # finished by the CPU
 
@@ -205,7 +205,7 @@ class Renderer:
             If ``cancel`` requested it.
         """
         if self._device is None:
-            if not self._has(SKY_VIEW_LOOPS, cancel or (lambda: False)):
+            if not self._are_compiled(SKY_VIEW_LOOPS, cancel or (lambda: False)):
                 raise Cancelled("the frame")
             frame = render(
                 solution, scene, exact=exact, orders=orders, disc=disc, samples=samples,
@@ -255,16 +255,16 @@ class Renderer:
             return
         if not self._compiled:
             yield from self._while_compiling(solution, step, stale)
-            if stale() or (self._device.software and self._knows(solution, step)):
+            if stale() or (self._device.software and self._is_rendered(solution, step)):
                 return
-        if not self._takes(solution):
+        if not self._upload(solution):
             yield from self._on_cpu(solution, step, stale)
             return
         on_gpu = replace(step, renderer=self._gpu, finished=not self._device.software)
         if on_gpu.finished:
             yield on_gpu
             return
-        if not self._knows(solution, step):
+        if not self._is_rendered(solution, step):
             yield on_gpu
             until = perf_counter() + _STILL
             while perf_counter() < until:
@@ -289,15 +289,17 @@ class Renderer:
         *,
         coarse: bool = True,
     ) -> Iterator[LiveFrame]:
-        if self._last is not None and self._knows(solution, step):
+        if self._last is not None and self._is_rendered(solution, step):
             yield self._last[1]
             return
-        if not self._has(SKY_VIEW_LOOPS, stale):
+        if not self._are_compiled(SKY_VIEW_LOOPS, stale):
             raise Cancelled("a newer view")
         # Loading the loop that marches takes longer than the first frame at full resolution.
-        coarse = coarse and (self._ahead is None or (self._began and self._has(MARCH_LOOPS)))
-        self._began = True
-        for number, part in enumerate(self._parts(step.scene) if coarse else [1.0]):
+        coarse = coarse and (
+            self._ahead is None or (self._has_rendered and self._are_compiled(MARCH_LOOPS))
+        )
+        self._has_rendered = True
+        for number, part in enumerate(self._scales(step.scene) if coarse else [1.0]):
             started = perf_counter()
             scene = scaled(step.scene, part)
             # The first, coarse frame is never interrupted: in flight every request is soon stale.
@@ -310,12 +312,14 @@ class Renderer:
                 self._last = solution, replace(done, seconds=0.0)
             yield done
 
-    def _has(self, loops: tuple[Any, ...], stale: Callable[[], bool] = lambda: True) -> bool:
+    def _are_compiled(
+        self, loops: tuple[Any, ...], stale: Callable[[], bool] = lambda: True
+    ) -> bool:
         """Whether loops are compiled; waits until they are or the request is stale."""
         ahead = self._ahead
         return ahead is None or all(ahead.wait(loop, stale) for loop in loops)
 
-    def _parts(self, scene: Scene) -> Iterator[float]:
+    def _scales(self, scene: Scene) -> Iterator[float]:
         """Scales of successive frames."""
         camera = scene.camera
         part = (self._rate * _AT_ONCE / (camera.width * camera.height)) ** 0.5
@@ -325,7 +329,7 @@ class Renderer:
             part *= _STEP
         yield 1.0
 
-    def _knows(self, solution: MomentsSolution, step: LiveFrame) -> bool:
+    def _is_rendered(self, solution: MomentsSolution, step: LiveFrame) -> bool:
         """Whether the CPU's last final frame has the same solution, scene and orders."""
         if self._last is None:
             return False
@@ -350,7 +354,7 @@ class Renderer:
             self._gpu.sky_view_size = shape
         return self._gpu
 
-    def _takes(self, solution: MomentsSolution) -> bool:
+    def _upload(self, solution: MomentsSolution) -> bool:
         """Upload a solution; False if it exceeds the GPU's capacity."""
         gpu = self._gpu_renderer(live=True)
         if solution is self._loaded:
@@ -373,7 +377,7 @@ class Renderer:
                 daemon=True,
             )  # fmt: skip
             self._compiling.start()
-        if not self._device.software and not self._has(SKY_VIEW_LOOPS):
+        if not self._device.software and not self._are_compiled(SKY_VIEW_LOOPS):
             while not self._compiled and not stale():
                 time.sleep(_POLL)
             return
@@ -397,11 +401,13 @@ class Renderer:
         assert self._device is not None
         try:
             if self._device.software:
-                self._has((SKY_VIEW_LOOPS[0],), lambda: self._closing)  # fills the sky-view LUT
-            if self._takes(solution):
+                self._are_compiled(
+                    (SKY_VIEW_LOOPS[0],), lambda: self._closing
+                )  # fills the sky-view LUT
+            if self._upload(solution):
                 assert self._gpu is not None
                 if self._device.software and not self._closing:
-                    separate = type(self._gpu)(self._device.apart(), self._gpu.sky_view_size)
+                    separate = type(self._gpu)(self._device.duplicate(), self._gpu.sky_view_size)
                     separate.set_solution(solution, maps=False)
                     _render_small(replace(step, renderer=separate))
                 if not self._closing:

@@ -67,8 +67,8 @@ class SceneLights:
     def towards(self, light: Light, points: FloatArray) -> FloatArray:
         """Unit vectors from points towards a light, shape (n, 3). [1]"""
         if light.body is not None:
-            apart = self.system.body(light.body).centre - points
-            return np.asarray(apart / np.linalg.norm(apart, axis=-1, keepdims=True))
+            offset = self.system.body(light.body).centre - points
+            return np.asarray(offset / np.linalg.norm(offset, axis=-1, keepdims=True))
         return light.towards(points)
 
     def seen_from(self, light: Light, body: Body) -> LightSource:
@@ -102,13 +102,13 @@ class SceneLights:
             )
         assert light.body is not None
         body = self.system.body(light.body)
-        apart = point - body.centre
-        distance = float(np.linalg.norm(apart))
+        offset = point - body.centre
+        distance = float(np.linalg.norm(offset))
         radius = self.system.radius(body)
         irradiance = np.zeros(nm.size)
         for star in self.stars:
             lit = self.seen_from(star, body)
-            cosine = float(star.towards(body.centre) @ apart) / distance
+            cosine = float(star.towards(body.centre) @ offset) / distance
             phase = float(np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))))
             if body.name in self.solutions:
                 share = disc_light(self.solutions[body.name], phase)
@@ -145,9 +145,9 @@ class SceneLights:
         for body in self.system.bodies:
             if body.name == own.name:
                 continue
-            apart = body.centre - points
-            distance = np.linalg.norm(apart, axis=-1)
-            cosine = np.einsum("nk,k->n", apart / distance[:, None], star.towards(own.centre))
+            offset = body.centre - points
+            distance = np.linalg.norm(offset, axis=-1)
+            cosine = np.einsum("nk,k->n", offset / distance[:, None], star.towards(own.centre))
             separation = np.arccos(np.clip(cosine, -1.0, 1.0))
             outer = np.arcsin(np.minimum(self.system.outer_radius(body) / distance, 1.0))
             if np.all(separation > outer + alpha):
@@ -155,7 +155,7 @@ class SceneLights:
             if body.name in self.solutions:
                 left *= self._behind(body, own, source, separation)
             else:
-                bare.append((apart / distance[:, None], separation, outer))
+                bare.append((offset / distance[:, None], separation, outer))
         if bare:
             left *= _beside(star.towards(own.centre), alpha, bare, darkening)
         return left

@@ -59,8 +59,8 @@ def apparent_altitude(planet: Planet, altitude: float, sun_zenith: float) -> flo
 def apparent_zenith(planet: Planet, altitude: float, zenith: float) -> float:
     """Apparent zenith angle of a body at infinity, from inside or outside the atmosphere.
 
-    Of a body behind the horizon the angle is the true one, less the refraction on the horizon,
-    which fades out with depth: a camera that follows a setting sun does not leap.
+    Below the horizon, refraction fades out with depth from its value on the horizon, so that a
+    camera that follows a setting sun moves continuously.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ def on_basin_floor(planet: Planet, scene: Scene) -> tuple[Planet, Scene]:
     ----------
     planet : Planet
     scene : Scene
-        Scene; it and the planet are returned as they are for an altitude of 0 or more.
+        Scene; scene and planet are returned unchanged for altitudes of 0 or more.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Camera: size, projection and orientation, which give the direction of each pixel."""
+"""Camera: size, projection and orientation, which determine the direction of each pixel."""
 
 from __future__ import annotations
 
@@ -38,17 +38,16 @@ class Camera:
     ----------
     projection : str
         Name of the projection: ``perspective``, ``fisheye`` (equidistant, a dome master),
-        ``equirectangular`` (a panorama
-        of the whole sphere), ``cubemap`` (a strip of six faces: right, left, up, down, ahead,
-        behind), ``octahedral`` (the whole sphere on a square of equal solid angles) or
-        ``orthographic`` (parallel lines of sight: the disc of a planet).
+        ``equirectangular`` (a panorama of the whole sphere), ``cubemap`` (a strip of six faces:
+        right, left, up, down, ahead, behind), ``octahedral`` (the whole sphere on a square of equal
+        solid angles) or ``orthographic`` (parallel lines of sight: the disc of a planet).
     width, height : int
         Size of the frame: a panorama is twice as wide as high, a cube strip six times, an
         octahedral one square. [pixel]
     field_of_view : float, optional
         Angle between the left and the right edge for perspective, default 60; across the circle for
-        a fisheye, default 180. The others show all directions; that of an orthographic camera
-        follows from ``extent``. [deg]
+        a fisheye, default 180. Other projections show the whole sphere; for an orthographic camera
+        it follows from ``extent``. [deg]
     look_zenith : float, optional
         Zenith angle of the line of sight, default 90 (fisheye: 0; orthographic: 180). [deg]
     look_azimuth : float
@@ -57,18 +56,18 @@ class Camera:
         Clockwise rotation of the camera about its line of sight. [deg]
     polariser : float, optional
         Ideal polarising filter: angle of its axis, counterclockwise from the camera's up; no filter
-        by default. It halves light that is not polarised. [deg]
+        by default. It halves unpolarised radiance. [deg]
     extent : float, optional
-        Length between the left and the right edge, which an orthographic camera needs; see
+        Length between the left and the right edge, required for an orthographic camera; see
         ``airlight.scene.projections.orthographic.disc_extent``. [m]
     crop : (int, int, int, int), optional
-        Rendered window of the frame: left and top edge, width and height. Its pixels
-        are those of the whole picture. [pixel]
+        Rendered window of the frame: left and top edge, width and height. Its pixels are identical
+        to those of the whole frame. [pixel]
 
     Raises
     ------
     ParameterError
-        With the field, the value and what is allowed.
+        With the field, the value and the allowed range.
 
     Examples
     --------
@@ -132,7 +131,7 @@ class Camera:
         return left, top, width, height
 
     def _check_parallel(self) -> None:
-        """Check what only an orthographic camera has, and set its field of view."""
+        """Validate the parameters of an orthographic camera, and set its field of view."""
         name, given = self.projection, self.field_of_view
         if not self.parallel:
             if self.extent is not None:
@@ -223,7 +222,7 @@ class Camera:
         Parameters
         ----------
         rows : slice, optional
-            Drawn rows from the top; all if left out.
+            Rendered rows from the top; by default all.
         offset : (float, float)
             Offset to the right of and below each pixel's centre, for several samples per pixel.
             [pixel]

@@ -21,7 +21,7 @@ _FORM = re.compile(rf"({_NUMBER}|[NESW]+)\s*(?:°|deg)?\s*(?:/\s*({_NUMBER})\s*(
 
 
 def compass_bearing(text: str) -> tuple[float, float | None] | None:
-    """Bearing, and elevation if there is one, of a text; None if it is neither.
+    """Bearing of a text, with an optional elevation; None if it is not a bearing.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def bearing(value: Measure, field: str) -> float:
     Raises
     ------
     ParameterError
-        If it is no bearing.
+        If the value is not a bearing.
 
     Examples
     --------

@@ -29,19 +29,17 @@ class Frame:
         Stokes Q and U in the meridian plane of each line of sight; None if not rendered.
         [W m⁻² sr⁻¹]
     metadata : dict
-        Description of how it was made, as text.
+        Description of the computation, as text.
     pixel_angle : float
-        Angle of a pixel where the camera looks straight ahead, as glare takes it: 0 for the faces
-        of a cube. [rad]
+        Angle of a pixel on the optical axis, for glare; 0 for the faces of a cube. [rad]
     circle : (int, int) or None
-        Size of the whole picture where that ends at the largest circle that fits, as a dome's.
-        [pixel]
+        Size of the uncropped frame of a projection with an image circle. [pixel]
     scene : Scene or None
-        Scene that it shows.
+        Rendered scene.
     star_radius : float
         Angular radius of the star. [rad]
     origin : (int, int)
-        Column and row of the whole picture at which the frame begins. [pixel]
+        First column and row of the frame in the uncropped frame. [pixel]
     """
 
     rgb: NDArray[np.float32]
@@ -78,7 +76,7 @@ class Frame:
 
     @cached_property
     def exposure(self) -> float:
-        """Automatic exposure, see ``scene_exposure`` where the scene is known. [EV]
+        """Automatic exposure; ``scene_exposure`` if the scene is known. [EV]
 
         Examples
         --------

@@ -54,22 +54,22 @@ def ground_overlay(lights: str | None, clouds: str | None = None) -> SurfaceMap 
     Parameters
     ----------
     lights : str or None
-        Name of lights that ship with airlight (``earth``), or path of an equirectangular picture;
-        of a coloured one the brightness counts.
+        Name of packaged city lights (``earth``), or path of an equirectangular image, whose
+        luminance is used.
     clouds : str or None
-        Path of an equirectangular picture of clouds, linear. If it has another size than the
-        lights, the smaller picture is enlarged.
+        Path of an equirectangular image of cloud cover, linear. If the sizes differ, the smaller
+        image is enlarged.
 
     Returns
     -------
     SurfaceMap or None
-        Map whose colours are the light of the ground, 1 for the brightest towns, and whose fourth
-        channel is the cover of the clouds; None without both.
+        Map with the radiance of city lights in its colours, 1 for the brightest cities, and cloud
+        cover in the fourth channel; None without both.
 
     Raises
     ------
     FileError
-        If there is no such file, or ``map_pixels`` refuses it.
+        If the file does not exist, or ``map_pixels`` rejects it.
     """
     if lights is None and clouds is None:
         return None
@@ -104,7 +104,7 @@ def _grey(values: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def _of_one_size(
     lamps: NDArray[np.uint8], cover: NDArray[np.uint8]
 ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """Both maps at the size of the larger."""
+    """Both maps at the size of the larger map."""
     lamps = packed_texels(_grey(lamps))[..., 0]
     cover = packed_texels(_grey(np.zeros_like(cover)), cover)[..., CHANNELS - 1]
     rows, columns = max(lamps.shape, cover.shape)

@@ -27,7 +27,7 @@ def moved_on(x, y, z, dx, dy, dz, cosine, angle, bottom):
     cosine : float
         Cosine of the angle between the line and the vertical at its end, 0 to 1. [1]
     angle : float
-        Angle by which the line has been bent. [rad]
+        Angle of refraction of the line. [rad]
     bottom : float
         Radius of the ground. [m]
 
@@ -108,7 +108,7 @@ def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at
     Parameters
     ----------
     texels : array of uint8, flat
-        Map and its halvings one after another, texels of ``airlight.color.texels``.
+        Texels of ``airlight.color.texels`` of all mip levels, one level after another.
     rows, columns, levels : int
         Size of the full map, and number of levels.
     latitude, longitude : float
@@ -116,8 +116,8 @@ def map_color(texels, rows, columns, levels, latitude, longitude, level, out, at
     level : float
         Level; 0 is the full map, 1 its half; clamped to the existing levels. [1]
     out : array, shape (at + 4,)
-        Receives the linear values from index ``at`` on: of a map of the ground sRGB reflectance and
-        share of water. [1]
+        Receives the linear values from index ``at`` on: for a ground map, sRGB reflectance and
+        water fraction. [1]
     at : int
         Constant: index of the first of them.
     """

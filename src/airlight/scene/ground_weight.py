@@ -56,11 +56,11 @@ class _Legs(NamedTuple):
         Distances along the line, from its lowest point, of the observer, and of the point where it
         enters the air. [m]
     solid : array
-        Solid angle that the line stands for, over 2π. [1]
+        Solid angle that the line represents, over 2π. [1]
     low, high : array
         Radii of the ends. [m]
     side : array
-        1 where the radius rises along the line, -1 where it falls.
+        1 where the radius increases along the line, -1 where it decreases.
     """
 
     impact: FloatArray
@@ -78,11 +78,11 @@ def ground_distances(medium: Medium, altitude: float, shares: FloatArray) -> Flo
     Parameters
     ----------
     medium : Medium
-        Air above the ground, of which the first wavelength is used.
+        Atmosphere; its first wavelength is used.
     altitude : float
         Altitude of the observer above the ground, also outside the shell. [m]
     shares : array, shape (n,)
-        Shares of the weight, ascending, 0 to 1. [1]
+        Fractions of the weight, ascending, 0 to 1. [1]
 
     Returns
     -------

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 class LightPosition:
     """Direction of a light in the observer's local frame.
 
-    Its source is one of the planet's; a light that shines by another, as a moon does, is a class of
-    its own with another ``source``.
+    Its source is one of the planet's light sources; lights with other sources, such as a moon, are
+    subclasses that override ``source``.
 
     Parameters
     ----------
@@ -74,8 +74,8 @@ class LightPosition:
         """
         return star
 
-    def beside(self, star: LightPosition) -> LightPosition:
-        """Light in a scene with a given first light, on which its disc may depend.
+    def relative_to(self, star: LightPosition) -> LightPosition:
+        """Light with a disc that may depend on the first light of the scene.
 
         Parameters
         ----------

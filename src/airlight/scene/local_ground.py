@@ -41,15 +41,16 @@ def local_ground(
 ) -> Planet:
     """Planet with the mean albedo of the ground that illuminates an observer's sky.
 
-    The map's means of colour, water and clouds are taken with the weight of
-    ``airlight.scene.ground_weight``: half of it is a few tens of kilometres around a low observer,
-    the visible disc from far away. The albedo of the planet's file is multiplied by what they give
-    over what the means of the whole map give; the map itself is rendered as it is.
+    Colour, water and clouds of the map are averaged with the weight of
+    ``airlight.scene.ground_weight``: half of it is within a few tens of kilometres of a low
+    observer, and on the visible disc from far away. The albedo of the planet's file is multiplied
+    by the ratio of the albedos of these means and of the means over the whole map; the rendered map
+    is unchanged.
 
     Parameters
     ----------
     planet : Planet, str, Path or Solution
-        Planet, see ``load_planet``; it is returned as it is if it has neither map nor clouds.
+        Planet, see ``load_planet``; returned unchanged if it has neither map nor clouds.
     latitude, longitude : float
         Coordinates of the point below the observer, -90 to 90 and -360 to 360, north and east
         positive. [deg]
@@ -139,8 +140,8 @@ def ring_mean(
     Returns
     -------
     array, shape (4,)
-        Mean of the map's four channels, each ring at the level whose texels are as far apart as
-        its points or the rings. [1]
+        Mean of the map's four channels, each ring at the mip level with the spacing of its points
+        or of the rings. [1]
     """
     bearing = 2.0 * np.pi * (np.arange(_BEARINGS) + 0.5) / _BEARINGS
     far, near = np.sin(distances)[:, None], np.cos(distances)[:, None]
@@ -148,7 +149,7 @@ def ring_mean(
     up = np.broadcast_to(near, north.shape)
     # x to the north, y to the west: the local frame of a star in the north
     x, y, z = np.tensordot(planet_frame(latitude, longitude, 0.0), [north, -east, up], axes=1)
-    apart = np.maximum(np.gradient(distances), far[:, 0] * (2.0 * np.pi / _BEARINGS))
-    level = np.broadcast_to(shown.level(apart)[:, None], x.shape)
+    spacing = np.maximum(np.gradient(distances), far[:, 0] * (2.0 * np.pi / _BEARINGS))
+    level = np.broadcast_to(shown.level(spacing)[:, None], x.shape)
     lat, lon = np.degrees(np.arcsin(np.clip(z, -1.0, 1.0))), np.degrees(np.arctan2(y, x))
     return np.asarray(shown.sample(lat, lon, level).astype(np.float64).mean(axis=(0, 1)))

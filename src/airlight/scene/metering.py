@@ -107,7 +107,7 @@ def _fill(projection, x, y, width, height, field_of_view, suns, cosines, out, li
 def metering_weights(
     scene: Scene, angular_radius: float, step: int = 1
 ) -> tuple[FloatArray, FloatArray]:
-    """Solid angles of all pixels, and the star that each is near.
+    """Solid angles of all pixels, and the light near each.
 
     Parameters
     ----------
@@ -116,14 +116,14 @@ def metering_weights(
     angular_radius : float
         Angular radius of the star. [rad]
     step : int
-        Step between the rows and columns that are wanted. [pixel]
+        Step between evaluated rows and columns. [pixel]
 
     Returns
     -------
     weights : array, shape (ceil(rows / step), ceil(columns / step))
         Solid angles, below 0 near the discs of the lights, 0 outside the frame. [sr]
     light : array, shape (ceil(rows / step), ceil(columns / step))
-        Number of the light near a pixel, of several the first. [1]
+        Index of the first light near each pixel. [1]
 
     Examples
     --------
@@ -152,14 +152,14 @@ def metering_weights(
 def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: float) -> float:
     """Automatic exposure of a frame, independent of its size.
 
-    What is away from the discs of the lights is exposed as ``automatic_exposure`` does. A disc in
-    view limits that, see ``airlight.color.exposure.star_limited``; in a picture of space, or of a
-    disc alone, it decides.
+    Pixels away from the discs of the lights determine ``automatic_exposure``. A disc in view limits
+    it, see ``airlight.color.exposure.star_limited``; in a frame of space, or of a disc alone, the
+    disc determines the exposure.
 
     Parameters
     ----------
     rgb : array, shape (height, width, 3)
-        Linear sRGB of the scene's picture. [W m⁻² sr⁻¹]
+        Linear sRGB of the frame. [W m⁻² sr⁻¹]
     scene : Scene
         Scene with camera and lights.
     angular_radius : float
@@ -168,7 +168,7 @@ def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: floa
     Returns
     -------
     float
-        Exposure, -100 to 100; the night's for a black picture. [EV]
+        Exposure, -100 to 100; that of night for a black frame. [EV]
     """
     step = sampling_step(*rgb.shape[:2])
     bright = luminance(sampled(rgb, step))

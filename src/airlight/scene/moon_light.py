@@ -28,8 +28,8 @@ MEAN_RADIUS: Final = 0.259
 class MoonLight(LightPosition):
     """Moon as a secondary light, with irradiance and disc by phase.
 
-    It has the Moon's albedo, colour and phase curve, whatever the planet. Its light is that of the
-    planet's star, at the planet's distance from it.
+    Albedo, colour and phase curve are those of Earth's Moon for every planet. It is illuminated by
+    the planet's star, at the planet's distance from it.
 
     Parameters
     ----------
@@ -42,8 +42,8 @@ class MoonLight(LightPosition):
     angular_radius : float
         Angular radius, above 0 to 30; the Moon's is 0.245 to 0.282. [deg]
     limb : float, optional
-        Direction from its middle to its bright limb, clockwise from the zenith's. By default the
-        direction towards the star. [deg]
+        Position angle of the bright limb, clockwise from the zenith; by default towards the star.
+        [deg]
 
     Raises
     ------
@@ -94,13 +94,14 @@ class MoonLight(LightPosition):
         """Angular radius of its disc; see ``LightPosition.radius``. [rad]"""
         return math.radians(self.angular_radius)
 
-    def beside(self, star: LightPosition) -> MoonLight:
+    def relative_to(self, star: LightPosition) -> MoonLight:
         """Moon with its bright limb towards a star, unless set explicitly.
 
         Examples
         --------
         >>> setting = LightPosition(zenith=90.0)
-        >>> MoonLight(zenith=90.0, azimuth=-40.0).beside(setting).limb  # the sun is to its right
+        >>> moon = MoonLight(zenith=90.0, azimuth=-40.0)
+        >>> moon.relative_to(setting).limb  # the sun is to its right
         90.0
         """
         if self.limb is not None:
@@ -142,7 +143,7 @@ def bright_limb(zenith: float, azimuth: float, star_zenith: float) -> float:
     Parameters
     ----------
     zenith, azimuth : float
-        Of the moon; azimuth from the star's side, to the right. [deg]
+        Direction of the moon; azimuth from the star's side, to the right. [deg]
     star_zenith : float
         Zenith angle of the star. [deg]
 

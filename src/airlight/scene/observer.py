@@ -69,7 +69,7 @@ def look_at(
     target : str
         Name of the target: ``horizon`` (below the sun, on the ground's edge), ``nadir``,
         ``zenith``, ``sun`` or ``moon``; or a compass bearing: ``NE``, degrees such as ``315``, with
-        an elevation ``315/20``, without one on the horizon.
+        an optional elevation, ``315/20``; by default on the horizon.
     altitude : float
         Altitude of the observer. [m]
     sun_zenith : float
@@ -79,9 +79,9 @@ def look_at(
     sun_azimuth : float
         Compass bearing of the sun, for bearings and the moon. [deg]
     moon : (float, float), optional
-        True zenith angle and compass bearing of the moon, where they are known. [deg]
+        True zenith angle and compass bearing of the moon, if known. [deg]
     planet : Planet, optional
-        Planet through whose air sun and moon are seen; their true places count without it.
+        Planet whose atmosphere refracts sun and moon; by default refraction is neglected.
 
     Returns
     -------
@@ -91,7 +91,7 @@ def look_at(
     Raises
     ------
     ParameterError
-        If there is no such target.
+        If the target is unknown.
 
     Examples
     --------

@@ -38,7 +38,7 @@ def resized(scene: Scene, width: int, height: int) -> Scene:
     scene : Scene
         Scene with the camera.
     width, height : int
-        Size into which the picture must fit. [pixel]
+        Maximum size. [pixel]
     """
     wide, high = fitting(scene.camera.projection, width, height)
     return replace(scene, camera=replace(scene.camera, width=wide, height=high))

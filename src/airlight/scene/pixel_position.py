@@ -30,15 +30,14 @@ def pixel_positions(
     Parameters
     ----------
     camera : Camera
-        Camera; its direction does not count.
+        Camera; its orientation is ignored.
     directions : array, shape (n, 3)
         Unit vectors in the camera's frame: right, up, forward.
 
     Returns
     -------
     x, y : array, shape (n,)
-        Position from the left and the top edge; not a number where the picture does not show the
-        direction. [pixel]
+        Position from the left and the top edge; NaN for directions outside the frame. [pixel]
     solid_angle : array, shape (n,)
         Solid angle of a pixel. [sr]
 
@@ -95,8 +94,8 @@ def _newton(
         y = float(min(max(y + step[1], 0.0), camera.height - 2.0 * _SLOPE))
         if max(abs(step)) < 1e-6:
             break
-    apart = np.linalg.norm(_rays(camera, np.array([x]), np.array([y]))[0, 0] - direction)
-    return x, y, solid, bool(apart < _NEAR * math.sqrt(solid))
+    error = np.linalg.norm(_rays(camera, np.array([x]), np.array([y]))[0, 0] - direction)
+    return x, y, solid, bool(error < _NEAR * math.sqrt(solid))
 
 
 def _rays(camera: Camera, x: FloatArray, y: FloatArray) -> FloatArray:

@@ -32,7 +32,7 @@ STANDING: Final = 2.0
 class Scene:
     """Observer, camera and direction of the sun; the planet comes with the solution.
 
-    Its defaults are those of the commands.
+    The defaults are those of the command line.
 
     Lengths and angles are numbers, text with a unit such as ``altitude="400 km"``, or quantities of
     pint, astropy or unyt.
@@ -40,11 +40,11 @@ class Scene:
     Parameters
     ----------
     camera : Camera
-        Camera that gives the directions of the pixels.
+        Camera.
     altitude : float
         Altitude of the observer, up to 1e12; outside the air is allowed. Below 0, down to the
-        deepest basin of the planet, the observer stands on its floor: ``stands_on_floor``. An
-        orthographic camera is 1e12 away. [m]
+        deepest basin of the planet, the observer stands on the basin's floor, see
+        ``stands_on_floor``. An orthographic camera is at 1e12. [m]
     sun_zenith : float
         Zenith angle of the sun at the observer, 0 to 180. [deg]
     latitude, longitude : float
@@ -52,14 +52,14 @@ class Scene:
         of the ground. [deg]
     sun_azimuth : float
         Compass bearing of the sun, 0 north and 90 east, or a point of the compass such as ``SW``;
-        it only rotates the map of the ground. [deg]
+        only the map of the ground depends on it. [deg]
     ground : str
-        ``plain``, the map or the albedo alone, or ``detailed``: with noise below the map's
-        resolution, which is decoration.
+        ``plain``, the map or the albedo alone, or ``detailed``, with procedural noise below the
+        map's resolution.
     time : datetime, optional
-        Instant that the scene shows; it moves nothing, ``at`` makes a scene by it.
+        Instant of the scene, as metadata only; ``Scene.at`` positions sun and Moon by it.
     secondary_lights : tuple of LightPosition
-        Lights beside the sun: a ``MoonLight``, a second star as ``StarLight``, or any other.
+        Lights other than the sun: a ``MoonLight``, a second star as ``StarLight``, or any other.
 
     Raises
     ------
@@ -140,9 +140,9 @@ class Scene:
         altitude : float, optional
             Altitude of the observer, 2 by default. [m]
         look_at : str, optional
-            Target of the camera: ``sun`` or ``moon`` where they are seen, a compass bearing, or
-            another of ``look_at``; if left out, the camera's own angles count, with azimuth 0
-            on the sun's side.
+            Target of the camera: ``sun`` or ``moon`` at their apparent positions, a compass
+            bearing, or another target of ``look_at``; by default the camera's own angles, with
+            azimuth 0 on the sun's side.
         camera : Camera, optional
             Camera.
         ground : str
@@ -151,7 +151,7 @@ class Scene:
         Raises
         ------
         ParameterError
-            If the planet names no body, or a value is unusable.
+            If the planet has no ``body``, or a value is invalid.
 
         Examples
         --------
@@ -208,7 +208,7 @@ class Scene:
     def lights(self) -> tuple[LightPosition, ...]:
         """All lights: the sun, at azimuth 0, then the secondary lights."""
         sun = LightPosition(zenith=self.sun_zenith)
-        return (sun, *(one.beside(sun) for one in self.secondary_lights))
+        return (sun, *(one.relative_to(sun) for one in self.secondary_lights))
 
     def with_light(self, light: LightPosition) -> Scene:
         """Single-light scene in the frame of that light, at azimuth 0.

@@ -30,7 +30,7 @@ class StarLight(LightPosition):
     Raises
     ------
     ParameterError
-        If an angle is out of range, or ``star`` is none.
+        If an angle is out of range, or ``star`` is not a ``Star``.
 
     Examples
     --------

@@ -1,6 +1,6 @@
 """Position of the sun by local solar time and declination, and the inverse.
 
-All values are plain numbers, in the subset of Python that becomes JavaScript too.
+The formulas are in the Python subset that is also emitted as JavaScript.
 """
 
 from __future__ import annotations

@@ -38,8 +38,8 @@ class SurfaceMap:
     rows, columns : int
         Size of the full map.
     flat : array, shape (4·n,)
-        Texels of ``airlight.color.texels``: sRGB reflectance and share of water, of all levels one
-        after another, as ``map_color`` reads them.
+        Texels of ``airlight.color.texels``: sRGB reflectance and water fraction, of all levels in
+        the layout of ``map_color``.
     """
 
     name: str
@@ -112,7 +112,7 @@ class SurfaceMap:
         Returns
         -------
         array, shape (..., 4)
-            Linear sRGB reflectance and share of water. [1]
+            Linear sRGB reflectance and water fraction. [1]
         """
         lat, lon, depth = np.broadcast_arrays(
             np.asarray(latitude, dtype=np.float64),
@@ -153,11 +153,11 @@ def from_pixels(
     Parameters
     ----------
     name : str
-        Name kept in the map.
+        Name of the map.
     pixels : array, shape (h, w, 3)
         sRGB-encoded reflectance, 255 for 1.
     water : array, shape (h, w), optional
-        Share of water, linear, 255 for 1; no water without it.
+        Water fraction, linear, 255 for 1; by default no water.
 
     Returns
     -------
@@ -257,9 +257,8 @@ def surface_map(name: str) -> SurfaceMap:
     Parameters
     ----------
     name : str
-        Name of a map that ships with airlight (``earth``), or path of an equirectangular picture in
-        sRGB. A grey picture of the same size whose name ends in ``-water.png`` beside it has the
-        shares of water, linear.
+        Name of a packaged map (``earth``), or path of an equirectangular sRGB image. A grey image
+        of the same size and name, with ``-water.png`` at the end, holds the water fraction, linear.
 
     Returns
     -------
@@ -269,7 +268,7 @@ def surface_map(name: str) -> SurfaceMap:
     Raises
     ------
     FileError
-        If there is no such map, or ``map_pixels`` refuses a file, or the sizes differ.
+        If the map does not exist, ``map_pixels`` rejects a file, or the sizes differ.
     """
     pictures = map_file(name), water_file(name)
     levels = cached_levels(Path(__file__), pictures, lambda: _decoded(name, *pictures))

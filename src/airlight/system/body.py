@@ -41,17 +41,17 @@ class Body(TomlModel):
     name : str
         Name by which lights, observer and camera refer to it.
     planet : str, optional
-        Preset or planet file whose ground and air it has.
+        Preset or planet file with its ground and atmosphere.
     radius : float, optional
-        Radius of a body without air, which must be given for it. [m]
+        Radius, required for an airless body. [m]
     albedo : float or PerWavelength, optional
-        Of a body without air: albedo of a Lambert surface, geometric albedo by the other laws; the
-        Moon's own by default for ``moon``, otherwise 0.1. [1]
+        Albedo of an airless body: that of a Lambert surface, or the geometric albedo for other
+        reflectance laws; by default the Moon's for ``moon``, otherwise 0.1. [1]
     reflection : str
-        ``lambert``; ``lommel-seeliger``, dark dust; ``moon``, the same with the brightness that the
-        Moon has at each phase.
+        ``lambert``; ``lommel-seeliger``, dark dust; ``moon``, the same with the phase curve of the
+        Moon.
     map : str, optional
-        Picture of the surface, whose colours multiply the albedo, with a mean of 1.
+        Image of the surface, whose colours, normalised to mean 1, multiply the albedo.
     position : tuple of float
         Centre in the frame of the scene. [m]
     pole : tuple of float
@@ -60,10 +60,10 @@ class Body(TomlModel):
         Angle of the prime meridian from the ascending node of the equator on the frame's xy plane,
         eastward, as the IAU counts it. [deg]
     ephemeris : str, optional
-        Body of the solar system whose position, pole and prime meridian it has at the time of the
-        scene file, instead of those: see ``airlight.ephemeris.positions``.
+        Body of the solar system that determines position, pole and prime meridian at the time of
+        the scene file; see ``airlight.ephemeris.positions``.
     faces : str, optional
-        Name of the body that stands above the prime meridian, instead of ``prime_meridian``.
+        Name of the body above the prime meridian, an alternative to ``prime_meridian``.
     """
 
     has_wavelengths = True
@@ -195,7 +195,7 @@ class Body(TomlModel):
         Parameters
         ----------
         faced : array, shape (3,), or None
-            Centre of the body that ``faces`` names. [m]
+            Centre of the body named by ``faces``. [m]
         """
         if faced is None:
             return frame_of(np.asarray(self.pole, float), self.prime_meridian)

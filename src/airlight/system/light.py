@@ -38,11 +38,12 @@ class Light(TomlModel):
         Direction towards a star that is far away: its irradiance and angular radius are those of
         ``star`` everywhere.
     position : tuple of float, optional
-        Centre of a star instead of a direction; its irradiance at a body follows its distance. [m]
+        Centre of a star at a finite distance, on which its irradiance depends. [m]
     ephemeris : str, optional
-        ``sun``, instead of a direction or a position: the sun's at the time of the scene file.
+        ``sun``: the position of the sun at the time of the scene file, instead of a direction or a
+        position.
     body : str, optional
-        Name of a body that shines by reflected light: a moon, a planet.
+        Name of a body that reflects starlight: a moon or a planet.
     corona : str, optional
         ``baumbach``: the solar corona around the star's disc.
     """
@@ -131,8 +132,8 @@ class Light(TomlModel):
         """
         if self.direction is not None:
             return np.broadcast_to(unit(self.direction, "direction"), np.shape(points))
-        apart = np.asarray(self.position, float) - points
-        return np.asarray(apart / np.linalg.norm(apart, axis=-1, keepdims=True))
+        offset = np.asarray(self.position, float) - points
+        return np.asarray(offset / np.linalg.norm(offset, axis=-1, keepdims=True))
 
     def star_at(self, point: FloatArray) -> Star:
         """Star with its irradiance and angular radius at a point.

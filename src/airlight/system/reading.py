@@ -65,7 +65,7 @@ def load_system(name_or_path: str | Path, changes: Mapping[str, Any] | None = No
     name_or_path : str or Path
         One of ``system_names()``, or the path to a TOML file; docs/scenes.md describes its keys.
     changes : mapping, optional
-        Keys that are changed first, from path to value, see ``changed_system``.
+        Overrides, from path to value, see ``changed_system``.
 
     Returns
     -------
@@ -91,7 +91,7 @@ def load_system(name_or_path: str | Path, changes: Mapping[str, Any] | None = No
 def changed_system(
     tables: Mapping[str, Any], file: str, folder: Path | None, changes: Mapping[str, Any]
 ) -> System:
-    """Scene with some keys of its tables changed.
+    """Scene with overrides of its tables.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def changed_system(
     Raises
     ------
     ParameterError
-        If a path leads nowhere, or the tables are invalid.
+        If a path does not exist, or the tables are invalid.
     """
     bodies = tables.get("bodies", [])
     names = [one.get("name") if isinstance(one, dict) else None for one in bodies]
@@ -136,7 +136,8 @@ def system_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
     Returns
     -------
     (str, str, Path or None)
-        Text in TOML, name in errors, and folder of files that it names, None for a preset.
+        Text in TOML, name for error messages, and folder that its paths refer to, None for a
+        preset.
 
     Raises
     ------
@@ -165,7 +166,7 @@ def read_system(text: str, file: str, folder: Path | None = None) -> System:
     file : str
         Name in errors.
     folder : Path, optional
-        Folder of files that the text names.
+        Folder that paths in the text refer to.
 
     Raises
     ------
@@ -188,11 +189,11 @@ def read_system_tables(
     Parameters
     ----------
     tables : mapping
-        Tables from ``nested_tables``; not changed. A table ``film`` is left to films.
+        Tables from ``nested_tables``; not modified. A table ``film`` is ignored.
     file, folder
         See ``read_system``.
     changes : mapping, optional
-        Changes of planet files, see ``System``.
+        Overrides of planet files, see ``System``.
 
     Raises
     ------

@@ -27,7 +27,7 @@ def surface_factor(
     Parameters
     ----------
     body : Body
-        Body without air.
+        Airless body.
     normal, to_light, to_eye : array, shape (n, 3)
         Unit vectors: of the surface, towards the light, and towards the observer.
     angular_radius : array, shape (n,)
@@ -36,12 +36,12 @@ def surface_factor(
     Returns
     -------
     array, shape (n,)
-        Factor of the albedo as ``Body.albedo`` means it.
+        Factor, to be multiplied by ``Body.albedo``.
 
     Notes
     -----
-    Lommel and Seeliger's law, L = E (2 p / π) μ₀/(μ₀ + μ), has the geometric albedo p, so that the
-    full disc is uniform.
+    The Lommel-Seeliger law, L = E (2 p / π) μ₀/(μ₀ + μ), with geometric albedo p, makes the full
+    disc uniform.
     """
     sine = np.einsum("nk,nk->n", normal, to_light)
     # Of the light's disc; that of a sphere's limb is half below the horizon.

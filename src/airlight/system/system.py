@@ -34,7 +34,7 @@ class System:
     name, description : str
         Title, and a sentence about it.
     bodies : tuple of Body
-        Bodies; their spheres, and the air around them, do not touch each other.
+        Bodies, whose spheres and atmospheres do not overlap.
     lights : tuple of Light
         Stars, and bodies that shine by reflected light; at least one star.
     observer : SceneObserver
@@ -42,14 +42,13 @@ class System:
     view : View
         Camera.
     folder : Path, optional
-        Folder of the files that it names.
+        Folder that paths refer to.
     stars : bool
         Whether the star catalogue is rendered; the frame is then equatorial J2000.
     time : datetime, optional
-        Time for which an ephemeris placed its bodies.
+        Time for which an ephemeris determined the positions of the bodies.
     changes : mapping
-        Keys of planet files that are changed before they are read, from path to value, by the name
-        of the body.
+        Overrides of planet files, from path to value, by the name of the body.
 
     Raises
     ------
@@ -166,14 +165,14 @@ class System:
         Raises
         ------
         ParameterError
-            With the pair, and the smallest distance that it may have.
+            Names the pair and its minimum distance.
         """
         for i, body in enumerate(self.bodies):
             for other in self.bodies[:i]:
-                apart = float(np.linalg.norm(body.centre - other.centre))
+                distance = float(np.linalg.norm(body.centre - other.centre))
                 least = self.outer_radius(body) + self.outer_radius(other)
-                if apart < least:
-                    raise ParameterError(f"bodies[{i}].position", f"{apart:.6g} m from"
+                if distance < least:
+                    raise ParameterError(f"bodies[{i}].position", f"{distance:.6g} m from"
                                          f" {other.name}", f"at least {least:.6g} m")  # fmt: skip
 
     @cached_property

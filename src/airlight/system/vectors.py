@@ -34,12 +34,12 @@ def unit(vector: Sequence[float] | FloatArray, field: str) -> FloatArray:
     vector : sequence of float
         Direction of any length above 0.
     field : str
-        Name in errors.
+        Name for error messages.
 
     Raises
     ------
     ParameterError
-        If it is no direction.
+        If the vector is not a direction.
 
     Examples
     --------

@@ -91,13 +91,14 @@ class View(TomlModel):
     Parameters
     ----------
     look_at : str, optional
-        Name of a body or of a star at which the camera looks.
+        Name of the body or star at the centre of the frame.
     look_zenith, look_bearing : float, optional
         Zenith angle and compass bearing, for an observer above a body. [deg]
     direction : tuple of float, optional
         Direction in the frame of the scene.
     up : tuple of float, optional
-        Direction that is up in the picture; the zenith of an observer above a body, else z.
+        Direction that is up in the frame; by default the zenith of an observer above a body, else
+        z.
     roll : float
         Clockwise rotation of the camera about its line of sight. [deg]
     polariser : float, optional

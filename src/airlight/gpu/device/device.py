@@ -103,7 +103,7 @@ class Device:
         # By a read: the queue's own call for this is unusable in wgpu 0.32.
         self.device.queue.read_buffer(self._last)
 
-    def apart(self) -> Device:
+    def duplicate(self) -> Device:
         """Second device on the same adapter, with an independent queue."""
         return replace(self, device=_requested(self.adapter))
 
@@ -161,10 +161,10 @@ def _opened(choice: str) -> Device:
 
 @contextlib.contextmanager
 def _runtime_folder() -> Iterator[None]:
-    """Name a folder for sockets where the environment names none.
+    """Set the runtime folder of sockets if the environment does not.
 
-    Drivers look there for a Wayland display, whose library complains on the standard error stream
-    of each search without a folder, as in containers and batch jobs. An empty one has no display.
+    Drivers search it for a Wayland display. Without a folder, as in containers and batch jobs,
+    Wayland's library writes to stderr at each search; an empty folder contains no display.
     """
     if os.environ.get(_RUNTIME, "").startswith("/") or not sys.platform.startswith("linux"):
         yield
@@ -202,7 +202,7 @@ def _wgpu() -> Any:
 
 
 def _leave_out_opengl() -> None:
-    """Ask only the three modern interfaces: OpenGL's search takes longer and writes to stderr."""
+    """Search only Vulkan, Metal and Direct3D 12: OpenGL's search is slower and writes to stderr."""
     try:
         from wgpu.backends.wgpu_native.extras import set_instance_extras
 

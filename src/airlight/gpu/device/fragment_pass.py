@@ -30,7 +30,7 @@ class ShaderError(AirlightError):
     Attributes
     ----------
     label, line, text, message : str, int, str, str
-        Parts of the message; the line counts from 1, and is 0 if the compiler names none.
+        Parts of the message; the line counts from 1, and is 0 if unknown.
     """
 
     def __init__(self, label: str, line: int, text: str, message: str) -> None:

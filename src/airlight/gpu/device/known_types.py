@@ -18,7 +18,7 @@ _KINDS: Final = ("StructType", "EnumType", "PointerType")
 def know_types() -> None:
     """Add pointers to wgpu's structures, and arrays, to cffi's cache.
 
-    The table is no public part of cffi; without it, or with another, texts are parsed as before.
+    The cache is not a public interface of cffi; if it is missing or different, this has no effect.
     """
     try:
         from wgpu.backends.wgpu_native import ffi

@@ -168,7 +168,7 @@ class FunctionBody:
                 return True
         return False
 
-    def put(self, depth: int, text: str) -> None:
+    def add_line(self, depth: int, text: str) -> None:
         """Add a line, indented by ``depth`` levels."""
         self.lines.append("  " * depth + text)
 
@@ -179,7 +179,7 @@ class FunctionBody:
                 return
             case ast.Expr(value=ast.Call() as call):
                 text, value = self.expressions.write(call)
-                self.put(depth, f"{text};" if value is None else self.dialect.unused(text))
+                self.add_line(depth, f"{text};" if value is None else self.dialect.unused(text))
             case ast.Assign(targets=[ast.Tuple() as target], value=value):
                 self.unpack(target, value, depth)
             case ast.Assign(targets=[target], value=value):
@@ -191,17 +191,17 @@ class FunctionBody:
             case ast.If():
                 self.branch(node, depth)
             case ast.While(test=test, body=body, orelse=[]):
-                self.put(depth, f"while ({self.condition(test)}) {{")
+                self.add_line(depth, f"while ({self.condition(test)}) {{")
                 self.block(body, depth + 1)
-                self.put(depth, "}")
+                self.add_line(depth, "}")
             case ast.For():
                 self.loop(node, depth)
             case ast.Break():
-                self.put(depth, "break;")
+                self.add_line(depth, "break;")
             case ast.Continue():
-                self.put(depth, "continue;")
+                self.add_line(depth, "continue;")
             case ast.Return():
-                self.give_back(node, depth)
+                self.return_statement(node, depth)
             case _:
                 raise self.refuse(node, f"{type(node).__name__} has no translation")
 
@@ -214,12 +214,12 @@ class FunctionBody:
 
     def branch(self, node: ast.If, depth: int) -> None:
         """Emit a run-time branch."""
-        self.put(depth, f"if ({self.condition(node.test)}) {{")
+        self.add_line(depth, f"if ({self.condition(node.test)}) {{")
         self.block(node.body, depth + 1)
         if node.orelse:
-            self.put(depth, "} else {")
+            self.add_line(depth, "} else {")
             self.block(node.orelse, depth + 1)
-        self.put(depth, "}")
+        self.add_line(depth, "}")
 
     def loop(self, node: ast.For, depth: int) -> None:
         """Emit ``for … in range(…)``."""
@@ -241,35 +241,35 @@ class FunctionBody:
         sign = "<"
         if len(ends) == 3 and isinstance(call.args[2], ast.UnaryOp):
             sign = ">"
-        if self.single_turn(node, target, call.args, depth):
+        if self.single_iteration(node, target, call.args, depth):
             return
         self.expressions.declare(node, target.id, I32)
         name = self.expressions.mangle(target.id)
-        turns = self.known_turns(call.args)
+        turns = self.constant_range(call.args)
         short = turns is not None and len(turns) < _UNROLLED
-        if self.dialect.unrolls and len(ends) < 3 and not short and not _stays_rolled(node):
+        if self.dialect.unrolls and len(ends) < 3 and not short and not _is_not_unrolled(node):
             self.unrolled(node, name, first, last, depth)
             return
-        self.put(
+        self.add_line(
             depth, f"for ({name} = {first}; {name} {sign} {last}; {name} = {name} + {step}) {{"
         )
         self.block(node.body, depth + 1)
-        self.put(depth, "}")
+        self.add_line(depth, "}")
 
-    def known_turns(self, ends: Sequence[ast.expr]) -> range | None:
+    def constant_range(self, ends: Sequence[ast.expr]) -> range | None:
         """Constant iteration range of a loop; None if it is not constant."""
         known = [self.expressions.fold(one) for one in ends]
         numbers = [one for one in known if isinstance(one, int)]
         return range(*numbers) if len(numbers) == len(known) else None
 
-    def single_turn(
+    def single_iteration(
         self, node: ast.For, target: ast.Name, ends: Sequence[ast.expr], depth: int
     ) -> bool:
         """Emit a loop of exactly one iteration without the loop; whether it is one.
 
         Loops over lane groups, of which the GPU has one, disappear.
         """
-        turns = self.known_turns(ends)
+        turns = self.constant_range(ends)
         parts = [inside for statement in node.body for inside in ast.walk(statement)]
         leaves = any(isinstance(one, (ast.Break, ast.Continue)) for one in parts)
         if leaves or turns is None or len(turns) != 1:
@@ -290,24 +290,24 @@ class FunctionBody:
         """
         self.temporaries += 1
         end = f"end_{self.temporaries}"
-        self.put(depth, self.dialect.let(end, I32, last))
-        self.put(
+        self.add_line(depth, self.dialect.let(end, I32, last))
+        self.add_line(
             depth,
             f"for ({name} = {first}; {name} + {_UNROLLED - 1} < {end}; {name} = {name} + 1) {{",
         )
         for turn in range(_UNROLLED):
             if turn:
-                self.put(depth + 1, f"{name} = {name} + 1;")
+                self.add_line(depth + 1, f"{name} = {name} + 1;")
             self.block(node.body, depth + 1)
-        self.put(depth, "}")
-        self.put(depth, f"for (; {name} < {end}; {name} = {name} + 1) {{")
+        self.add_line(depth, "}")
+        self.add_line(depth, f"for (; {name} < {end}; {name} = {name} + 1) {{")
         self.block(node.body, depth + 1)
-        self.put(depth, "}")
+        self.add_line(depth, "}")
 
-    def give_back(self, node: ast.Return, depth: int) -> None:
+    def return_statement(self, node: ast.Return, depth: int) -> None:
         """Emit ``return``."""
         if node.value is None:
-            self.put(depth, "return;")
+            self.add_line(depth, "return;")
             return
         if isinstance(node.value, ast.Tuple):
             written = [self.expressions.write(one) for one in node.value.elts]
@@ -321,31 +321,31 @@ class FunctionBody:
                 for (text, value), item in zip(written, several.items, strict=True)
             ]
             self.made.result = several
-            self.put(depth, f"return {self.dialect.tuple_expr(several, parts)};")
+            self.add_line(depth, f"return {self.dialect.tuple_expr(several, parts)};")
             return
         text, value = self.expressions.write(node.value)
         if isinstance(value, TupleType):
             self.made.result = value
-            self.put(depth, f"return {text};")
+            self.add_line(depth, f"return {text};")
             return
         kind = self.expressions.number(node, value)
         if isinstance(self.made.result, Scalar):
             kind = joined(self.made.result, kind) if kind != BOOL else kind
         self.made.result = kind
-        self.put(depth, f"return {self.expressions.cast(text, value, kind)};")
+        self.add_line(depth, f"return {self.expressions.cast(text, value, kind)};")
 
     def assign(self, target: ast.expr, value: ast.expr, depth: int) -> None:
         """Emit an assignment to a name or an array element."""
         if isinstance(target, ast.Subscript):
             place, kind = self.expressions.place(target)
-            self.put(depth, f"{place} = {self.expressions.as_scalar(value, kind)};")
+            self.add_line(depth, f"{place} = {self.expressions.as_scalar(value, kind)};")
             return
         if not isinstance(target, ast.Name):
             raise self.refuse(target, "cannot be assigned to")
         text, found = self.expressions.write(value)
-        self.keep(target, text, found, depth)
+        self.bind(target, text, found, depth)
 
-    def keep(self, target: ast.Name, text: str, found: Value | None, depth: int) -> None:
+    def bind(self, target: ast.Name, text: str, found: Value | None, depth: int) -> None:
         """Bind a name to an expression, at run time or at emission."""
         if found is None:
             raise self.refuse(target, "nothing to assign")
@@ -367,7 +367,7 @@ class FunctionBody:
         now = self.names[target.id]
         assert isinstance(now, Scalar)
         mangle = self.expressions.mangle(target.id)
-        self.put(depth, f"{mangle} = {self.expressions.cast(text, found, now)};")
+        self.add_line(depth, f"{mangle} = {self.expressions.cast(text, found, now)};")
 
     def unpack(self, target: ast.Tuple, value: ast.expr, depth: int) -> None:
         """Emit an unpacking assignment."""
@@ -384,10 +384,10 @@ class FunctionBody:
                 now, kind = f"now_{self.temporaries}", run_time(found)
                 if isinstance(kind, LocalArray):
                     raise self.refuse(target, "an array has one name")
-                self.put(depth, self.dialect.let(now, kind, text))
+                self.add_line(depth, self.dialect.let(now, kind, text))
                 fixed.append((now, kind))
             for one, (text, found) in zip(target.elts, fixed, strict=True):
-                self.one_of_several(one, text, found, depth)
+                self.assign_element(one, text, found, depth)
             return
         text, found = self.expressions.write(value)
         if isinstance(found, StructValue):
@@ -399,30 +399,30 @@ class FunctionBody:
                     written_member = self.dialect.uniform(member.text, member.scalar)
                 if isinstance(member, Constant):
                     written_member = self.expressions.literal(one, member.value)
-                self.one_of_several(one, written_member, member, depth)
+                self.assign_element(one, written_member, member, depth)
             return
         if not isinstance(found, TupleType) or len(found.items) != len(target.elts):
             raise self.refuse(target, "another number of values")
         self.temporaries += 1
         several = f"several_{self.temporaries}"
-        self.put(depth, self.dialect.let(several, found, text))
+        self.add_line(depth, self.dialect.let(several, found, text))
         for i, (one, kind) in enumerate(zip(target.elts, found.items, strict=True)):
-            self.one_of_several(one, self.dialect.part(several, i), kind, depth)
+            self.assign_element(one, self.dialect.part(several, i), kind, depth)
 
-    def one_of_several(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
+    def assign_element(self, target: ast.expr, text: str, found: Value | None, depth: int) -> None:
         """Emit the assignment of one tuple element."""
         if isinstance(target, ast.Name):
             if target.id != "_":
-                self.keep(target, text, found, depth)
+                self.bind(target, text, found, depth)
             return
         if isinstance(target, ast.Subscript):
             place, kind = self.expressions.place(target)
-            self.put(depth, f"{place} = {self.expressions.cast(text, found, kind)};")
+            self.add_line(depth, f"{place} = {self.expressions.cast(text, found, kind)};")
             return
         raise self.refuse(target, "cannot be assigned to")
 
 
-def _stays_rolled(node: ast.For) -> bool:
+def _is_not_unrolled(node: ast.For) -> bool:
     """Whether a loop contains loops, long calls, early exits or many operations."""
     parts = [inside for statement in node.body for inside in ast.walk(statement)]
     operations = sum(isinstance(one, (ast.BinOp, ast.Subscript, ast.Call)) for one in parts)

@@ -60,8 +60,8 @@ def bands(
     seen = np.any(rays != 0.0, axis=-1)
     ground = (seen & (elevation < np.arcsin(lowest_up) + margin)).any(axis=1)
     sky = (seen & (elevation > np.arcsin(lowest_up) - margin)).any(axis=1)
-    apart = np.arccos(np.clip(rays @ np.asarray(star), -1.0, 1.0))
-    near = (seen & (apart < reach + margin)).any(axis=1)
+    separation = np.arccos(np.clip(rays @ np.asarray(star), -1.0, 1.0))
+    near = (seen & (separation < reach + margin)).any(axis=1)
     found: list[Band] = []
     for k, first in enumerate(firsts):
         count = min(_STEP, height - int(first))

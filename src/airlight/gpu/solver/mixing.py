@@ -63,7 +63,7 @@ def sound(index, sizes, weights, iterates):
 
 @inlined
 def next_guess(index, sizes, weights, iterates, sounds):
-    """Combination of iterates where ``sound`` accepts it, elsewhere the last iterate.
+    """Combination of iterates if ``sound`` accepts it, otherwise the last iterate.
 
     Texels as in ``gathered_moment``.
     """

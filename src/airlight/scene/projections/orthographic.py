@@ -11,11 +11,11 @@ from airlight.scene.projections.projection import Projection
 
 @kernel
 def orthographic_ray(x, y, width, height, field_of_view):
-    """View vector of a point of a picture whose plane is proportional to the sine of the angle.
+    """View vector of an image point; image distances are proportional to the sine of the angle.
 
-    A line of sight at the angle θ off the direction of a centre at the distance r passes it at
-    r sin θ. So distances in the picture are proportional to distances from the planet's centre,
-    and from far away lines of sight are parallel.
+    A line of sight at an angle θ from the direction of a planet's centre at a distance r passes the
+    centre at r sin θ. Image distances are therefore proportional to distances from the planet's
+    centre; for large r, lines of sight are parallel.
 
     Parameters
     ----------

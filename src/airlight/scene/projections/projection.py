@@ -15,21 +15,21 @@ class Projection:
     name : str
         Name for the camera and the command line.
     ray : kernel
-        Scalar function ``ray(x, y, width, height, field_of_view)`` that gives the view vector of a
-        point of the picture in the camera's frame (right, up, forward): of unit length, or zero
-        outside the projection. ``x``, ``y``: distances from the left and the top edge in
+        Scalar function ``ray(x, y, width, height, field_of_view)`` that returns the view vector of
+        an image point in the camera's frame (right, up, forward): of unit length, or zero outside
+        the projection. ``x``, ``y``: distances from the left and the top edge in
         pixels, so that pixel i has its centre at i + 0.5. ``field_of_view``: radians.
     pixel_angle : callable
-        Function ``pixel_angle(width, height, field_of_view)`` that gives the angle of one pixel
-        where the picture looks straight ahead. [rad]
+        Function ``pixel_angle(width, height, field_of_view)`` that returns the angle of a pixel on
+        the optical axis. [rad]
     aspect : int or None
-        Width over height that a picture must have; None for any. [1]
+        Required aspect ratio, width over height; None for any. [1]
     shape : str
-        Description of that, for the error.
+        Description of the aspect ratio, for error messages.
     size : (int, int)
         Default width and height. [pixel]
     sized : callable
-        Function ``sized(number)`` that gives width and height where one number is given. [pixel]
+        Function ``sized(number)`` that returns width and height for a size of one number. [pixel]
     field_of_view : float
         Default field of view. [deg]
     field_of_view_limits : (float, float)
@@ -37,12 +37,11 @@ class Projection:
     look_zenith : float
         Default zenith angle of the view. [deg]
     connected : bool
-        Whether neighbouring pixels are neighbours in the sky, so that a lens spreads light between
-        them.
+        Whether neighbouring pixels are neighbours in the sky, so that glare is defined.
     circular : bool
-        Whether the picture ends at the largest circle that fits.
+        Whether the image is limited to the largest circle that fits.
     parallel : bool
-        Whether lines of sight are parallel: the camera sees a planet from far away.
+        Whether lines of sight are parallel, as for a planet from far away.
     """
 
     name: str
