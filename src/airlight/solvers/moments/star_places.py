@@ -176,10 +176,10 @@ def place_lights(
         if highest <= -star_radius * sine:
             continue
         lit = True
-        share = minimum(maximum(above, 0.0) / (one - horizon), 1.0)
-        share = square_root(share) * np.float32(columns - 1)
-        node = minimum(floored(share), np.float32(columns - 2))
-        e = share - node
+        position = minimum(maximum(above, 0.0) / (one - horizon), 1.0)
+        position = square_root(position) * np.float32(columns - 1)
+        node = minimum(floored(position), np.float32(columns - 2))
+        e = position - node
         node = node + np.float32(2 * columns * k)
         low = looked_up(lifts, node)
         raised = low + (looked_up(lifts, node + one) - low) * e
@@ -207,9 +207,9 @@ def place_lights(
             centre = middle + size * (low + (looked_up(disc, node + one) - low) * e)
             node = node + np.float32(nodes)
             low = looked_up(disc, node)
-            apart = size * (low + (looked_up(disc, node + one) - low) * e)
-            middle = maximum(centre - apart, lowest)
-            top_point = minimum(centre + apart, 1.0)
+            offset = size * (low + (looked_up(disc, node + one) - low) * e)
+            middle = maximum(centre - offset, lowest)
+            top_point = minimum(centre + offset, 1.0)
         store(seen, LANES * k, part)
         x = (way_to_top(middle * q, across) - shortest) * scale
         store(low_at, LANES * k, minimum(maximum(x, 0.0), last))

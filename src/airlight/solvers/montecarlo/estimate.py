@@ -134,13 +134,13 @@ def estimate(
     all_known = np.zeros((n, 3, count)) if query.known is None else query.known
     known = all_known[:, 0]
     open_ = np.repeat(query.lengths > 0.0, count)
-    wanted = np.where(open_, min(_FIRST_ROUND, most), 0)
+    planned = np.where(open_, min(_FIRST_ROUND, most), 0)
     done_before = 0
     while True:
         units = [
             (int(task), block)
-            for task in np.flatnonzero(wanted > blocks)
-            for block in range(blocks[task], wanted[task])
+            for task in np.flatnonzero(planned > blocks)
+            for block in range(blocks[task], planned[task])
         ]
         if not units:
             break
@@ -162,8 +162,8 @@ def estimate(
         done_before += len(units)
         for (task, _), result in zip(units, results, strict=True):
             sums[task] += result
-        blocks = np.maximum(blocks, wanted)
-        wanted = _more(query, sums, blocks, known, open_, settings, most)
+        blocks = np.maximum(blocks, planned)
+        planned = _more(query, sums, blocks, known, open_, settings, most)
     histories = blocks.reshape(n, count) * BLOCK
     means, errors = _statistics(sums, blocks * BLOCK)
     parts = np.moveaxis(means[:, :bins].reshape(n, count, bins), 1, 2)
@@ -251,5 +251,5 @@ def _more(
     # A tenth more than estimated from the variance, so that the next round is usually the last.
     need = np.where(ratio > 1.0, np.ceil(1.1 * blocks * np.square(np.minimum(ratio, 1e3))), blocks)
     dark = (value <= 0.0) & (blocks >= _DARK)
-    wanted = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)
-    return np.where(open_ & ~dark, np.maximum(wanted, blocks), blocks)
+    planned = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)
+    return np.where(open_ & ~dark, np.maximum(planned, blocks), blocks)

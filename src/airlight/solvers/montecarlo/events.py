@@ -89,16 +89,16 @@ def draw_in_air(
         point. [1]
     """
     if total > 0.0 and uniform(state) < sun_sampling_fraction:
-        at, t, wanted = place_in_light(
+        at, t, target_depth = place_in_light(
             uniform(state), uniform(state), panels, total, air.extinction, path, lit
         )
     else:
-        wanted = min(-log1p(-uniform(state) * collision_probability), depth)
-        at, t = place_at_depth(wanted, panels, air.extinction, path)
+        target_depth = min(-log1p(-uniform(state) * collision_probability), depth)
+        at, t = place_at_depth(target_depth, panels, air.extinction, path)
     along, strength, slope = point_at(path.panels[at], t, r, mu, air.extinction)
     mixture = 1.0
     if total > 0.0:
-        by_depth = slope * exp(-wanted) / collision_probability
+        by_depth = slope * exp(-target_depth) / collision_probability
         by_light = density_in_light(at, t, total, air.extinction, lit)
         mixture = 0.0
         if by_depth > 0.0:
@@ -135,20 +135,20 @@ def towards_star(sun_x, sun_z, disc, state):
 
 
 @inlined
-def scattered_share(turn, air, shares):
+def scattered_phase(turn, air, shares):
     """Phase function of next-event estimation at a scattering event. [sr⁻¹]"""
-    share = 0.0
+    phase = 0.0
     for i in range(shares.size):
         if shares[i] > 0.0:
-            share += shares[i] * lobe_value(air.lobes, i, turn)
-    return share
+            phase += shares[i] * lobe_value(air.lobes, i, turn)
+    return phase
 
 
 @inlined
-def reflected_share(mu_s, mu_r, turn, returned, air):
+def reflected_brdf(mu_s, mu_r, turn, returned, air):
     """BRDF factor of next-event estimation at a reflection by the ground. [sr⁻¹]"""
-    share = max(mu_s, 0.0) * _INVERSE_PI
-    return share * (direct_reflectance(air.ground, 0, max(mu_s, 0.0), mu_r, turn) / returned)
+    lambertian = max(mu_s, 0.0) * _INVERSE_PI
+    return lambertian * (direct_reflectance(air.ground, 0, max(mu_s, 0.0), mu_r, turn) / returned)
 
 
 @inlined

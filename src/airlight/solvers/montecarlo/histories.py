@@ -31,10 +31,10 @@ from airlight.optics.reflection import cos_reflected, diffuse_reflectance, direc
 from airlight.solvers.montecarlo.events import (
     MAX_BIASED_EVENTS,
     draw_in_air,
-    reflected_share,
+    reflected_brdf,
     roulette,
     scattered_direction,
-    scattered_share,
+    scattered_phase,
     scattering_shares,
     start_vectors,
     towards_star,
@@ -230,11 +230,11 @@ def trace_paths(
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 first, second, third = 1.0, 0.0, 0.0
                 if on_ground:
-                    share = reflected_share(sun_mu, mu_r, turn, returned, air)
+                    angular_pdf = reflected_brdf(sun_mu, mu_r, turn, returned, air)
                 elif not air.polarised:
-                    share = scattered_share(turn, air, shares)
+                    angular_pdf = scattered_phase(turn, air, shares)
                 else:
-                    share, f12, _, _, _, _ = mixed_matrix(turn, air, shares)
+                    angular_pdf, f12, _, _, _, _ = mixed_matrix(turn, air, shares)
                     cosine, sine, _, _, _ = plane_turn(u, v, w, a, b, c, a1, a2, a3)
                     first = arriving(importance, 0, cosine, sine, f12)
                     second = arriving(importance, 1, cosine, sine, f12)
@@ -242,10 +242,10 @@ def trace_paths(
                 if on_ground and air.polarised:
                     first, second, third = importance[0, 0], importance[1, 0], importance[2, 0]
                 if occulted.lanes > 0:
-                    share *= seen_part(x, y, z, occulted)
-                if share > 0.0:
+                    angular_pdf *= seen_part(x, y, z, occulted)
+                if angular_pdf > 0.0:
                     light = _from_star(r, sun_mu, air, star_path)
-                    value = weight * share * brightness * refraction_jacobian * light
+                    value = weight * angular_pdf * brightness * refraction_jacobian * light
                     contribution[min(event, orders) - 1] += value * first
                     polarised[0] += value * second
                     polarised[1] += value * third

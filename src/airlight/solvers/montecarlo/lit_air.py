@@ -169,13 +169,13 @@ def place_in_light(u, v, count, total, extinction, path, lit):
         Panel and position of the point, and optical depth from the ray's start to it.
     """
     weights = extinction.weights
-    wanted = u * total
+    target = u * total
     at, k = 0, 0
     for piece in range(count * weights.size):
         at, k = piece // weights.size, piece % weights.size
         if lit.mass[at, k] > 0.0:
-            wanted -= lit.mass[at, k]
-            if wanted <= 0.0:
+            target -= lit.mass[at, k]
+            if target <= 0.0:
                 break
     first = 0.0
     for j in range(k):
