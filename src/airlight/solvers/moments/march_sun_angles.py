@@ -177,8 +177,8 @@ def _march_all(
             last += 1
         if length[first] > 0.0:
             _march_line(
-                first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled, phase,
-                tables, work, stars, out,
+                first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled,
+                phase, tables, work, stars, out,
             )  # fmt: skip
         else:
             out[first:last] = 0.0
@@ -187,8 +187,8 @@ def _march_all(
 
 @inlined
 def _march_line(
-    first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled, phase, tables,
-    work, stars, out,
+    first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled, phase,
+    tables, work, stars, out,
 ):  # fmt: skip
     """March the line for the sun angles ``first`` to ``last``; arguments as in ``_march_all``."""
     lanes, count = tables.lanes, last - first
@@ -220,8 +220,8 @@ def _march_line(
         n = int(tables.rules[rule])
         for k in range(n):
             _add_point(
-                members, first, k, n, r[first], mu[first], mu_s, nu, orders, has_unscaled, phase, tables,
-                work, stars,
+                members, first, k, n, r[first], mu[first], mu_s, nu, orders, has_unscaled, phase,
+                tables, work, stars,
             )  # fmt: skip
         for member in range(members):
             index = stars.together[member]
