@@ -70,7 +70,7 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     return np.asarray((leaving + absorbed - scattered) / (taken + ground))
 
 
-def makes_light(energy: FloatArray, tolerance: float) -> bool:
+def violates_energy_balance(energy: FloatArray, tolerance: float) -> bool:
     """Whether the energy balance error exceeds half of the tolerance.
 
     Interpolation across the unresolved boundary of a thick cloud creates energy: where it is half

@@ -117,7 +117,7 @@ def refraction_on_path(r, mu, along, bottom, thickness, refraction):
 
 
 @inlined
-def turned_together(x, y, z, u, v, w, angle):
+def rotated_with_ray(x, y, z, u, v, w, angle):
     """Point and direction, both rotated by the refraction angle in the plane of the ray.
 
     Parameters
@@ -143,7 +143,7 @@ def turned_together(x, y, z, u, v, w, angle):
 
 
 @inlined
-def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
+def apparent_direction(x, y, z, r, a, b, c, bottom, top, refraction):
     """Apparent direction of a point of the star's disc, and the disc's flattening there.
 
     Parameters

@@ -116,7 +116,7 @@ def _add_rows(sampled: tuple[PhaseRow, ...], rows: list[_Row]) -> tuple[float, f
     for row in sampled:
         angles = np.radians(row.angles)
         angles[-1] = pi
-        within = np.concatenate([[0.0], np.cumsum(cell_light(angles, row.values))])
+        within = np.concatenate([[0.0], np.cumsum(cell_probability(angles, row.values))])
         light.append(row.share * within[-1])
         ratios = row.ratios
         if ratios is None:
@@ -127,7 +127,7 @@ def _add_rows(sampled: tuple[PhaseRow, ...], rows: list[_Row]) -> tuple[float, f
     return float(first), float(len(sampled)), float(fraction)
 
 
-def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
+def cell_probability(angles: FloatArray, values: FloatArray) -> FloatArray:
     r"""Probability of scattering into each interval of angles of a table.
 
     .. math:: 2\pi \int p_0 e^{a(\theta - \theta_0)} \sin\theta\, d\theta
