@@ -142,8 +142,8 @@ def trace_paths(
         )
         if sun_sampling_fraction > 0.0:
             first_total = sun_sampling_integral(
-                start_r, start_mu, mu_s, nu, first_count, air.extinction, air.star_transmittance, first_path,
-                first_sampling,
+                start_r, start_mu, mu_s, nu, first_count, air.extinction, air.star_transmittance,
+                first_path, first_sampling,
             )  # fmt: skip
     for _ in range(count):
         x, y, z = 0.0, 0.0, start_r

@@ -74,7 +74,7 @@ def new_sampling_density(extinction: Extinction) -> SamplingDensity:
 
 
 def star_transmittance_table(extinction: Extinction) -> StarTransmittance:
-    """Table for one wavelength."""
+    """Table of the transmittance to the star at one wavelength."""
     values = np.empty((_HEIGHTS, _ELEVATIONS))
     _fill(extinction, new_trace(extinction), values)
     return StarTransmittance(extinction.bottom, extinction.top - extinction.bottom, values)
