@@ -190,7 +190,7 @@ def panel_leg(r, mu, start, end, length):
     if low - tangent <= _NEAR_TANGENT * (high - tangent):
         low = min(tangent, low)
         offset = 0.0
-    # y² = r - low = (u² - beside²)/(r + low), u the distance from the nearest point.
+    # y² = r - low = (u² - offset²)/(r + low), u the distance from the nearest point.
     u = abs(start - nearest)
     first = sqrt(max((u - offset) * (u + offset), 0.0) / (radius_along(r, mu, start) + low))
     u = abs(end - nearest)
