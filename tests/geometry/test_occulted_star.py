@@ -7,7 +7,7 @@ import pytest
 
 from airlight.errors import ParameterError
 from airlight.geometry.disc_overlap import visible_light
-from airlight.geometry.occulted_star import OccultedStar, occulted_star, seen_part
+from airlight.geometry.occulted_star import OccultedStar, occulted_star, star_visible_fraction
 from airlight.kernel import compiled_loop
 from airlight.spectra.limb_darkening import solar_darkening
 
@@ -25,7 +25,7 @@ def star(away: float, **more: float) -> OccultedStar:
 @compiled_loop
 def _fill(points, eclipse, out):
     for k in range(out.size):
-        out[k] = seen_part(points[k, 0], points[k, 1], points[k, 2], eclipse)
+        out[k] = star_visible_fraction(points[k, 0], points[k, 1], points[k, 2], eclipse)
 
 
 @pytest.mark.parametrize("away", [360e6, 377.4e6, 400e6])  # total, of both kinds, annular

@@ -108,9 +108,10 @@ GEOMETRY = [
     Case(shell.horizon_cosine, (LOW, BOTTOM)),
     Case(shell.radius_along, (R, MU, LENGTH)),
     # From far away the observer's distance, up to 1e9 m, is rounded.
-    Case(shell.way_to_shell, (FAR, -np.sqrt(1 - (0.9 * TOP * UNIT / FAR) ** 2),
+    Case(shell.distance_to_shell, (FAR, -np.sqrt(1 - (0.9 * TOP * UNIT / FAR) ** 2),
          0.9 * TOP * UNIT / FAR, TOP), atol=(4.0 * EPS * 1e9, ANGLE)),
-    Case(shell.first_meeting, (0.99 * BOTTOM * UNIT, uniform(0.0, 0.9, 7), BOTTOM), atol=METRES),
+    Case(shell.first_intersection, (0.99 * BOTTOM * UNIT, uniform(0.0, 0.9, 7), BOTTOM),
+         atol=METRES),
     Case(path.ray_length, (R, uniform(-1.0, -0.3, 6), BOTTOM, TOP), atol=METRES),
     Case(path.ray_length, (R, uniform(0.05, 1.0, 8), BOTTOM, TOP), atol=METRES),
     # Over 1 - ν², at least 0.19 here.

@@ -31,7 +31,7 @@ def test_an_isothermal_limb_is_as_high_as_the_closed_form_says(
     assert_allclose(found.radius - RADIUS, height, rtol=3e-3, atol=30.0)
     assert found.error.max() < 1.0
     assert found.lowest == RADIUS
-    assert not found.bent
+    assert not found.limited_by_refraction
 
 
 def test_without_air_the_ground_is_what_blocks(solved: Solved) -> None:
@@ -46,7 +46,7 @@ def test_refraction_hides_the_lower_air_of_the_earth_from_its_star(solved: Solve
     earth = load_planet("earth")
     found = transit(solved(earth, GREEN, "preview"))
     height = found.lowest - earth.bottom_radius
-    assert found.bent
+    assert found.limited_by_refraction
     assert 12e3 < height < 14.5e3
     near = replace(earth, star=Star(spectrum="astm-g173", angular_radius=0.8))
     lower = transit(solved(near, GREEN, "preview")).lowest

@@ -48,7 +48,7 @@ def add_sun_disc(
     if alpha <= 0.0:
         return
     sun = scene.sun_direction
-    seen = seen_direction(sun, solution, scene.altitude)
+    seen = apparent_direction(sun, solution, scene.altitude)
     pixel = scene.camera.pixel_angle
     reach = 2.0 * (alpha + pixel) + solution.geometry.max_refraction
     # The cheap test first: most rows are far from the star.
@@ -120,7 +120,7 @@ def _add_small_disc(
     middles = camera.directions(block).reshape(-1, 3)
     samples = np.stack(
         [
-            seen_direction(one, solution, scene.altitude)
+            apparent_direction(one, solution, scene.altitude)
             for one in _disc_samples(sun, solution.medium.star_angular_radius)
         ]
     )
@@ -171,7 +171,9 @@ def _through(directions: FloatArray, solution: MomentsSolution, altitude: float)
     return np.asarray(transmittance)
 
 
-def seen_direction(direction: FloatArray, solution: MomentsSolution, altitude: float) -> FloatArray:
+def apparent_direction(
+    direction: FloatArray, solution: MomentsSolution, altitude: float
+) -> FloatArray:
     """Apparent direction of a star at a true direction: lifted by refraction.
 
     Below the true position of the horizon, where it is invisible, the lift is that of the horizon.

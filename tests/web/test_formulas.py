@@ -50,7 +50,7 @@ CASES: dict[str, tuple[Any, ...]] = {
     "moon_on_date": (LATITUDES, BEARINGS, *DATES),
     "dusty_sphere": (ZENITHS,),
     "measured_phase": (ZENITHS,),
-    "moon_share": (ZENITHS,),
+    "moon_phase_factor": (ZENITHS,),
     "bright_limb": (ZENITHS, BEARINGS, ZENITHS[::-1]),
     "phase_shading": (0.9 * ZENITHS, BEARINGS, numbers(0.0, 1.0), numbers(-1.0, 1.0)),
     "light_visibility": (

@@ -135,32 +135,32 @@ def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> F
         middle = (step[1] * chord[0] + step[0] * chord[1]) / (step[0] + step[1])
         return np.stack([2.0 * chord[0] - middle, middle, 2.0 * chord[1] - middle])
     below, middle, above = np.zeros(x.size), np.empty(x.size), np.zeros(x.size)
-    wanted = np.empty_like(chord, shape=y.shape)
+    rhs = np.empty_like(chord, shape=y.shape)
     below[1:-1], middle[1:-1], above[1:-1] = step[1:], 2.0 * (step[:-1] + step[1:]), step[:-1]
     low, high = step[:-1][trailing], step[1:][trailing]
-    wanted[1:-1] = 3.0 * (high * chord[:-1] + low * chord[1:])
-    (middle[0], above[0]), wanted[0] = _no_knot(step[0], step[1], chord[0], chord[1])
-    (middle[-1], below[-1]), wanted[-1] = _no_knot(step[-1], step[-2], chord[-1], chord[-2])
+    rhs[1:-1] = 3.0 * (high * chord[:-1] + low * chord[1:])
+    (middle[0], above[0]), rhs[0] = _no_knot(step[0], step[1], chord[0], chord[1])
+    (middle[-1], below[-1]), rhs[-1] = _no_knot(step[-1], step[-2], chord[-1], chord[-2])
     if first is not None:
-        middle[0], above[0], wanted[0] = 1.0, 0.0, first
-    slopes = np.array(wanted, np.float64, order="C").reshape(x.size, -1)
+        middle[0], above[0], rhs[0] = 1.0, 0.0, first
+    slopes = np.array(rhs, np.float64, order="C").reshape(x.size, -1)
     _solve_tridiagonal(below, middle, above, slopes)
     return slopes.reshape(y.shape)
 
 
 @compiled_loop
-def _solve_tridiagonal(below, middle, above, wanted):
+def _solve_tridiagonal(below, middle, above, rhs):
     """Solution of a tridiagonal system by elimination, in place; pivots are positive."""
     for k in range(1, middle.size):
         factor = below[k] / middle[k - 1]
         middle[k] -= factor * above[k - 1]
-        for c in range(wanted.shape[1]):
-            wanted[k, c] -= factor * wanted[k - 1, c]
+        for c in range(rhs.shape[1]):
+            rhs[k, c] -= factor * rhs[k - 1, c]
     for k in range(middle.size - 1, -1, -1):
-        for c in range(wanted.shape[1]):
+        for c in range(rhs.shape[1]):
             if k + 1 < middle.size:
-                wanted[k, c] -= above[k] * wanted[k + 1, c]
-            wanted[k, c] /= middle[k]
+                rhs[k, c] -= above[k] * rhs[k + 1, c]
+            rhs[k, c] /= middle[k]
 
 
 def _no_knot(

@@ -98,7 +98,7 @@ class OccultedStar(NamedTuple):
         )
 
     def lane(self, index: int) -> OccultedStar:
-        """Star at one wavelength, for ``seen_part``."""
+        """Star at one wavelength, for ``star_visible_fraction``."""
         roots = np.ascontiguousarray(self.roots.reshape(-1, self.lanes)[:, index])
         return self._replace(lanes=1, roots=roots)
 
@@ -238,7 +238,7 @@ def table_place(separation, size, star):
 
 
 @inlined
-def seen_lanes(near, e, f, star, at):
+def visible_fractions(near, e, f, star, at):
     """Visible fraction of the star at eight wavelengths. [1]
 
     Parameters
@@ -263,7 +263,7 @@ def seen_lanes(near, e, f, star, at):
 
 
 @inlined
-def seen_part(x, y, z, star):
+def star_visible_fraction(x, y, z, star):
     """Visible fraction of the star at a point, for one wavelength. [1]
 
     Parameters

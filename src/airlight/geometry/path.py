@@ -26,7 +26,7 @@ from airlight.kernel import compiled_loop, kernel
 MAX_EDGES = 64
 #: A leg counts as close to its tangent point if that is lower by less than this fraction of the
 #: leg's height. A smaller value is less smooth, a larger one has few points in a low haze.
-_BESIDE = 0.02
+_NEAR_TANGENT = 0.02
 
 
 @kernel
@@ -174,7 +174,7 @@ def panel_leg(r, mu, start, end, length):
     -------
     descending : bool
         Whether the leg descends.
-    low, beside : float
+    low, offset : float
         Radius r_0 of the leg, and its distance from the tangent point of the line. [m]
     first, last : float
         Values of y at the start and end of the panel. [m^½]
@@ -186,27 +186,27 @@ def panel_leg(r, mu, start, end, length):
     lowest = min(nearest, length) if descending else max(nearest, 0.0)
     low = radius_along(r, mu, lowest)
     high = r if descending else radius_along(r, mu, length)
-    beside = abs(lowest - nearest)
-    if low - tangent <= _BESIDE * (high - tangent):
+    offset = abs(lowest - nearest)
+    if low - tangent <= _NEAR_TANGENT * (high - tangent):
         low = min(tangent, low)
-        beside = 0.0
-    # y² = r - low = (u² - beside²)/(r + low), u the distance from the nearest point.
+        offset = 0.0
+    # y² = r - low = (u² - offset²)/(r + low), u the distance from the nearest point.
     u = abs(start - nearest)
-    first = sqrt(max((u - beside) * (u + beside), 0.0) / (radius_along(r, mu, start) + low))
+    first = sqrt(max((u - offset) * (u + offset), 0.0) / (radius_along(r, mu, start) + low))
     u = abs(end - nearest)
-    last = sqrt(max((u - beside) * (u + beside), 0.0) / (radius_along(r, mu, end) + low))
-    return descending, low, beside, first, last
+    last = sqrt(max((u - offset) * (u + offset), 0.0) / (radius_along(r, mu, end) + low))
+    return descending, low, offset, first, last
 
 
 @kernel
-def panel_point(nearest, descending, low, beside, first, last, node):
+def panel_point(nearest, descending, low, offset, first, last, node):
     """Point of a panel.
 
     Parameters
     ----------
     nearest : float
         Distance along the ray to the tangent point of its line. [m]
-    descending, low, beside, first, last :
+    descending, low, offset, first, last :
         Values from ``panel_leg``.
     node : float
         Position on the panel, 0 to 1. [1]
@@ -219,7 +219,7 @@ def panel_point(nearest, descending, low, beside, first, last, node):
         Distance per step of ``node``, at least 0. [m]
     """
     y = first + (last - first) * node
-    away = sqrt(beside * beside + y * y * (2.0 * low + y * y))
+    away = sqrt(offset * offset + y * y * (2.0 * low + y * y))
     radius = low + y * y
     distance = nearest - away if descending else nearest + away
     # du/dy = 2 y r / u
@@ -251,12 +251,12 @@ def place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weig
     length = edges[edge_count - 1]
     count = 0
     for panel in range(edge_count - 1):
-        descending, low, beside, first, last = panel_leg(
+        descending, low, offset, first, last = panel_leg(
             r, mu, edges[panel], edges[panel + 1], length
         )
         for k in range(nodes.size):
             distance[count], radius[count], slope = panel_point(
-                -r * mu, descending, low, beside, first, last, nodes[k]
+                -r * mu, descending, low, offset, first, last, nodes[k]
             )
             weight[count] = weights[k] * slope
             count += 1

@@ -91,9 +91,11 @@ def refraction_table_index(x, mu_s, bottom, top, refraction_table):
     lifted = refraction_table[row, 0, 0] * (1.0 - f) + refraction_table[row + 1, 0, 0] * f
     true_horizon = horizon_cosine(x, bottom) - lifted
     above = mu_s - true_horizon
-    share = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (refraction_table.shape[1] - 1)
-    column = min(int(share), refraction_table.shape[1] - 2)
-    return row, f, column, share - column, above
+    position = sqrt(min(max(above, 0.0) / (1.0 - true_horizon), 1.0)) * (
+        refraction_table.shape[1] - 1
+    )
+    column = min(int(position), refraction_table.shape[1] - 2)
+    return row, f, column, position - column, above
 
 
 @inlined
@@ -183,9 +185,9 @@ def star_points(x, mu_s, bottom, top, star_radius, refraction_table):
         return received, seen, seen
     mean, deviation = visible_spread(elevation, star_radius)
     middle = seen + refraction_jacobian * (bottom / x) * (mean - elevation)
-    apart = refraction_jacobian * (bottom / x) * deviation
+    offset = refraction_jacobian * (bottom / x) * deviation
     lowest = horizon_cosine(x, bottom)
-    return received, max(middle - apart, lowest), min(middle + apart, 1.0)
+    return received, max(middle - offset, lowest), min(middle + offset, 1.0)
 
 
 @inlined

@@ -59,7 +59,7 @@ def radius_along(r, mu, distance):
 
 
 @kernel
-def way_to_shell(r, mu, sine, top_radius):
+def distance_to_shell(r, mu, sine, top_radius):
     """Distance along a line of sight from outside to the shell, and zenith cosine at entry.
 
     Parameters
@@ -86,7 +86,7 @@ def way_to_shell(r, mu, sine, top_radius):
 
 
 @kernel
-def first_meeting(impact, sine, radius):
+def first_intersection(impact, sine, radius):
     """First intersection of a descending line of sight with a sphere, from its centre. [m]
 
     Free of cancellation for distant observers.
@@ -108,7 +108,7 @@ def first_meeting(impact, sine, radius):
 
     Examples
     --------
-    >>> first_meeting(0.0, 0.0, 6360e3)  # straight down
+    >>> first_intersection(0.0, 0.0, 6360e3)  # straight down
     (0.0, 6360000.0)
     """
     depth = sqrt(max((radius - impact) * (radius + impact), 0.0))

@@ -96,7 +96,7 @@ def cell(index, first, last):
     Returns
     -------
     lower, upper : int
-    share : float
+    fraction : float
         Weight of the upper neighbour, 0 to 1. [1]
     """
     held = min(max(index, float(first)), float(last))

@@ -114,8 +114,8 @@ def disc_points(edge: float, top: float, phase: float, points: int = POINTS) -> 
     y = np.broadcast_to(np.sin(latitude), x.shape)
     # dx dy = cos(longitude) cos²(latitude) d(longitude) d(latitude)
     area = width[:, None] * height * np.cos(longitude[:, None]) * np.cos(latitude) ** 2
-    share, thick = _panels(np.array(_SHELL), points)
-    b = edge + (top - edge) * share
+    height_fraction, thick = _panels(np.array(_SHELL), points)
+    b = edge + (top - edge) * height_fraction
     around, turn = _panels(np.radians(_AROUND), points)
     ring = (b * thick * (top - edge))[:, None] * turn
     return DiscPoints(
@@ -221,5 +221,5 @@ def spherical_albedo(
     values, errors = disc_reflectance(
         solution, np.degrees(phases), radius, progress=progress, cancel=cancel
     )
-    share = 2.0 * weights * np.sin(phases)
-    return share @ values, share @ errors
+    phase_weights = 2.0 * weights * np.sin(phases)
+    return phase_weights @ values, phase_weights @ errors

@@ -309,7 +309,7 @@ def _transmission(
 ) -> tuple[_Variables, list[str]]:
     found = transit(solution)
     bottom = solution.medium.bottom_radius
-    ends = "refraction (lower rays miss the star)" if found.bent else "the ground"
+    ends = "refraction (lower rays miss the star)" if found.limited_by_refraction else "the ground"
     notes = [
         f"rays end {(found.lowest - bottom) * 1e-3:.3g} km above the ground, by {ends}",
         "direct light of a uniform star; forward scattering is neglected",

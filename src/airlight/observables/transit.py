@@ -48,14 +48,14 @@ class Transit:
         Quadrature error: difference from a rule with fewer points. [m]
     lowest : float
         Impact parameter of the lowest ray that meets the star. [m]
-    bent : bool
+    limited_by_refraction : bool
         Whether it is limited by refraction rather than by the ground.
     """
 
     radius: FloatArray
     error: FloatArray
     lowest: float
-    bent: bool
+    limited_by_refraction: bool
 
 
 def transit(solution: Solution) -> Transit:
@@ -93,14 +93,14 @@ def _lowest_ray(solution: Solution, edge: float) -> float:
     distance = math.inf if known is None else known
     radius = solution.lights[0].angular_radius
 
-    def shows(b: float) -> bool:
-        bend = 2.0 * float(geometry.refraction_angle(np.array([b]), np.zeros(1))[0])
-        return abs(bend - b / distance) < radius
+    def meets_star(b: float) -> bool:
+        angle = 2.0 * float(geometry.refraction_angle(np.array([b]), np.zeros(1))[0])
+        return abs(angle - b / distance) < radius
 
     low, high = edge, geometry.medium.top_radius
-    if shows(low):
+    if meets_star(low):
         return edge
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if shows(middle) else (middle, high)
+        low, high = (low, middle) if meets_star(middle) else (middle, high)
     return high

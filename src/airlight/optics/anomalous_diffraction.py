@@ -86,9 +86,9 @@ def extinction_efficiency(phase_shift: float, ratio: float) -> float:
             total -= re * factor / (n + 2.0)
         return 4.0 * total
     beta = math.atan(ratio)
-    share = math.cos(beta) / rho
-    wave = math.sin(rho - beta) + share * math.cos(rho - 2.0 * beta)
-    return 2.0 - 4.0 * share * (math.exp(-damping) * wave - share * math.cos(2.0 * beta))
+    reciprocal = math.cos(beta) / rho
+    wave = math.sin(rho - beta) + reciprocal * math.cos(rho - 2.0 * beta)
+    return 2.0 - 4.0 * reciprocal * (math.exp(-damping) * wave - reciprocal * math.cos(2.0 * beta))
 
 
 def efficiencies(

@@ -20,8 +20,8 @@ _MARGIN: Final = 1.1
 def effective_top(density: DensitySegments) -> float:
     """Altitude above which every constituent has less than 1e-7 of its column, with margin. [m]
 
-    Solver grids span the shell; with a thickness of 63 000 km the lowest 100 km, and the
-    terminator, would have few nodes. If the shell is less than 1.4 times as thick, its thickness.
+    Solver grids span the shell; in a shell of 63 000 km the lowest 100 km and the terminator would
+    have few nodes. If the shell is less than 1.4 times as thick, its own thickness is returned.
 
     Examples
     --------

@@ -21,8 +21,8 @@ FAINT: Final = 1e-4
 _WIDE: Final = 0.15
 #: Distances, over the shell's thickness, below which edges of different layers, and both ends of a
 #: layer, are merged.
-_APART: Final = 0.015
-_SAME: Final = 0.002
+_SPACING: Final = 0.015
+_NARROW_SPACING: Final = 0.002
 
 
 #: Largest width of a thin layer, over the shell's thickness, for absorption optical depths above a
@@ -141,14 +141,14 @@ def layer_edges(
         bottom, top = float(altitude[within[0]]), float(altitude[within[-1]])
         if top - bottom > _WIDE * thickness and scattering[i] * columns[i] < faint_and_wide:
             continue
-        ends += [(bottom, False), (top, top - bottom <= _APART * thickness)]
+        ends += [(bottom, False), (top, top - bottom <= _SPACING * thickness)]
         peaks.append(float(altitude[peak]))
     kept: list[float] = []
     for one, narrow in sorted(ends):
-        apart = (_SAME if narrow else _APART) * thickness
-        if 0.0 < one < thickness and (not kept or one - kept[-1] > apart):
+        spacing = (_NARROW_SPACING if narrow else _SPACING) * thickness
+        if 0.0 < one < thickness and (not kept or one - kept[-1] > spacing):
             kept.append(one)
     for one in sorted(peaks):
-        if 0.0 < one < thickness and all(abs(one - end) > _APART * thickness for end in kept):
+        if 0.0 < one < thickness and all(abs(one - end) > _SPACING * thickness for end in kept):
             kept.append(one)
     return np.array(sorted(kept))

@@ -85,7 +85,7 @@ def measured_phase(phase):
 
 
 @kernel
-def moon_share(phase):
+def moon_phase_factor(phase):
     """Brightness of the Moon over that of the full Moon. [1]
 
     Beyond the measured phases, 160 degrees, the surface radiance of the crescent is constant.
@@ -97,7 +97,7 @@ def moon_share(phase):
 
     Examples
     --------
-    >>> f"{moon_share(90.0):.3f}"
+    >>> f"{moon_phase_factor(90.0):.3f}"
     '0.091'
     """
     known = min(phase, _THINNEST)
@@ -162,7 +162,7 @@ def moon_albedo(wavelengths: ArrayLike) -> FloatArray:
 
 
 def moon_brightness(wavelengths: ArrayLike, phase: float) -> FloatArray:
-    """Geometric albedo of the Moon times its phase function ``moon_share``. [1]
+    """Geometric albedo of the Moon times its phase function ``moon_phase_factor``. [1]
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ def moon_brightness(wavelengths: ArrayLike, phase: float) -> FloatArray:
     >>> f"{moon_brightness(550.0, 90.0) / moon_brightness(550.0, 0.0):.3f}"
     '0.091'
     """
-    return np.asarray(moon_albedo(wavelengths) * moon_share(phase))
+    return np.asarray(moon_albedo(wavelengths) * moon_phase_factor(phase))
 
 
 def moon_surface_factor(phase: ArrayLike) -> FloatArray:

@@ -69,14 +69,14 @@ def _interpolate(
                 low = middle
             else:
                 high = middle
-        share = (at[i] - angles[low]) / (angles[high] - angles[low])
+        fraction = (at[i] - angles[low]) / (angles[high] - angles[low])
         for j in range(columns.shape[1]):
             if positive[low, j] and positive[high, j]:
                 step = logarithms[high, j] - logarithms[low, j]
-                out[i, j] = math.exp(logarithms[low, j] + share * step)
+                out[i, j] = math.exp(logarithms[low, j] + fraction * step)
             else:
                 step = columns[high, j] - columns[low, j]
-                out[i, j] = columns[low, j] + share * step
+                out[i, j] = columns[low, j] + fraction * step
 
 
 def moments(angles: FloatArray, rows: FloatArray, degree: int) -> FloatArray:

@@ -96,7 +96,7 @@ class RefractingShell:
         optical_altitude = nodes * (1.0 + excess) + bottom_radius * (excess - excess[0])
         refraction = ((1.0 + excess) * stretch - 1.0) / optical**2
         strength = float(refraction.max())
-        share = refraction / strength if strength > 0.0 else refraction
+        normalised = refraction / strength if strength > 0.0 else refraction
         # From both sides of a node, since a profile may jump there.
         hair = 1e-6 * np.diff(nodes)
         above = density.at(nodes[:-1] + hair) * stretch[:-1]
@@ -114,7 +114,7 @@ class RefractingShell:
             optical=optical,
             density=replace(
                 DensitySegments.from_rows(
-                    [*rows, _row(optical_altitude, share[:-1], share[1:], None)]
+                    [*rows, _row(optical_altitude, normalised[:-1], normalised[1:], None)]
                 ),
                 known_breakpoints=np.interp(density.breakpoints, nodes, optical_altitude),
             ),

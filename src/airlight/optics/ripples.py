@@ -55,8 +55,8 @@ def ripple_means(angles: FloatArray, rows: FloatArray, ripple: float) -> FloatAr
     for offset in range(-reach, reach + 1):
         here = slice(max(0, -offset), angles.size - max(0, offset))
         there = slice(max(0, offset), angles.size - max(0, -offset))
-        apart = np.minimum(np.abs(angles[there] - angles[here]) / half[here], 1.0)
-        weight = 0.5 * (1.0 + np.cos(np.pi * apart)) * area[there]
+        distance = np.minimum(np.abs(angles[there] - angles[here]) / half[here], 1.0)
+        weight = 0.5 * (1.0 + np.cos(np.pi * distance)) * area[there]
         sums[:, here] += weight * rows[:, there]
         total[here] += weight
     return sums / total

@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.shell import first_meeting
+from airlight.geometry.shell import first_intersection
 from airlight.kernel import inlined
 from airlight.kernel.lanes import load, maximum, minimum, splat
 from airlight.optics.clouds import layer_distance, under_clouds
@@ -47,7 +47,7 @@ def ground_color(x, y, z, sine, angle, observer, view, tables, color):
         values of absent maps are unchanged. [1]
     """
     cosine = ground_cosine(z, sine, observer, tables)
-    _across, up = first_meeting(min(observer.r * sine, tables.bottom), sine, tables.bottom)
+    _across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)
     # the distance as a quotient, of which single precision keeps all digits near the observer
     both = max(tables.bottom * cosine - observer.r * z, 1e-30)
     reach = observer.optical_altitude * (observer.r + tables.bottom) / both

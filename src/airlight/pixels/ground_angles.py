@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import sqrt
 
 from airlight.geometry.refraction import refraction_angle, turned
-from airlight.geometry.shell import first_meeting
+from airlight.geometry.shell import first_intersection
 from airlight.kernel import inlined, kernel
 from airlight.optics.cox_munk import mirrored_cosine
 from airlight.tables.column_ratios import columns_to_top
@@ -18,7 +18,7 @@ def star_from(across, up, radius, cos_azimuth, sun_x, sun_z):
     Parameters
     ----------
     across, up, radius : float
-        Coordinates from ``first_meeting``. [m]
+        Coordinates from ``first_intersection``. [m]
     cos_azimuth : float
         Cosine of the line's azimuth from the star's vertical plane. [1]
     sun_x, sun_z : float
@@ -132,7 +132,7 @@ def ground_angles(x, z, sine, angle, observer, tables):
         lines and star. [1]
     """
     mu_r = ground_cosine(z, sine, observer, tables)
-    across, up = first_meeting(min(observer.r * sine, tables.bottom), sine, tables.bottom)
+    across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)
     cos_azimuth = x / sine if sine > 0.0 else 1.0
     mu_s = star_from(across, up, tables.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)

@@ -11,7 +11,7 @@ from math import cos, pi, sqrt
 from typing import Final, NamedTuple
 
 from airlight.geometry.refraction import refraction_angle, turned
-from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_meeting
+from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_intersection
 from airlight.kernel import inlined, kernel
 from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, maximum, splat, store
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
@@ -96,7 +96,7 @@ def line_of_sight(mu, sine, cos_azimuth, to_ground, observer, tables):
     if observer.outside:
         impact = observer.r * sine
         r = tables.top
-        across, up = first_meeting(min(impact, tables.top), sine, tables.top)
+        across, up = first_intersection(min(impact, tables.top), sine, tables.top)
         start_mu = -sqrt(max((tables.top - impact) * (tables.top + impact), 0.0)) / tables.top
         start_mu_s = star_from(across, up, tables.top, cos_azimuth, observer.sun_x, observer.sun_z)
     length = distance_to_top(r, start_mu, tables.top)
@@ -124,7 +124,7 @@ def star_on_ground(sine, cos_azimuth, r, start_mu, nu, length, column, observer,
         Cosine [1] and angle [rad].
     """
     impact = observer.r * sine
-    across, up = first_meeting(min(impact, tables.bottom), sine, tables.bottom)
+    across, up = first_intersection(min(impact, tables.bottom), sine, tables.bottom)
     mu_s = star_from(across, up, tables.bottom, cos_azimuth, observer.sun_x, observer.sun_z)
     angle = 0.0
     if tables.refraction_strength > 0.0:

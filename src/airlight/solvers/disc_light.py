@@ -68,5 +68,5 @@ def disc_light(solution: Solution, phase: float) -> FloatArray:
     nu = mu * mu_s + sine * np.sin(angle) * np.cos(azimuth)
     lines = enter_shell(np.full(sine.size, far), mu, sine, mu_s, nu, bottom, top)
     radiance = solution.relative_radiance(lines)
-    share = np.repeat(weight, _TURN) * np.tile(2.0 * np.pi * turn.weights, impact.size)
-    return np.asarray(share @ radiance) / bottom**2
+    solid_angles = np.repeat(weight, _TURN) * np.tile(2.0 * np.pi * turn.weights, impact.size)
+    return np.asarray(solid_angles @ radiance) / bottom**2

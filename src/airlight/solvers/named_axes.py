@@ -194,7 +194,7 @@ class NamedAxes:
         arrays = [np.ascontiguousarray(one.values).ravel() for one in whole]
         return arrays, cls(dims, whole[0].shape, coordinates)
 
-    def beside(self, name: str, labels: Sequence[str]) -> Self:
+    def with_axis(self, name: str, labels: Sequence[str]) -> Self:
         """Axes with a labelled axis inserted before the wavelength."""
         return replace(
             self,

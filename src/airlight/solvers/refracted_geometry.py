@@ -62,7 +62,7 @@ class RefractedGeometry:
 
     @property
     def refraction_strength(self) -> float:
-        """Refraction angle over impact parameter and refraction column; 0 without. [m⁻²]"""
+        """Refraction angle over impact parameter times refraction column; 0 if none. [m⁻²]"""
         return 0.0 if self.shell is None else self.shell.refraction_strength
 
     def optical_radius(self, r: FloatArray) -> FloatArray:

@@ -136,10 +136,10 @@ class ShadowLight:
         turn = np.sin(0.5 * np.pi * rule.nodes) ** 2
         step = rule.weights * np.pi * np.sqrt(turn * (1.0 - turn))
         phi = half[rays, None] * turn
-        apart = _sine_squared_half(away[rays, None], separation, phi)
+        haversine = _sine_squared_half(away[rays, None], separation, phi)
         outer = np.sin(0.5 * star) ** 2
         # sin² of the whole angle: 4 s (1 - s)
-        ratio = np.clip(apart * (1.0 - apart) / (outer * (1.0 - outer)), 0.0, 1.0)
+        ratio = np.clip(haversine * (1.0 - haversine) / (outer * (1.0 - outer)), 0.0, 1.0)
         mu = np.sqrt(1.0 - ratio)
         powers = mu[..., None] ** np.arange(self._law.shape[1])
         arcs = np.einsum("rpk,p->rk", powers, step) * 2.0 * half[rays, None]
@@ -163,8 +163,10 @@ class ShadowLight:
         nu = mu * mu_s + sine * np.sin(separation) * np.cos(azimuth)
         lines = enter_shell(np.full(sine.size, d), mu, sine, mu_s, nu, bottom, top)
         radiance = solution.relative_radiance(lines)
-        share = np.repeat(weight, _POSITIONS) * np.tile(2.0 * np.pi * azimuths.weights, _HEIGHTS)
-        return np.asarray(share @ radiance)
+        solid_angles = np.repeat(weight, _POSITIONS) * np.tile(
+            2.0 * np.pi * azimuths.weights, _HEIGHTS
+        )
+        return np.asarray(solid_angles @ radiance)
 
 
 def _sine_squared_half(a: FloatArray, b: float, phi: FloatArray) -> FloatArray:

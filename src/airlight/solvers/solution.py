@@ -261,7 +261,7 @@ class Solution(ABC):
             return self._labelled(values, axes, "radiance", unit)
         self.check_polarised()
         found = to_meridian(self.relative_stokes(lines, order=order), *arrays[2:]) * sun
-        return self._labelled(found, axes.beside("stokes", STOKES), "radiance", unit)
+        return self._labelled(found, axes.with_axis("stokes", STOKES), "radiance", unit)
 
     def check_polarised(self) -> None:
         """Raise an error if Stokes parameters are requested of a scalar solution."""

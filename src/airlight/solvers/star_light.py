@@ -122,14 +122,14 @@ def star_light(r, mu_s, star_radius, level, shell, density, extinction, rules, w
     nodes, weights, _ = rules[1]
     for k in range(nodes.size):
         t = first + (pi - first) * nodes[k]
-        share = (2.0 / pi) * (pi - first) * weights[k] * sin(t) * sin(t)
+        solid_angle = (2.0 / pi) * (pi - first) * weights[k] * sin(t) * sin(t)
         strip = sin(centre - star_radius * cos(t))
         columns_to_space(r, strip, shell, density, rules[0], workspace, column)
         for w in range(light.size):
             depth = 0.0
             for i in range(column.size):
                 depth += column[i] * extinction[i, w]
-            light[w] += share * exp(-depth) * (max(strip, 0.0) if level else 1.0)
+            light[w] += solid_angle * exp(-depth) * (max(strip, 0.0) if level else 1.0)
     return True
 
 

@@ -84,9 +84,9 @@ def solar_darkening(wavelengths: ArrayLike) -> FloatArray:
             out[k] = _neckel(at, min(piece, len(knots) - 2) // 2)
         else:
             low, high = knots[piece], knots[piece + 1]
-            share = (at - low) / (high - low) if high > low else 1.0
+            fraction = (at - low) / (high - low) if high > low else 1.0
             ends = _neckel(low, piece // 2), _neckel(high, piece // 2 + 1)
-            out[k] = (1.0 - share) * ends[0] + share * ends[1]
+            out[k] = (1.0 - fraction) * ends[0] + fraction * ends[1]
     return _of_mean_one(out)
 
 

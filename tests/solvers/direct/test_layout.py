@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from airlight import Medium, load_planet
 from airlight.geometry.shell import horizon_cosine
-from airlight.solvers.direct.gather import continue_beyond
+from airlight.solvers.direct.gather import extrapolate_linearly
 from airlight.solvers.direct.layout import (
     angle_cell,
     angle_of,
@@ -61,6 +61,6 @@ def test_continuation_makes_interpolation_right_at_the_end_of_what_can_be() -> N
     # A straight line, possible only from 2.4 to 6.3: nodes outside hold the ends.
     line = 3.0 - 0.7 * np.arange(10.0)
     held = np.interp(np.clip(np.arange(10.0), 2.4, 6.3), np.arange(10.0), line)[:, None]
-    continue_beyond(held, 2.4, 6.3)
+    extrapolate_linearly(held, 2.4, 6.3)
     for end in (2.4, 6.3):
         assert_allclose(np.interp(end, np.arange(10.0), held[:, 0]), 3.0 - 0.7 * end, atol=1e-12)

@@ -16,12 +16,6 @@ from airlight.kernel import compiled_loop
 from airlight.planets import Medium, Planet, load_planet
 from airlight.planets.matter.profiles import Exponential, Layer, Layered, Tabulated, Tent, Uniform
 from airlight.solvers.montecarlo.history_optics import HistoryOptics, history_optics, jump_altitudes
-from airlight.solvers.montecarlo.lit_air import (
-    density_in_light,
-    new_lit,
-    place_in_light,
-    sun_sampling_integral,
-)
 from airlight.solvers.montecarlo.rays import (
     new_trace,
     place_at_depth,
@@ -29,6 +23,12 @@ from airlight.solvers.montecarlo.rays import (
     trace_optical_depth,
 )
 from airlight.solvers.montecarlo.streams import stream, uniform
+from airlight.solvers.montecarlo.sun_biased_sampling import (
+    new_sampling_density,
+    sample_sun_biased,
+    sun_biased_density,
+    sun_sampling_integral,
+)
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
 
@@ -65,12 +65,12 @@ def draw(depth, count, extinction, path, r, mu, state, out):
 @compiled_loop
 def draw_in_light(count, total, air, path, lit, r, mu, state, distances, densities, depths):
     for k in range(distances.size):
-        at, t, depths[k] = place_in_light(
+        at, t, depths[k] = sample_sun_biased(
             uniform(state), uniform(state), count, total, air.extinction, path, lit
         )
         distances[k], _, slope = point_at(path.panels[at], t, r, mu, air.extinction)
         # per optical depth rather than per the panel's own variable
-        densities[k] = density_in_light(at, t, total, air.extinction, lit) / slope
+        densities[k] = sun_biased_density(at, t, total, air.extinction, lit) / slope
 
 
 def traced(medium: Medium, air: HistoryOptics, altitude: float, angle: float) -> tuple[Any, ...]:
@@ -164,8 +164,10 @@ def test_places_in_light_have_the_density_that_is_said(
     air = history_optics(RefractedGeometry.of(medium), 0, polarised=False)
     r, mu, _, path, count, _ = traced(medium, air, 0.0, 60.0)
     mu_s, nu = np.cos(np.radians(95.0)), 0.3
-    lit = new_lit(air.extinction)
-    total = sun_sampling_integral(r, mu, mu_s, nu, count, air.extinction, air.light, path, lit)
+    lit = new_sampling_density(air.extinction)
+    total = sun_sampling_integral(
+        r, mu, mu_s, nu, count, air.extinction, air.star_transmittance, path, lit
+    )
     assert total > 0.0
     distances, densities, depths = np.empty((3, 20_000))
     draw_in_light(count, total, air, path, lit, r, mu, stream(9), distances, densities, depths)

@@ -24,7 +24,7 @@ from airlight.kernel.threads import Cancel, Progress
 from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.delta_m import Optics
-from airlight.solvers.moments.energy_balance import energy_error, makes_light
+from airlight.solvers.moments.energy_balance import energy_error, violates_energy_balance
 from airlight.solvers.moments.iterate import Moments
 from airlight.solvers.moments.settings import Settings
 from airlight.solvers.moments.solution import MomentsSolution
@@ -106,8 +106,8 @@ def solve_on(
         residual=residual[:count],
         energy=energy_error(plan.setup, field[..., :count]),
     )
-    if makes_light(moments.energy, settings.energy_tolerance):
-        raise ThickAir("not resolved by the GPU's grid")
+    if violates_energy_balance(moments.energy, settings.energy_tolerance):
+        raise ThickAir
     solution = MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
     _fields[solution] = device, fields
     return solution

@@ -195,25 +195,25 @@ def complete(r, axes, out):
             one, other = angle_index(mu * mu_s + flat, axes), angle_index(mu * mu_s - flat, axes)
             low, high = min(one, other), max(one, other)
             if high - low > _NARROW:
-                continue_beyond(out[j, k], low, high)
+                extrapolate_linearly(out[j, k], low, high)
             else:
                 narrow[j, k] = 0.5 * (low + high) + 1.0
     last = axes.sun_angles - 1
     for j in range(1, axes.views - 1):
         if narrow[j, 0] > 0.0:
-            continue_alike(out[j, 0], narrow[j, 0] - 1.0, out[j, 1])
+            extrapolate_shape(out[j, 0], narrow[j, 0] - 1.0, out[j, 1])
         if narrow[j, last] > 0.0:
-            continue_alike(out[j, last], narrow[j, last] - 1.0, out[j, last - 1])
+            extrapolate_shape(out[j, last], narrow[j, last] - 1.0, out[j, last - 1])
     last = axes.views - 1
     for k in range(axes.sun_angles):
         if narrow[0, k] > 0.0:
-            continue_alike(out[0, k], narrow[0, k] - 1.0, out[1, k])
+            extrapolate_shape(out[0, k], narrow[0, k] - 1.0, out[1, k])
         if narrow[last, k] > 0.0:
-            continue_alike(out[last, k], narrow[last, k] - 1.0, out[last - 1, k])
+            extrapolate_shape(out[last, k], narrow[last, k] - 1.0, out[last - 1, k])
 
 
 @compiled_loop
-def continue_alike(values, index, neighbour):
+def extrapolate_shape(values, index, neighbour):
     """Extrapolation of a row known at one index, with the shape of its neighbour.
 
     Parameters
@@ -235,7 +235,7 @@ def continue_alike(values, index, neighbour):
 
 
 @compiled_loop
-def continue_beyond(values, low, high):
+def extrapolate_linearly(values, low, high):
     """Linear extrapolation of a row of logarithms to impossible angles.
 
     Nodes outside the possible range hold the value at its end. With the slope from inside,

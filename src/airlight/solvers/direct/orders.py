@@ -107,7 +107,7 @@ def solve_orders(
         from_sky = work.from_sky  # A⁽ᵏ⁾, by irradiance of the previous order
         ground = ground + from_sky
         each_ground.append(from_sky)
-        residual = _share(linear, total, medium.wavelengths.size)
+        residual = _order_ratio(linear, total, medium.wavelengths.size)
         if residual.max() <= settings.tolerance or count > settings.orders:
             break
         before, ground_before = linear, from_sky
@@ -224,12 +224,12 @@ class _Passes:
         return self.incoming
 
 
-def _share(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
+def _order_ratio(part: FloatArray, total: FloatArray, wavelengths: int) -> FloatArray:
     """Largest fraction of a part in its sum, per wavelength, in texels that are not dark. [1]"""
     part, total = part.reshape(-1, wavelengths), total.reshape(-1, wavelengths)
     bright = total > _FAINT * total.max(axis=0)
-    share = np.divide(part, total, out=np.zeros_like(part), where=bright)
-    return np.asarray(share.max(axis=0))
+    ratios = np.divide(part, total, out=np.zeros_like(part), where=bright)
+    return np.asarray(ratios.max(axis=0))
 
 
 def _rest(last: FloatArray, before: FloatArray) -> FloatArray:

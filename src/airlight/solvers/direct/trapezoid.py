@@ -130,9 +130,9 @@ def graded(steps: int) -> Rule:
     # Over one step: (-F[k-1] + 13 F[k] + 13 F[k+1] - F[k+2]) / 24, F = f·slope, even at the ends.
     step = np.zeros((steps, steps + 1))
     for k in range(steps):
-        for at, share in ((k - 1, -1.0), (k, 13.0), (k + 1, 13.0), (k + 2, -1.0)):
+        for at, weight in ((k - 1, -1.0), (k, 13.0), (k + 1, 13.0), (k + 2, -1.0)):
             mirrored = abs(at) if at <= steps else 2 * steps - at
-            step[k, mirrored] += share / (24.0 * steps)
+            step[k, mirrored] += weight / (24.0 * steps)
     running = np.cumsum(step, axis=0)[:-1] * slope
     return _frozen(
         (t - np.sin(2.0 * pi * t) / (2.0 * pi))[1:-1], (slope / steps)[1:-1], running[:, 1:-1]
@@ -196,7 +196,7 @@ def sphere(
     zenith = np.concatenate(angles)
     half = azimuth_steps // 2
     t = np.linspace(0.0, pi, half + 1)
-    share = _TOWARDS_SUN if grade else 0.0
-    around = 2.0 * weights_1d(half) * (pi / half) * (1.0 - share * np.cos(t))
+    grading = _TOWARDS_SUN if grade else 0.0
+    around = 2.0 * weights_1d(half) * (pi / half) * (1.0 - grading * np.cos(t))
     weights = np.outer(np.concatenate(lengths) * np.sin(zenith), around)
-    return zenith, t - share * np.sin(t), weights
+    return zenith, t - grading * np.sin(t), weights

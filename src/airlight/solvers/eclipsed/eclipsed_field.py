@@ -30,7 +30,7 @@ from airlight.solvers.eclipsed.eclipsed_march import (
     LOCAL_SHADOW,
     SCATTERING_CORRECTION,
     line_eclipsed,
-    seen_star_part,
+    visible_star_fraction,
 )
 from airlight.solvers.eclipsed.shadow_tables import (
     ShadowTables,
@@ -157,8 +157,8 @@ def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
     tables, grid = solution.tables, _grid(solution)
     degree = min(grid.degree, solution.moments.degree)
     terms = harmonics(degree)
-    apart = np.array([star.x, star.y, star.z])
-    distance = float(np.linalg.norm(apart))
+    separation = np.array([star.x, star.y, star.z])
+    distance = float(np.linalg.norm(separation))
     umbra = abs(star.radius - distance * np.sin(star.star_radius))
     reach = umbra + _REACH * sqrt(2.0 * tables.bottom * _scale_height(solution))
     middle, width = grid_spacing(umbra, reach)
@@ -241,7 +241,7 @@ def _iterate(
     source, sky_source = sweep(empty, LOCAL_SHADOW, 1)
     used = solution.wavelengths.size
     field, sky, last, last_sky = source, sky_source, source, sky_source
-    part = _local_part(empty, tables)
+    part = _visible_fractions(empty, tables)
     mean = 1.0 / sqrt(4.0 * pi)
     for order in range(2, _MOST_SWEEPS + 2):
         shadow = empty._replace(field=last.reshape(-1), sky=last_sky.reshape(-1))
@@ -281,7 +281,7 @@ def _directions(grid: ShadowGrid) -> tuple[FloatArray, FloatArray, FloatArray, F
     return up.nodes, up.weights, down.nodes, down.weights, grid.azimuths
 
 
-def _local_part(shadow: ShadowTables, tables: MarchTables) -> Float32Array:
+def _visible_fractions(shadow: ShadowTables, tables: MarchTables) -> Float32Array:
     """Visible fraction of the star at every node, shape (radii, distances, angles, w). [1]"""
     out = np.empty((shadow.radii, shadow.distances, shadow.angles, shadow.star.lanes), np.float32)
     _fill_local(tables.bottom, tables.top, shadow, new_shadow_workspace(shadow), out)
@@ -294,7 +294,7 @@ def _fill_local(bottom, top, shadow, scratch, out):
         for column in range(out.shape[1]):
             for angle in range(out.shape[2]):
                 x, y, z = node_point(row, column, angle, bottom, top, shadow)
-                seen_star_part(x, y, z, shadow, scratch)
+                visible_star_fraction(x, y, z, shadow, scratch)
                 out[row, column, angle] = scratch.seen
 
 
@@ -328,7 +328,7 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
         q = min(max(sqrt(x * x + y * y + z * z), tables.bottom), tables.top)
         for at in range(lanes):
             scratch.offset[at] = 0.0
-        seen_star_part(x, y, z, shadow, scratch)
+        visible_star_fraction(x, y, z, shadow, scratch)
         for at in range(lanes):
             scratch.offset[at] = scratch.seen[at]
         a, b, c = x / q, y / q, z / q

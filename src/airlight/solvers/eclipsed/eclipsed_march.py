@@ -13,7 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from airlight.geometry.occulted_star import apparent_discs, seen_lanes, table_place
+from airlight.geometry.occulted_star import apparent_discs, table_place, visible_fractions
 from airlight.geometry.path import insert_edge
 from airlight.geometry.refraction import refraction_angle
 from airlight.kernel import compiled_loop, inlined
@@ -83,7 +83,7 @@ def split_at_umbra(x, y, u, v, length, shadow, edges, count):
 
 
 @inlined
-def seen_star_part(x, y, z, shadow, scratch):
+def visible_star_fraction(x, y, z, shadow, scratch):
     """Visible fraction of the star at a point, less the offset, to ``scratch.seen``. [1]
 
     Parameters
@@ -99,12 +99,12 @@ def seen_star_part(x, y, z, shadow, scratch):
         if near == -2:
             part = splat(0.0)
         elif near >= 0:
-            part = seen_lanes(near, e, f, shadow.star, at)
+            part = visible_fractions(near, e, f, shadow.star, at)
         store(scratch.seen, at, part - load(scratch.offset, at))
 
 
 @inlined
-def turned_point(x, y, z, u, v, w, q, mu, angle):
+def refracted_point(x, y, z, u, v, w, q, mu, angle):
     """Point of a refracted line, from that of the straight one. [m]
 
     Parameters
@@ -207,7 +207,7 @@ def _add_point(
         angle = refraction_angle(
             r, mu, tables.refraction_strength, work.columns[(tables.constituents - 1) * n + k]
         )
-    px, py, pz = turned_point(x + t * u, y + t * v, z + t * w, u, v, w, q, mu_q, angle)
+    px, py, pz = refracted_point(x + t * u, y + t * v, z + t * w, u, v, w, q, mu_q, angle)
     mu_sq = min(max((px * star.star_x + py * star.star_y + pz * star.star_z) / q, -1.0), 1.0)
     # The line is rotated with its point: cosine to the star as in ``refraction.turned``.
     nu_q = nu
@@ -221,7 +221,7 @@ def _add_point(
     )
     seen, spread = 0.0, False
     if kind != SCATTERING_CORRECTION:
-        seen_star_part(px, py, pz, shadow, scratch)
+        visible_star_fraction(px, py, pz, shadow, scratch)
         seen, spread = star_columns(q, mu_sq, tables, work)
     if kind == SCATTERING_CORRECTION and not inside:
         return
@@ -285,7 +285,7 @@ def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
     q = sqrt(x * x + y * y + z * z)
     mu_s = min(max((x * star.star_x + y * star.star_y + z * star.star_z) / q, -1.0), 1.0)
     ground_light(mu_s, 2, tables, work)
-    seen_star_part(x, y, z, shadow, scratch)
+    visible_star_fraction(x, y, z, shadow, scratch)
     inside = kind != LOCAL_SHADOW and place_in_shadow(
         x, y, z, tables.bottom, tables.bottom, tables.top, shadow, scratch
     )
@@ -326,7 +326,7 @@ def end_on_ground(x, y, z, u, v, w, length, tables, work):
         angle = refraction_angle(
             r, mu, tables.refraction_strength, work.columns_total[tables.constituents - 1]
         )
-    px, py, pz = turned_point(
+    px, py, pz = refracted_point(
         x + length * u, y + length * v, z + length * w, u, v, w, tables.bottom, slant, angle
     )
     return px, py, pz, max(-slant, 0.0)

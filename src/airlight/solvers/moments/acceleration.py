@@ -51,13 +51,13 @@ def combine(products, steps, weights):
             if abs(products[i * steps + k]) > abs(products[best * steps + k]):
                 best = i
         for j in range(steps):
-            kept = products[k * steps + j]
+            swapped = products[k * steps + j]
             products[k * steps + j] = products[best * steps + j]
-            products[best * steps + j] = kept
+            products[best * steps + j] = swapped
         for i in range(k + 1, unknowns):
-            share = products[i * steps + k] / products[k * steps + k]
+            factor = products[i * steps + k] / products[k * steps + k]
             for j in range(k, steps):
-                products[i * steps + j] -= share * products[k * steps + j]
+                products[i * steps + j] -= factor * products[k * steps + j]
     # From the last row up, each solution replaces its row's right-hand side.
     sound = True
     for back in range(unknowns):

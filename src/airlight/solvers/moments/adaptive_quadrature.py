@@ -78,9 +78,9 @@ def adaptive_quadrature(rays: Rays, air: ScaledOptics, nodes: int) -> Rays:
     return rays._replace(start=np.concatenate([begin, last], axis=1), **along)
 
 
-def _between(nodes: FloatArray, weights: FloatArray, wanted: FloatArray) -> FloatArray:
+def _between(nodes: FloatArray, weights: FloatArray, points: FloatArray) -> FloatArray:
     """Matrix of polynomial interpolation from n nodes to m others, shape (m, n). [1]"""
     degrees = np.arange(nodes.size)
     analysis = (2 * degrees[:, None] + 1) * weights
     analysis = analysis * legvander(2.0 * nodes - 1.0, nodes.size - 1).T
-    return np.asarray(legvander(2.0 * wanted - 1.0, nodes.size - 1) @ analysis)
+    return np.asarray(legvander(2.0 * points - 1.0, nodes.size - 1) @ analysis)

@@ -259,7 +259,7 @@ class Optics:
         """Vertical transport optical depth τ (1 - g), shape (nl,). [1]"""
         return np.asarray(self._reduced[3][2])
 
-    def kept_beyond(self, degree: int) -> float:
+    def largest_moment_beyond(self, degree: int) -> float:
         """Largest moment above a degree, attenuated along a horizontal path. [1]
 
         Parameters

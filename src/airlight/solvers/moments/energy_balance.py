@@ -70,7 +70,7 @@ def energy_error(setup: Setup, field: NDArray[np.float32]) -> FloatArray:
     return np.asarray((leaving + absorbed - scattered) / (taken + ground))
 
 
-def makes_light(energy: FloatArray, tolerance: float) -> bool:
+def violates_energy_balance(energy: FloatArray, tolerance: float) -> bool:
     """Whether the energy balance error exceeds half of the tolerance.
 
     Interpolation across the unresolved boundary of a thick cloud creates energy: where it is half
@@ -146,9 +146,9 @@ def _direct_beam(setup: Setup) -> tuple[FloatArray, FloatArray]:
     x = vectorized(direction_coordinate)(r, np.maximum(mu, horizon), bottom, top)
     x = x * (values.shape[1] - 1)
     at = np.minimum(x.astype(int), values.shape[1] - 2)
-    share = (x - at)[..., None]
+    fraction = (x - at)[..., None]
     index = np.arange(r.size)[:, None]
-    columns = values[index, at] * (1.0 - share) + values[index, at + 1] * share
+    columns = values[index, at] * (1.0 - fraction) + values[index, at + 1] * fraction
     transmittance = np.exp(-columns @ optics.extinction)
     transmittance[mu < horizon] = 0.0
     return radii, transmittance

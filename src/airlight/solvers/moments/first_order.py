@@ -37,7 +37,12 @@ from airlight.solvers.moments.ray_optics import (
     star_from_ray,
     transmittance_ray,
 )
-from airlight.solvers.moments.star_places import DISC_NODES, fill_disc, fill_lift, place_lights
+from airlight.solvers.moments.star_places import (
+    DISC_NODES,
+    fill_disc,
+    fill_refraction_row,
+    place_star_points,
+)
 from airlight.solvers.stokes_frame import star_plane
 
 #: Phase function of isotropic scattering. [sr⁻¹]
@@ -141,7 +146,7 @@ def transmittance_tabled(depths, row, places, at, directions, narrow):
     row : int
         Index of the point's row.
     places : array
-        Fractional indices of directions, from ``place_lights``.
+        Fractional indices of directions, from ``place_star_points``.
     at : int
         Index of the first azimuth among them.
     directions : int
@@ -286,7 +291,7 @@ def _first_order(
             places[7 * k + 1] = np.float32((top - q) * (top + q))
             places[7 * k + 2] = np.float32(top - q)
             places[7 * k + 3] = np.float32((directions - 1) / (longest - (top - q)))
-            horizon = fill_lift(refraction_table, q, bottom, top, 2 * columns * k, lifts)
+            horizon = fill_refraction_row(refraction_table, q, bottom, top, 2 * columns * k, lifts)
             places[7 * k + 4] = np.float32(horizon)
             places[7 * k + 5] = np.float32(horizon_cosine(q, bottom))
             places[7 * k + 6] = np.float32(bottom / q)
@@ -309,7 +314,7 @@ def _first_order(
             for b in range(0, turns, step):
                 lane = b % LANES
                 if lane == 0:
-                    lit = place_lights(
+                    lit = place_star_points(
                         turned, places, points, load(around, b) * sine_s, np.float32(mu_s), size,
                         lifts, columns, disc, directions, seen, low_at, high_at, kinds,
                     )  # fmt: skip

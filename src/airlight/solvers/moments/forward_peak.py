@@ -118,10 +118,10 @@ def peak_gain(half_sine, tables, work, at):
     more = splat(0.0)
     for k in range(DEPTHS):
         away = place - np.float32(k)
-        share = maximum(np.float32(1.0) - maximum(away, 0.0 - away), 0.0)
+        weight = maximum(np.float32(1.0) - maximum(away, 0.0 - away), 0.0)
         first = tables.lanes * (k * ANGLES + node) + at
         low = load(tables.broadening, first)
-        more = more + share * (low + f * (load(tables.broadening, first + tables.lanes) - low))
+        more = more + weight * (low + f * (load(tables.broadening, first + tables.lanes) - low))
     return more
 
 

@@ -100,13 +100,13 @@ def make_grid(
     elevation, index = sun_indices(dip, sun_angles)
     nodes = np.interp(np.arange(sun_angles, dtype=float), index, elevation)
     nodes[0], nodes[-1] = -90.0, 90.0
-    wanted = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
+    elevations = np.degrees(np.arcsin(np.linspace(-1.0, 1.0, _LOOKUP + 1)))
     # The decay is not exponential before the densest nodes.
     dusk = nodes[nodes >= -_SHIFT * dip][0]
     place = np.where(
-        wanted < dusk,
-        fading_places(wanted, nodes, _FADES / dip),
-        np.interp(wanted, elevation, index),
+        elevations < dusk,
+        fading_places(elevations, nodes, _FADES / dip),
+        np.interp(elevations, elevation, index),
     )
     even = vectorized(altitude_coordinate)(
         bottom_radius + depths.altitude, bottom_radius, top_radius

@@ -237,10 +237,10 @@ class _Watch:
             return
         which, wavelengths = self.batch.which, self.batch.setup.medium.wavelengths
         nm = wavelengths[which]
-        share = 0.0 if iteration is None else iteration.progress
+        fraction = 0.0 if iteration is None else iteration.progress
         still = 1.0 if iteration is None else float(iteration.remaining_error.max())
         self.progress(
-            round(100 * (self.done + share * nm.size)),
+            round(100 * (self.done + fraction * nm.size)),
             100 * wavelengths.size,
             f"orders of scattering, {nm[0]:g} to {nm[-1]:g} nm: remaining error {still:.1e}",
         )

@@ -245,7 +245,7 @@ def fill_levels(values, scale, level, refinement, out):
         for w in range(lanes):
             first[k, w] = three * (values[0, k, w] - values[1, k, w]) + values[2, k, w]
             last[k, w] = three * (values[-1, k, w] - values[-2, k, w]) + values[-3, k, w]
-    share = np.empty(lanes, np.float32)
+    blend = np.empty(lanes, np.float32)
     root = 1.0 / np.sqrt(scale)
     out[out.shape[0] - 1] = values[radii - 1]
     for i in range(radii - 1):
@@ -261,12 +261,12 @@ def fill_levels(values, scale, level, refinement, out):
             x = np.float32(part / refinement)
             for w in range(lanes):
                 bend = cubic_bend(x, below[0, w], near[0, w], far[0, w], above[0, w], count)
-                share[w] = smoothness(x, near[0, w], far[0, w], bend)
+                blend[w] = smoothness(x, near[0, w], far[0, w], bend)
             for k in range(terms):
                 for w in range(lanes):
                     bend = cubic_bend(x, below[k, w], near[k, w], far[k, w], above[k, w], count)
                     out[at + part, k, w] = between_levels(
-                        x, near[k, w], far[k, w], share[w] * bend, root[i, w], root[i + 1, w],
+                        x, near[k, w], far[k, w], blend[w] * bend, root[i, w], root[i + 1, w],
                         level[w],
                     )  # fmt: skip
 

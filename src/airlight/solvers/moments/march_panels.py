@@ -52,20 +52,20 @@ def place_panel(r, mu, panel, count, rule, tables, work):
         Tables of the solution; the workspace receives distance, radius, weight and density.
     """
     n = int(tables.rules[rule])
-    descending, low, beside, first, last = panel_leg(
+    descending, low, offset, first, last = panel_leg(
         r, mu, work.edges[panel], work.edges[panel + 1], work.edges[count - 1]
     )
     for k in range(n):
         work.distance[k], work.radius[k], slope = panel_point(
-            -r * mu, descending, low, beside, first, last, tables.rules[rule + 1 + k]
+            -r * mu, descending, low, offset, first, last, tables.rules[rule + 1 + k]
         )
         work.weight[k] = slope * tables.rules[rule + 1 + n + k]
-        node, share = altitude_node(
+        node, fraction = altitude_node(
             work.radius[k], tables.bottom, tables.top - tables.bottom, tables.first_nodes
         )
         for c in range(tables.constituents):
             below = tables.density[node, c]
-            work.density[c * n + k] = below + (tables.density[node + 1, c] - below) * share
+            work.density[c * n + k] = below + (tables.density[node + 1, c] - below) * fraction
 
 
 @inlined
@@ -85,8 +85,8 @@ def panel_columns(rule, tables, work):
         for k in range(n):
             running = 0.0
             for j in range(n):
-                share = tables.rules[rule + 1 + 2 * n + k * n + j]
-                running += share * work.amounts[c * n + j]
+                coefficient = tables.rules[rule + 1 + 2 * n + k * n + j]
+                running += coefficient * work.amounts[c * n + j]
             # The running integral of a steep profile may be negative by rounding.
             work.columns[c * n + k] = work.columns_so_far[c] + max(running, 0.0)
         for k in range(n):
@@ -136,9 +136,9 @@ def columns_along(r, mu, count, rule, tables, work):
                 depth += tables.strongest[c] * amount
             if depth > reached:
                 for which in range(3):
-                    wanted = 0.5 if which == 0 else (3.0 if which == 1 else 12.0)
-                    if reached < wanted and depth >= wanted:
-                        work.cuts[which] = at + (work.distance[k] - at) * (wanted - reached) / (
+                    target = 0.5 if which == 0 else (3.0 if which == 1 else 12.0)
+                    if reached < target and depth >= target:
+                        work.cuts[which] = at + (work.distance[k] - at) * (target - reached) / (
                             depth - reached
                         )
             reached, at = depth, work.distance[k]

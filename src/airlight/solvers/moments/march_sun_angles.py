@@ -163,10 +163,10 @@ def _march_all(
     r, mu, mu_s, nu, half_sine, length, orders, delta_scaled, phase, tables, work, stars, out
 ):  # fmt: skip
     tables, work, stars = without_refcount((tables, work, stars))
-    apart = False
+    has_unscaled = False
     if not delta_scaled:
         for k in range(tables.scaled_extinction.size):
-            apart = apart or tables.scaled_extinction[k] != tables.extinction[k]
+            has_unscaled = has_unscaled or tables.scaled_extinction[k] != tables.extinction[k]
     first = 0
     while first < r.size:
         last = first + 1
@@ -177,8 +177,8 @@ def _march_all(
             last += 1
         if length[first] > 0.0:
             _march_line(
-                first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, delta_scaled, phase,
-                tables, work, stars, out,
+                first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled,
+                phase, tables, work, stars, out,
             )  # fmt: skip
         else:
             out[first:last] = 0.0
@@ -187,8 +187,8 @@ def _march_all(
 
 @inlined
 def _march_line(
-    first, last, r, mu, mu_s, nu, half_sine, length, orders, apart, delta_scaled, phase, tables,
-    work, stars, out,
+    first, last, r, mu, mu_s, nu, half_sine, length, orders, has_unscaled, delta_scaled, phase,
+    tables, work, stars, out,
 ):  # fmt: skip
     """March the line for the sun angles ``first`` to ``last``; arguments as in ``_march_all``."""
     lanes, count = tables.lanes, last - first
@@ -220,8 +220,8 @@ def _march_line(
         n = int(tables.rules[rule])
         for k in range(n):
             _add_point(
-                members, first, k, n, r[first], mu[first], mu_s, nu, orders, apart, phase, tables,
-                work, stars,
+                members, first, k, n, r[first], mu[first], mu_s, nu, orders, has_unscaled, phase,
+                tables, work, stars,
             )  # fmt: skip
         for member in range(members):
             index = stars.together[member]
@@ -291,7 +291,9 @@ def _next_panel(count, tables, stars):
 
 
 @inlined
-def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, tables, work, stars):
+def _add_point(
+    members, first, k, n, r, mu, mu_s, nu, orders, has_unscaled, phase, tables, work, stars
+):
     """Add the source of point k of a panel, of n points, to the sums of each sun angle."""
     lanes, constituents = tables.lanes, tables.constituents
     width = (4 + constituents) * lanes
@@ -314,7 +316,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, tabl
             work.depths, tables.scaled_extinction, constituents, lanes, at
         )
         store(stars.transmittance, at, transmittance * weight)
-        if apart:
+        if has_unscaled:
             transmittance = transmittance_columns(
                 work.depths, tables.extinction, constituents, lanes, at
             )
@@ -337,7 +339,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, tabl
             mu_sq = min(max(mu_sq, -1.0), 1.0)
         seen, spread = star_columns(q, mu_sq, tables, work)
         if seen > 0.0:
-            _add_star(seen, spread, sums, orders, apart, phase[star], tables, work, stars)
+            _add_star(seen, spread, sums, orders, has_unscaled, phase[star], tables, work, stars)
         gathers = orders != 1 and scatters * work.weight[k] >= stars.faint[index]
         if gathers:
             if not ready:
@@ -353,7 +355,7 @@ def _add_point(members, first, k, n, r, mu, mu_s, nu, orders, apart, phase, tabl
 
 
 @inlined
-def _add_star(seen, spread, sums, orders, apart, phase, tables, work, stars):
+def _add_star(seen, spread, sums, orders, has_unscaled, phase, tables, work, stars):
     """Add single scattering at a point to the sums from index ``sums`` on."""
     lanes, constituents = tables.lanes, tables.constituents
     for at in range(0, lanes, LANES):
@@ -383,7 +385,7 @@ def _add_star(seen, spread, sums, orders, apart, phase, tables, work, stars):
                 store(
                     stars.sums, sums + (1 + part) * lanes + at, load(work.peaks, part * lanes + at)
                 )
-        if apart:
+        if has_unscaled:
             star = load(stars.transmittance_once, at) * direct_beam(
                 seen,
                 work.columns_to_sun_low,
@@ -471,10 +473,10 @@ def _add_degrees(row, sun, f, tables, stars):
 
 
 @inlined
-def _add_multiple_scattering(sun, share, cosine, sums, tables, stars):
+def _add_multiple_scattering(sun, fraction, cosine, sums, tables, stars):
     """Add multiple scattering at a point, between two sun nodes of the field, to a sum."""
     lanes, degree = tables.lanes, tables.degree
-    e = np.float32(share)
+    e = np.float32(fraction)
     h = np.float32(1.0) - e
     near = sun * (degree + 2) * lanes
     far = near + (degree + 2) * lanes

@@ -187,7 +187,7 @@ class Setup:
         suffice; with large ones, as of backward peaks, the iteration would diverge.
         """
         count = max(self.settings.azimuths, 3 * self.degree // 4)
-        if self.optics.kept_beyond(count) > _ALIASED:
+        if self.optics.largest_moment_beyond(count) > _ALIASED:
             count = max(count, self.degree + 1)
         return even_azimuths(self.degree, count)
 

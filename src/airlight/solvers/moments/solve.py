@@ -19,7 +19,7 @@ from airlight.kernel.fingerprints import fingerprint
 from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress
 from airlight.planets.medium import Medium
-from airlight.solvers.moments.energy_balance import imbalance, makes_light
+from airlight.solvers.moments.energy_balance import imbalance, violates_energy_balance
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.iterate import Moments, solve_moments
 from airlight.solvers.moments.settings import Settings, settings_for
@@ -72,7 +72,7 @@ def solve(
         if not wider:
             raise
         return _warned(obtained(resolved))
-    if wider and makes_light(solution.moments.energy, settings.energy_tolerance):
+    if wider and violates_energy_balance(solution.moments.energy, settings.energy_tolerance):
         with contextlib.suppress(ConvergenceError):
             solution = min(solution, obtained(resolved), key=_largest_imbalance)
     return _warned(solution)

@@ -239,19 +239,19 @@ def direct_horizontal(below, above, from_low, from_high, extinction, constituent
 
 
 @inlined
-def diffuse_horizontal(sky, place, share, lanes, at):
+def diffuse_horizontal(sky, place, fraction, lanes, at):
     """Diffuse horizontal irradiance of the ground, between two sun elevations of the field. [1]
 
     Parameters
     ----------
     sky : array
         Field ``sky`` of ``MarchTables``.
-    place, share : int, float
+    place, fraction : int, float
         Index of the sun angle below, and fraction of the step to the next.
     lanes, at :
         As in ``transmittance_columns``.
     """
-    e = np.float32(share)
+    e = np.float32(fraction)
     g = np.float32(1.0) - e
     low = place * 2 * lanes + at
     high = low + 2 * lanes

@@ -95,7 +95,7 @@ def fill_disc(out):
 
 
 @inlined
-def fill_lift(refraction_table, q, bottom, top, first, out):
+def fill_refraction_row(refraction_table, q, bottom, top, first, out):
     """Row of the refraction table at a radius, and the true horizon's cosine there. [1]
 
     ``out`` receives, from ``first`` on, apparent less true cosine, then the flattening, at the
@@ -120,7 +120,7 @@ def fill_lift(refraction_table, q, bottom, top, first, out):
 
 
 @inlined
-def place_lights(
+def place_star_points(
     turned, places, points, ahead, mu_s, star_radius, lifts, columns, disc, directions, seen,
     low_at, high_at, kinds,
 ):  # fmt: skip
@@ -142,7 +142,7 @@ def place_lights(
     star_radius : float32
         Angular radius of the star; not 0. [rad]
     lifts : array, shape (points·2·columns,)
-        Rows from ``fill_lift``.
+        Rows from ``fill_refraction_row``.
     columns : int
     disc : array
         Table from ``fill_disc``.
@@ -176,10 +176,10 @@ def place_lights(
         if highest <= -star_radius * sine:
             continue
         lit = True
-        share = minimum(maximum(above, 0.0) / (one - horizon), 1.0)
-        share = square_root(share) * np.float32(columns - 1)
-        node = minimum(floored(share), np.float32(columns - 2))
-        e = share - node
+        position = minimum(maximum(above, 0.0) / (one - horizon), 1.0)
+        position = square_root(position) * np.float32(columns - 1)
+        node = minimum(floored(position), np.float32(columns - 2))
+        e = position - node
         node = node + np.float32(2 * columns * k)
         low = looked_up(lifts, node)
         raised = low + (looked_up(lifts, node + one) - low) * e
@@ -207,19 +207,19 @@ def place_lights(
             centre = middle + size * (low + (looked_up(disc, node + one) - low) * e)
             node = node + np.float32(nodes)
             low = looked_up(disc, node)
-            apart = size * (low + (looked_up(disc, node + one) - low) * e)
-            middle = maximum(centre - apart, lowest)
-            top_point = minimum(centre + apart, 1.0)
+            offset = size * (low + (looked_up(disc, node + one) - low) * e)
+            middle = maximum(centre - offset, lowest)
+            top_point = minimum(centre + offset, 1.0)
         store(seen, LANES * k, part)
-        x = (way_to_top(middle * q, across) - shortest) * scale
+        x = (distance_to_top_f32(middle * q, across) - shortest) * scale
         store(low_at, LANES * k, minimum(maximum(x, 0.0), last))
-        x = (way_to_top(top_point * q, across) - shortest) * scale
+        x = (distance_to_top_f32(top_point * q, across) - shortest) * scale
         store(high_at, LANES * k, minimum(maximum(x, 0.0), last))
     return lit
 
 
 @inlined
-def way_to_top(upwards, across):
+def distance_to_top_f32(upwards, across):
     """``distance_to_top`` in single precision, from q·mu and (top - q)(top + q)."""
     away = maximum(upwards, 0.0 - upwards)
     far = away + square_root(away * away + across)

@@ -104,11 +104,11 @@ def gather_levels(cubics, weights, angles, out):
         for level in range(levels):
             low = (a * levels + level) * size
             for i in range(radii):
-                share = cubics[level, i]
-                if share != 0.0:
+                weight = cubics[level, i]
+                if weight != 0.0:
                     at = (a * radii + i) * size
                     for n in range(0, size, LANES):
-                        store(out, at + n, load(out, at + n) + share * load(weights, low + n))
+                        store(out, at + n, load(out, at + n) + weight * load(weights, low + n))
 
 
 @compiled_loop

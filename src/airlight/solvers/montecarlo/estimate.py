@@ -20,10 +20,10 @@ from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.montecarlo.histories import trace_paths
 from airlight.solvers.montecarlo.history_optics import HistoryOptics
-from airlight.solvers.montecarlo.lit_air import new_lit
 from airlight.solvers.montecarlo.rays import new_trace
 from airlight.solvers.montecarlo.settings import Settings
 from airlight.solvers.montecarlo.streams import stream
+from airlight.solvers.montecarlo.sun_biased_sampling import new_sampling_density
 
 FloatArray = NDArray[np.float64]
 
@@ -134,13 +134,13 @@ def estimate(
     all_known = np.zeros((n, 3, count)) if query.known is None else query.known
     known = all_known[:, 0]
     open_ = np.repeat(query.lengths > 0.0, count)
-    wanted = np.where(open_, min(_FIRST_ROUND, most), 0)
+    planned = np.where(open_, min(_FIRST_ROUND, most), 0)
     done_before = 0
     while True:
         units = [
             (int(task), block)
-            for task in np.flatnonzero(wanted > blocks)
-            for block in range(blocks[task], wanted[task])
+            for task in np.flatnonzero(planned > blocks)
+            for block in range(blocks[task], planned[task])
         ]
         if not units:
             break
@@ -162,8 +162,8 @@ def estimate(
         done_before += len(units)
         for (task, _), result in zip(units, results, strict=True):
             sums[task] += result
-        blocks = np.maximum(blocks, wanted)
-        wanted = _more(query, sums, blocks, known, open_, settings, most)
+        blocks = np.maximum(blocks, planned)
+        planned = _more(query, sums, blocks, known, open_, settings, most)
     histories = blocks.reshape(n, count) * BLOCK
     means, errors = _statistics(sums, blocks * BLOCK)
     parts = np.moveaxis(means[:, :bins].reshape(n, count, bins), 1, 2)
@@ -175,7 +175,7 @@ def estimate(
     )
     total = means[:, bins].reshape(n, count) + known
     total_error = errors[:, bins].reshape(n, count)
-    judged, judged_error = _judged(query, means, errors, known)
+    judged, judged_error = _criterion(query, means, errors, known)
     reached = judged_error <= settings.relative_error * judged
     reached = (reached & (judged > 0.0)) | ~open_
     return Estimate(
@@ -201,7 +201,13 @@ def _run_block(
     names = struct.unpack("<5Q", struct.pack("<5d", *(one + 0.0 for one in (r, mu, mu_s, nu, nm))))
     state = stream(settings.seed, *names, int(query.hemisphere), block)
     along = air.extinction
-    paths = (new_trace(along), new_trace(along), new_trace(along), new_lit(along), new_lit(along))
+    paths = (
+        new_trace(along),
+        new_trace(along),
+        new_trace(along),
+        new_sampling_density(along),
+        new_sampling_density(along),
+    )
     workspace = (
         np.zeros(air.scattering.size), np.zeros(settings.kept_orders + 1), np.zeros(2),
         np.zeros((3, 4)),
@@ -228,7 +234,7 @@ def _statistics(sums: FloatArray, histories: NDArray[np.int64]) -> tuple[FloatAr
     return mean, np.sqrt(scatter / np.maximum(number - 1, 1))
 
 
-def _judged(
+def _criterion(
     query: Query, means: FloatArray, errors: FloatArray, known: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Value and error of each task for the stopping rule, shape (tasks,)."""
@@ -245,11 +251,11 @@ def _more(
 ) -> NDArray[np.int64]:  # fmt: skip
     """Number of blocks of each task after the next round, shape (tasks,)."""
     means, errors = _statistics(sums, blocks * BLOCK)
-    value, error = _judged(query, means, errors, known)
+    value, error = _criterion(query, means, errors, known)
     allowed = settings.relative_error * value
     ratio = np.divide(error, allowed, out=np.full(value.size, 2.0), where=allowed > 0.0)
     # A tenth more than estimated from the variance, so that the next round is usually the last.
     need = np.where(ratio > 1.0, np.ceil(1.1 * blocks * np.square(np.minimum(ratio, 1e3))), blocks)
     dark = (value <= 0.0) & (blocks >= _DARK)
-    wanted = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)
-    return np.where(open_ & ~dark, np.maximum(wanted, blocks), blocks)
+    planned = np.minimum(np.minimum(need, 4 * blocks), most).astype(np.int64)
+    return np.where(open_ & ~dark, np.maximum(planned, blocks), blocks)

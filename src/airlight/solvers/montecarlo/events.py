@@ -12,10 +12,10 @@ from typing import Final
 from airlight.kernel import inlined
 from airlight.optics.density_profile import relative_density
 from airlight.optics.reflection import direct_reflectance
-from airlight.solvers.montecarlo.lit_air import density_in_light, place_in_light
 from airlight.solvers.montecarlo.rays import place_at_depth, point_at
 from airlight.solvers.montecarlo.scattering_angles import lobe_value, random_cosine
 from airlight.solvers.montecarlo.streams import uniform
+from airlight.solvers.montecarlo.sun_biased_sampling import sample_sun_biased, sun_biased_density
 
 #: Fraction of the weight after the first event below which roulette begins. [1]
 KEEP: Final = 0.5
@@ -61,8 +61,18 @@ def start_vectors(mu, mu_s, nu):
 
 
 @inlined
-def draw_in_air(
-    r, mu, panels, depth, collision_probability, total, sun_sampling_fraction, air, path, lit, state
+def sample_collision(
+    r,
+    mu,
+    panels,
+    depth,
+    collision_probability,
+    total,
+    sun_sampling_fraction,
+    air,
+    path,
+    sampling,
+    state,
 ):
     """Sampled point of a scattering event on a traced ray.
 
@@ -77,7 +87,7 @@ def draw_in_air(
     total, sun_sampling_fraction : float
         Result of ``sun_sampling_integral``, 0 without sun-biased sampling; and fraction of points
         sampled with bias. [1]
-    air, path, lit, state :
+    air, path, sampling, state :
         See ``trace_paths``.
 
     Returns
@@ -89,17 +99,17 @@ def draw_in_air(
         point. [1]
     """
     if total > 0.0 and uniform(state) < sun_sampling_fraction:
-        at, t, wanted = place_in_light(
-            uniform(state), uniform(state), panels, total, air.extinction, path, lit
+        at, t, target_depth = sample_sun_biased(
+            uniform(state), uniform(state), panels, total, air.extinction, path, sampling
         )
     else:
-        wanted = min(-log1p(-uniform(state) * collision_probability), depth)
-        at, t = place_at_depth(wanted, panels, air.extinction, path)
+        target_depth = min(-log1p(-uniform(state) * collision_probability), depth)
+        at, t = place_at_depth(target_depth, panels, air.extinction, path)
     along, strength, slope = point_at(path.panels[at], t, r, mu, air.extinction)
     mixture = 1.0
     if total > 0.0:
-        by_depth = slope * exp(-wanted) / collision_probability
-        by_light = density_in_light(at, t, total, air.extinction, lit)
+        by_depth = slope * exp(-target_depth) / collision_probability
+        by_light = sun_biased_density(at, t, total, air.extinction, sampling)
         mixture = 0.0
         if by_depth > 0.0:
             mixture = (1.0 - sun_sampling_fraction) + sun_sampling_fraction * by_light / by_depth
@@ -107,7 +117,7 @@ def draw_in_air(
 
 
 @inlined
-def scattering_shares(altitude, air, shares):
+def scattering_fractions(altitude, air, shares):
     """Scattering coefficient at an altitude [m⁻¹]; ``shares`` receives each constituent's."""
     total = 0.0
     for i in range(shares.size):
@@ -135,20 +145,20 @@ def towards_star(sun_x, sun_z, disc, state):
 
 
 @inlined
-def scattered_share(turn, air, shares):
+def scattered_phase(turn, air, shares):
     """Phase function of next-event estimation at a scattering event. [sr⁻¹]"""
-    share = 0.0
+    phase = 0.0
     for i in range(shares.size):
         if shares[i] > 0.0:
-            share += shares[i] * lobe_value(air.lobes, i, turn)
-    return share
+            phase += shares[i] * lobe_value(air.lobes, i, turn)
+    return phase
 
 
 @inlined
-def reflected_share(mu_s, mu_r, turn, returned, air):
+def reflected_brdf(mu_s, mu_r, turn, returned, air):
     """BRDF factor of next-event estimation at a reflection by the ground. [sr⁻¹]"""
-    share = max(mu_s, 0.0) * _INVERSE_PI
-    return share * (direct_reflectance(air.ground, 0, max(mu_s, 0.0), mu_r, turn) / returned)
+    lambertian = max(mu_s, 0.0) * _INVERSE_PI
+    return lambertian * (direct_reflectance(air.ground, 0, max(mu_s, 0.0), mu_r, turn) / returned)
 
 
 @inlined

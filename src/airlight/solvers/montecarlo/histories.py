@@ -24,28 +24,27 @@ from __future__ import annotations
 
 from math import exp, expm1, pi, sin, sqrt
 
-from airlight.geometry.occulted_star import seen_part
+from airlight.geometry.occulted_star import star_visible_fraction
 from airlight.geometry.shell import meets_ground
 from airlight.kernel import compiled_loop, inlined
 from airlight.optics.reflection import cos_reflected, diffuse_reflectance, direct_reflectance
 from airlight.solvers.montecarlo.events import (
     MAX_BIASED_EVENTS,
-    draw_in_air,
-    reflected_share,
+    reflected_brdf,
     roulette,
+    sample_collision,
     scattered_direction,
-    scattered_share,
-    scattering_shares,
+    scattered_phase,
+    scattering_fractions,
     start_vectors,
     towards_star,
     turned,
 )
-from airlight.solvers.montecarlo.lit_air import sun_sampling_integral
 from airlight.solvers.montecarlo.rays import trace_optical_depth
 from airlight.solvers.montecarlo.refracted_paths import (
+    apparent_direction,
     refraction_on_path,
-    seen_direction,
-    turned_together,
+    rotated_with_ray,
 )
 from airlight.solvers.montecarlo.stokes import (
     arriving,
@@ -59,10 +58,11 @@ from airlight.solvers.montecarlo.stokes import (
     start_axis,
 )
 from airlight.solvers.montecarlo.streams import uniform
+from airlight.solvers.montecarlo.sun_biased_sampling import sun_sampling_integral
 
 
 @compiled_loop
-def _from_star(r, mu, air, path):
+def _transmittance_to_star(r, mu, air, path):
     """Transmittance from a point to space; 0 if the planet blocks the ray. [1]"""
     if meets_ground(r, mu, air.extinction.bottom):
         return 0.0
@@ -108,7 +108,7 @@ def trace_paths(
     first_order : int
         Lowest order that is counted.
     sun_sampling_fraction : float
-        Fraction of sun-biased points; see ``lit_air``. [1]
+        Fraction of sun-biased points; see ``sun_biased_sampling``. [1]
     air : HistoryOptics
     occulted : OccultedStar
         Moon in front of the star, in the frame of ``start_vectors``; without lanes for none.
@@ -116,7 +116,7 @@ def trace_paths(
         State of the stream of random numbers.
     paths : tuple
         Workspaces of the rays from the observer, between events and to the star, each a
-        ``Trace``, and ``Lit`` for the first and the second.
+        ``Trace``, and ``SamplingDensity`` for the first and the second.
     workspace : tuple of arrays
         Scattering by each constituent, shape (nc,); contributions of a history to each order,
         shape (k,), and to Q and U of all, shape (2,); the product of ``stokes``, shape (3, 4).
@@ -125,7 +125,7 @@ def trace_paths(
         orders together, and of their Q and U.
     """
     start_r, start_mu, mu_s, nu = start
-    first_path, next_path, star_path, first_lit, next_lit = paths
+    first_path, next_path, star_path, first_sampling, next_sampling = paths
     shares, contribution, polarised, importance = workspace
     bottom, top = air.extinction.bottom, air.extinction.top
     refraction = air.refraction
@@ -142,8 +142,8 @@ def trace_paths(
         )
         if sun_sampling_fraction > 0.0:
             first_total = sun_sampling_integral(
-                start_r, start_mu, mu_s, nu, first_count, air.extinction, air.light, first_path,
-                first_lit,
+                start_r, start_mu, mu_s, nu, first_count, air.extinction, air.star_transmittance,
+                first_path, first_sampling,
             )  # fmt: skip
     for _ in range(count):
         x, y, z = 0.0, 0.0, start_r
@@ -186,14 +186,22 @@ def trace_paths(
                 x, y, z, r = x * scale, y * scale, z * scale, bottom
             else:
                 path = first_path if at_start else next_path
-                lit = first_lit if at_start else next_lit
+                sampling = first_sampling if at_start else next_sampling
                 total = first_total if at_start else 0.0
                 if sun_sampling_fraction > 0.0 and event <= MAX_BIASED_EVENTS and not at_start:
                     star_mu, turn = (x * sun_x + z * mu_s) / r, u * sun_x + w * mu_s
                     total = sun_sampling_integral(
-                        r, mu, star_mu, turn, panels, air.extinction, air.light, path, lit
+                        r,
+                        mu,
+                        star_mu,
+                        turn,
+                        panels,
+                        air.extinction,
+                        air.star_transmittance,
+                        path,
+                        sampling,
                     )
-                along, strength, mixture = draw_in_air(
+                along, strength, mixture = sample_collision(
                     r,
                     mu,
                     panels,
@@ -203,7 +211,7 @@ def trace_paths(
                     sun_sampling_fraction,
                     air,
                     path,
-                    lit,
+                    sampling,
                     state,
                 )
                 if not mixture > 0.0:
@@ -211,30 +219,30 @@ def trace_paths(
                 weight /= mixture
                 x, y, z = x + along * u, y + along * v, z + along * w
                 r = sqrt(x * x + y * y + z * z)
-                scattering = scattering_shares(r - bottom, air, shares)
+                scattering = scattering_fractions(r - bottom, air, shares)
                 if not (strength > 0.0 and scattering > 0.0):
                     break
                 weight *= scattering / strength
             if refraction.strength > 0.0:
                 angle = refraction_on_path(from_r, from_mu, along, bottom, top - bottom, refraction)
                 p, q, s = u, v, w
-                x, y, z, u, v, w = turned_together(x, y, z, u, v, w, angle)
+                x, y, z, u, v, w = rotated_with_ray(x, y, z, u, v, w, angle)
                 a1, a2, a3 = carried_axis(a1, a2, a3, p, q, s, u, v, w)
             if on_ground and air.polarised:
                 depolarise(importance)
             if event >= first_order:
                 a, b, c = towards_star(sun_x, mu_s, disc, state)
-                a, b, c, sun_mu, refraction_jacobian = seen_direction(
+                a, b, c, sun_mu, refraction_jacobian = apparent_direction(
                     x, y, z, r, a, b, c, bottom, top, refraction
                 )
                 turn = min(max(u * a + v * b + w * c, -1.0), 1.0)
                 first, second, third = 1.0, 0.0, 0.0
                 if on_ground:
-                    share = reflected_share(sun_mu, mu_r, turn, returned, air)
+                    angular_pdf = reflected_brdf(sun_mu, mu_r, turn, returned, air)
                 elif not air.polarised:
-                    share = scattered_share(turn, air, shares)
+                    angular_pdf = scattered_phase(turn, air, shares)
                 else:
-                    share, f12, _, _, _, _ = mixed_matrix(turn, air, shares)
+                    angular_pdf, f12, _, _, _, _ = mixed_matrix(turn, air, shares)
                     cosine, sine, _, _, _ = plane_turn(u, v, w, a, b, c, a1, a2, a3)
                     first = arriving(importance, 0, cosine, sine, f12)
                     second = arriving(importance, 1, cosine, sine, f12)
@@ -242,10 +250,10 @@ def trace_paths(
                 if on_ground and air.polarised:
                     first, second, third = importance[0, 0], importance[1, 0], importance[2, 0]
                 if occulted.lanes > 0:
-                    share *= seen_part(x, y, z, occulted)
-                if share > 0.0:
-                    light = _from_star(r, sun_mu, air, star_path)
-                    value = weight * share * brightness * refraction_jacobian * light
+                    angular_pdf *= star_visible_fraction(x, y, z, occulted)
+                if angular_pdf > 0.0:
+                    light = _transmittance_to_star(r, sun_mu, air, star_path)
+                    value = weight * angular_pdf * brightness * refraction_jacobian * light
                     contribution[min(event, orders) - 1] += value * first
                     polarised[0] += value * second
                     polarised[1] += value * third

@@ -13,7 +13,6 @@ from airlight.optics.altitude_nodes import CELLS
 from airlight.optics.density_profile import DensitySegments
 from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
-from airlight.solvers.montecarlo.lit_air import Starlight, make_starlight
 from airlight.solvers.montecarlo.rays import (
     Extinction,
     most_panels,
@@ -23,6 +22,10 @@ from airlight.solvers.montecarlo.rays import (
 )
 from airlight.solvers.montecarlo.refracted_paths import RefractionColumn, refraction_column
 from airlight.solvers.montecarlo.scattering_angles import Lobes, lobes
+from airlight.solvers.montecarlo.sun_biased_sampling import (
+    StarTransmittance,
+    star_transmittance_table,
+)
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.columns import columns
 
@@ -67,7 +70,7 @@ class HistoryOptics(NamedTuple):
         Reflectance of the ground.
     star_radius : float
         Angular radius of the star. [rad]
-    light : Starlight
+    star_transmittance : StarTransmittance
         Coarse table of transmittance to the star.
     refraction : RefractionColumn
         Refraction.
@@ -82,7 +85,7 @@ class HistoryOptics(NamedTuple):
     lobes: Lobes
     ground: Reflection
     star_radius: float
-    light: Starlight
+    star_transmittance: StarTransmittance
     refraction: RefractionColumn
     polarised: bool
 
@@ -144,7 +147,7 @@ def history_optics(
         lobes=lobes(medium, wavelength),
         ground=medium.ground._replace(albedo=float(medium.ground.albedo[wavelength])),
         star_radius=medium.lights[0].angular_radius,
-        light=make_starlight(chosen),
+        star_transmittance=star_transmittance_table(chosen),
         refraction=refraction_column(geometry, steps + 1),
         polarised=polarised,
     )

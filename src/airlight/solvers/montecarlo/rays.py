@@ -28,7 +28,7 @@ BESIDE: Final = 0.02
 _THICK: Final = 6.0
 #: Three-point Gauss-Legendre on [0, 1].
 _THREE: Final = (0.11270166537925831, 0.5, 0.8872983346207417)
-_SHARES: Final = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+_GAUSS_WEIGHTS: Final = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
 class Extinction(NamedTuple):
@@ -98,22 +98,22 @@ def extinction_at(altitude, table, scale):
 
 
 @inlined
-def per_y(y, low, beside, bottom, table, scale):
+def per_y(y, low, offset, bottom, table, scale):
     """Tabulated value at y times ds/dy: for extinction, optical depth per y."""
     square = y * y
-    away = sqrt(beside * beside + square * (2.0 * low + square))
+    away = sqrt(offset * offset + square * (2.0 * low + square))
     slope = 2.0 * y * (low + square) / away if away > 0.0 else sqrt(2.0 * low)
     return extinction_at(low - bottom + square, table, scale) * slope
 
 
 @inlined
-def _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values):
+def _fill(low, offset, start, end, bottom, table, scale, nodes, weights, values):
     """Fill the values of a panel, per unit of its variable; returns its optical depth."""
     width = abs(end - start)
     total = 0.0
     for k in range(nodes.size):
         y = start + (end - start) * nodes[k]
-        value = width * per_y(y, low, beside, bottom, table, scale)
+        value = width * per_y(y, low, offset, bottom, table, scale)
         values[k] = value
         total += value * weights[k]
     return total
@@ -128,11 +128,11 @@ def _leg(
     bottom = extinction.bottom
     scale = (table.size - 1) / sqrt(extinction.top - bottom)
     high, low = max(start_r, end_r), min(start_r, end_r)
-    beside = 0.0
+    offset = 0.0
     if low - tangent <= BESIDE * (high - tangent):
         low = min(tangent, low)
     else:
-        beside = sqrt((low - tangent) * (low + tangent))
+        offset = sqrt((low - tangent) * (low + tangent))
     y_start = sqrt(max(start_r - low, 0.0))
     y_end = sqrt(max(end_r - low, 0.0))
     depth = 0.0
@@ -153,11 +153,11 @@ def _leg(
             first, last = (y_lower, y_upper) if sign > 0.0 else (y_upper, y_lower)
         for part in range(extinction.panels):
             panel = trace_panels[count]
-            panel[0], panel[1], panel[2] = low, beside, sign
+            panel[0], panel[1], panel[2] = low, offset, sign
             panel[3] = first + (last - first) * part / extinction.panels
             panel[4] = first + (last - first) * (part + 1) / extinction.panels
             panel[5] = _fill(
-                low, beside, panel[3], panel[4], bottom, table, scale, nodes, weights,
+                low, offset, panel[3], panel[4], bottom, table, scale, nodes, weights,
                 trace_values[count],
             )  # fmt: skip
             depth += panel[5]
@@ -236,7 +236,7 @@ def place_at_depth(depth, count, extinction, path):
         rest -= path.panels[at, 5]
         at += 1
     panel = path.panels[at]
-    low, beside = panel[0], panel[1]
+    low, offset = panel[0], panel[1]
     start, end, whole = panel[3], panel[4], panel[5]
     panel_end = end
     values = path.values[at]
@@ -260,22 +260,22 @@ def place_at_depth(depth, count, extinction, path):
         # start.
         end = start + (end - start) * nodes[upper + 1]
         values = path.again
-        whole = _fill(low, beside, start, end, bottom, table, scale, nodes, weights, values)
+        whole = _fill(low, offset, start, end, bottom, table, scale, nodes, weights, values)
         if whole <= rest:
             break
     left = start + (end - start) * (nodes[upper - 1] if upper > 0 else 0.0)
     right = start + (end - start) * (nodes[upper] if upper < n else 1.0)
     width = abs(right - left)
-    slope_left = per_y(left, low, beside, bottom, table, scale)
-    slope_right = per_y(right, low, beside, bottom, table, scale)
-    wanted = max(rest - before, 0.0)
+    slope_left = per_y(left, low, offset, bottom, table, scale)
+    slope_right = per_y(right, low, offset, bottom, table, scale)
+    target = max(rest - before, 0.0)
     # Initial value for a density linear between the points, scaled to the depth between them.
     x = 0.5
     mean = 0.5 * (slope_left + slope_right) * width
     if mean > 0.0 and after > before:
-        share = min(wanted / (after - before), 1.0)
+        fraction = min(target / (after - before), 1.0)
         a, b = slope_left * width / mean, slope_right * width / mean
-        x = 2.0 * share / (a + sqrt(max(a * a + 2.0 * (b - a) * share, 1e-300)))
+        x = 2.0 * fraction / (a + sqrt(max(a * a + 2.0 * (b - a) * fraction, 1e-300)))
         x = min(max(x, 0.0), 1.0)
     y = left + (right - left) * x
     for _ in range(2):
@@ -283,9 +283,9 @@ def place_at_depth(depth, count, extinction, path):
         found = 0.0
         for j in range(3):
             between = left + (y - left) * _THREE[j]
-            found += _SHARES[j] * per_y(between, low, beside, bottom, table, scale)
-        missing = wanted - step * found
-        slope = per_y(y, low, beside, bottom, table, scale)
+            found += _GAUSS_WEIGHTS[j] * per_y(between, low, offset, bottom, table, scale)
+        missing = target - step * found
+        slope = per_y(y, low, offset, bottom, table, scale)
         if abs(missing) <= 1e-5 * (after - before) or slope <= 0.0:
             break
         x = min(max(x + missing / (slope * width), 0.0), 1.0)
@@ -318,10 +318,10 @@ def point_at(panel, t, r, mu, extinction):
     """
     table = extinction.table
     scale = (table.size - 1) / sqrt(extinction.top - extinction.bottom)
-    low, beside = panel[0], panel[1]
+    low, offset = panel[0], panel[1]
     y = panel[3] + (panel[4] - panel[3]) * t
     square = y * y
-    away = sqrt(beside * beside + square * (2.0 * low + square))
+    away = sqrt(offset * offset + square * (2.0 * low + square))
     per_y = 2.0 * y * (low + square) / away if away > 0.0 else sqrt(2.0 * low)
     found = extinction_at(low - extinction.bottom + square, table, scale)
     distance = -r * mu + panel[2] * away
@@ -350,5 +350,5 @@ def depth_within(at, t, base, before, extinction, path):
     found = 0.0
     for j in range(3):
         y = panel[3] + width * (first + (t - first) * _THREE[j])
-        found += _SHARES[j] * per_y(y, panel[0], panel[1], extinction.bottom, table, scale)
+        found += _GAUSS_WEIGHTS[j] * per_y(y, panel[0], panel[1], extinction.bottom, table, scale)
     return before + found * abs(width) * (t - first)

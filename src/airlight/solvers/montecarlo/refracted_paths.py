@@ -71,18 +71,18 @@ def refraction_column(geometry: RefractedGeometry, nodes: int) -> RefractionColu
 def _leg_column(start_r, end_r, tangent, bottom, scale, refraction):
     """Refraction column of a leg on which the radius is monotone. [m]"""
     high, low = max(start_r, end_r), min(start_r, end_r)
-    beside = 0.0
+    offset = 0.0
     if low - tangent <= BESIDE * (high - tangent):
         low = min(tangent, low)
     else:
-        beside = sqrt((low - tangent) * (low + tangent))
+        offset = sqrt((low - tangent) * (low + tangent))
     first = sqrt(max(min(start_r, end_r) - low, 0.0))
     width = (sqrt(max(high - low, 0.0)) - first) / _PANELS
     total = 0.0
     for part in range(_PANELS):
         for k in range(refraction.nodes.size):
             y = first + width * (part + refraction.nodes[k])
-            total += refraction.weights[k] * per_y(y, low, beside, bottom, refraction.table, scale)
+            total += refraction.weights[k] * per_y(y, low, offset, bottom, refraction.table, scale)
     return total * width
 
 
@@ -117,7 +117,7 @@ def refraction_on_path(r, mu, along, bottom, thickness, refraction):
 
 
 @inlined
-def turned_together(x, y, z, u, v, w, angle):
+def rotated_with_ray(x, y, z, u, v, w, angle):
     """Point and direction, both rotated by the refraction angle in the plane of the ray.
 
     Parameters
@@ -143,7 +143,7 @@ def turned_together(x, y, z, u, v, w, angle):
 
 
 @inlined
-def seen_direction(x, y, z, r, a, b, c, bottom, top, refraction):
+def apparent_direction(x, y, z, r, a, b, c, bottom, top, refraction):
     """Apparent direction of a point of the star's disc, and the disc's flattening there.
 
     Parameters
@@ -189,8 +189,8 @@ def refracted_direct_irradiance(
     bottom, top = medium.bottom_radius, medium.top_radius
     # Strips of equal height on the disc, each with its true area.
     middle = (np.arange(_STRIPS) + 0.5) * (2.0 / _STRIPS) - 1.0
-    share = np.sqrt(1.0 - middle**2)
-    share = share / share.sum()
+    area = np.sqrt(1.0 - middle**2)
+    area = area / area.sum()
     zenith = np.arccos(np.clip(mu_s, -1.0, 1.0))[:, None] - star_radius * middle
     at = r[:, None] + 0.0 * zenith
     seen, refraction_jacobian = np.empty(at.shape), np.empty(at.shape)
@@ -201,7 +201,7 @@ def refracted_direct_irradiance(
     up = np.where(shines, seen, 1.0)
     length = -at * up + np.sqrt((top - at) * (top + at) + (at * up) ** 2)
     depth = columns(at, up, length, bottom, medium.density) @ medium.extinction
-    weight = np.where(shines, share * refraction_jacobian * np.maximum(seen, 0.0), 0.0)
+    weight = np.where(shines, area * refraction_jacobian * np.maximum(seen, 0.0), 0.0)
     return np.asarray((weight[..., None] * np.exp(-depth)).sum(axis=1))
 
 

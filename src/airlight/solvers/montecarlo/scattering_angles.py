@@ -116,18 +116,18 @@ def _add_rows(sampled: tuple[PhaseRow, ...], rows: list[_Row]) -> tuple[float, f
     for row in sampled:
         angles = np.radians(row.angles)
         angles[-1] = pi
-        within = np.concatenate([[0.0], np.cumsum(cell_light(angles, row.values))])
+        within = np.concatenate([[0.0], np.cumsum(cell_probability(angles, row.values))])
         light.append(row.share * within[-1])
         ratios = row.ratios
         if ratios is None:
             across = vectorized(unpolarising_ratio)(np.cos(angles))
             ratios = np.stack([np.zeros(angles.size), across, np.zeros(angles.size)])
         rows.append((angles, row.values / within[-1], within / within[-1], ratios))
-    share = light[0] / sum(light)
-    return float(first), float(len(sampled)), float(share)
+    fraction = light[0] / sum(light)
+    return float(first), float(len(sampled)), float(fraction)
 
 
-def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
+def cell_probability(angles: FloatArray, values: FloatArray) -> FloatArray:
     r"""Probability of scattering into each interval of angles of a table.
 
     .. math:: 2\pi \int p_0 e^{a(\theta - \theta_0)} \sin\theta\, d\theta
@@ -149,11 +149,13 @@ def cell_light(angles: FloatArray, values: FloatArray) -> FloatArray:
     rule = gauss_legendre(32)
     low, high = values[:-1, None], values[1:, None]
     width = np.diff(angles)[:, None]
-    share = rule.nodes
+    fraction = rule.nodes
     positive = (low > _LEAST) & (high > _LEAST)
     safe_low, safe_high = np.where(positive, low, 1.0), np.where(positive, high, 1.0)
-    p = np.where(positive, safe_low * (safe_high / safe_low) ** share, low + share * (high - low))
-    rings = np.sin(angles[:-1, None] + width * share) * width
+    p = np.where(
+        positive, safe_low * (safe_high / safe_low) ** fraction, low + fraction * (high - low)
+    )
+    rings = np.sin(angles[:-1, None] + width * fraction) * width
     return np.asarray(2.0 * pi * ((p * rings) @ rule.weights))
 
 
@@ -235,11 +237,11 @@ def _table_place(angles, angle):
 @inlined
 def _table_value(angles, values, angle):
     """Phase function of a table, with its logarithm linear in angle."""
-    low, share = _table_place(angles, angle)
+    low, fraction = _table_place(angles, angle)
     before, after = values[low], values[low + 1]
     if before > _LEAST and after > _LEAST:
-        return before * exp(share * log(after / before))
-    return before + share * (after - before)
+        return before * exp(fraction * log(after / before))
+    return before + fraction * (after - before)
 
 
 @inlined
@@ -259,12 +261,12 @@ def _table_cosine(angles, values, cumulative, state):
     width = angles[low + 1] - angles[low]
     while True:
         nu = start + (end - start) * uniform(state)
-        share = (acos(min(max(nu, -1.0), 1.0)) - angles[low]) / width
-        share = min(max(share, 0.0), 1.0)
+        fraction = (acos(min(max(nu, -1.0), 1.0)) - angles[low]) / width
+        fraction = min(max(fraction, 0.0), 1.0)
         if before > _LEAST and after > _LEAST:
-            value = before * exp(share * log(after / before))
+            value = before * exp(fraction * log(after / before))
         else:
-            value = before + share * (after - before)
+            value = before + fraction * (after - before)
         if uniform(state) * most <= value:
             return nu
 
@@ -327,8 +329,8 @@ def lobe_value(lobes, i, nu):
     if kind == CORNETTE:
         return cornette_shanks(nu, first)
     if kind == DOUBLE_HENYEY:
-        share = lobes.parameters[i, 2]
-        return share * henyey_greenstein(nu, first) + (1.0 - share) * henyey_greenstein(
+        fraction = lobes.parameters[i, 2]
+        return fraction * henyey_greenstein(nu, first) + (1.0 - fraction) * henyey_greenstein(
             nu, lobes.parameters[i, 1]
         )
     if kind == TABLE:
@@ -337,8 +339,8 @@ def lobe_value(lobes, i, nu):
         value = _table_value(lobes.angles[row], lobes.values[row], angle)
         if lobes.parameters[i, 1] > 1.0:
             other = _table_value(lobes.angles[row + 1], lobes.values[row + 1], angle)
-            share = lobes.parameters[i, 2]
-            value = share * value + (1.0 - share) * other
+            fraction = lobes.parameters[i, 2]
+            value = fraction * value + (1.0 - fraction) * other
         return value
     return 0.0
 
@@ -365,8 +367,8 @@ def lobe_ratios(lobes, i, nu):
     whole, across, turned, skew = 0.0, 0.0, 0.0, 0.0
     for k in range(int(lobes.parameters[i, 1])):
         row = first + k
-        share = lobes.parameters[i, 2] if k == 0 else 1.0 - lobes.parameters[i, 2]
-        weight = share * _table_value(lobes.angles[row], lobes.values[row], angle)
+        fraction = lobes.parameters[i, 2] if k == 0 else 1.0 - lobes.parameters[i, 2]
+        weight = fraction * _table_value(lobes.angles[row], lobes.values[row], angle)
         low, part = _table_place(lobes.angles[row], angle)
         ratios = lobes.ratios[row]
         whole += weight

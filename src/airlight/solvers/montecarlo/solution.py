@@ -233,7 +233,7 @@ class MonteCarloSolution(Solution):
             values, errors = got.parts[:, order - 1], got.part_errors[:, order - 1]
         if stokes:
             values = _turned(got.total, got.polarised, *arrays[2:])
-            errors, axes = _turned_errors(got, *arrays[2:]), axes.beside("stokes", STOKES)
+            errors, axes = _turned_errors(got, *arrays[2:]), axes.with_axis("stokes", STOKES)
         sun, unit = self.lights[0].irradiance, "W m-2 sr-1 nm-1"
         found = self._labelled(values * sun, axes, "radiance", unit)
         spread = self._labelled(errors * sun, axes, "standard error", unit)
@@ -341,7 +341,7 @@ class MonteCarloSolution(Solution):
             joined = xarray.concat(orders, dim="order").assign_coords(order=np.arange(1, kept + 1))
             data[name] = joined.transpose(..., "order", "wavelength")
         if stokes:
-            beside = axes.beside("stokes", STOKES)
+            beside = axes.with_axis("stokes", STOKES)
             for name, stokes_values in (
                 ("stokes_radiance", _turned(got.total, got.polarised, *arrays[2:])),
                 ("stokes_standard_error", _turned_errors(got, *arrays[2:])),

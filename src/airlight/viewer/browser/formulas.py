@@ -16,7 +16,7 @@ from airlight.gpu.emit.emitter import Emitter
 from airlight.gpu.emit.javascript import JAVASCRIPT
 from airlight.gpu.emit.shader_types import F32, I32, VEC4, LocalArray, ShaderTable, Value
 from airlight.optics.altitude_nodes import node_value
-from airlight.optics.moon_phase import moon_share
+from airlight.optics.moon_phase import moon_phase_factor
 from airlight.pixels.disc_shading import OCCULTER, SHADING, phase_shading
 from airlight.pixels.light_visibility import light_visibility
 from airlight.pixels.observer_uniforms import observer_uniforms
@@ -75,7 +75,7 @@ FORMULAS: Final[dict[Callable[..., Any], tuple[Value, ...]]] = {
     sun_formula.date_after: (),
     moon_formula.moon_on_date: (),
     bright_limb: (),
-    moon_share: (),
+    moon_phase_factor: (),
     phase_shading: (),
     light_visibility: (),
     light_left: (),

@@ -10,7 +10,7 @@ import {
   direction_of,
   light_left,
   light_visibility,
-  moon_share,
+  moon_phase_factor,
   phase_shading,
 } from "../generated/formulas.js";
 import { cameraOf } from "./view.js";
@@ -117,7 +117,7 @@ function secondOf(values, planet, projections) {
 function moonOf(values, { second }, share) {
   const phase = values["view.moon_phase"];
   const limb = bright_limb(values["view.second_zenith"], azimuthOf(values), values["view.sun_zenith"]);
-  const part = share * moon_share(phase);
+  const part = share * moon_phase_factor(phase);
   return {
     irradiance: second.irradiance.map((one, i) => one * second.moon.albedo[i] * part),
     weights: second.moon.weights,

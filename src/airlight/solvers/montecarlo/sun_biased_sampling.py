@@ -32,7 +32,7 @@ _HEIGHTS: Final = 40
 _ELEVATIONS: Final = 80
 
 
-class Starlight(NamedTuple):
+class StarTransmittance(NamedTuple):
     """Coarse table of the transmittance to the star.
 
     Attributes
@@ -49,7 +49,7 @@ class Starlight(NamedTuple):
     values: FloatArray
 
 
-class Lit(NamedTuple):
+class SamplingDensity(NamedTuple):
     """Sampling density along a ray, piecewise around its quadrature points.
 
     Attributes
@@ -67,17 +67,17 @@ class Lit(NamedTuple):
     before: FloatArray
 
 
-def new_lit(extinction: Extinction) -> Lit:
+def new_sampling_density(extinction: Extinction) -> SamplingDensity:
     """Workspace of one ray."""
     panels, nodes = most_panels(extinction), extinction.nodes.size
-    return Lit(np.empty((panels, nodes)), np.empty((panels, nodes)), np.empty(panels))
+    return SamplingDensity(np.empty((panels, nodes)), np.empty((panels, nodes)), np.empty(panels))
 
 
-def make_starlight(extinction: Extinction) -> Starlight:
-    """Table for one wavelength."""
+def star_transmittance_table(extinction: Extinction) -> StarTransmittance:
+    """Table of the transmittance to the star at one wavelength."""
     values = np.empty((_HEIGHTS, _ELEVATIONS))
     _fill(extinction, new_trace(extinction), values)
-    return Starlight(extinction.bottom, extinction.top - extinction.bottom, values)
+    return StarTransmittance(extinction.bottom, extinction.top - extinction.bottom, values)
 
 
 @compiled_loop
@@ -94,22 +94,27 @@ def _fill(extinction, path, values):
 
 
 @inlined
-def _starlight(r, mu_s, light):
-    horizon = horizon_cosine(r, light.bottom)
+def _star_transmittance(r, mu_s, star_transmittance):
+    horizon = horizon_cosine(r, star_transmittance.bottom)
     excess = mu_s - horizon
     if excess <= 0.0:
         return 0.0
-    x = sqrt(min(max((r - light.bottom) / light.thickness, 0.0), 1.0)) * (_HEIGHTS - 1)
+    x = sqrt(min(max((r - star_transmittance.bottom) / star_transmittance.thickness, 0.0), 1.0)) * (
+        _HEIGHTS - 1
+    )
     e = sqrt(min(excess / (1.0 - horizon), 1.0)) * (_ELEVATIONS - 1)
     i, j = min(int(x), _HEIGHTS - 2), min(int(e), _ELEVATIONS - 2)
     f, g = x - i, e - j
-    below = light.values[i, j] * (1.0 - g) + light.values[i, j + 1] * g
-    above = light.values[i + 1, j] * (1.0 - g) + light.values[i + 1, j + 1] * g
+    below = star_transmittance.values[i, j] * (1.0 - g) + star_transmittance.values[i, j + 1] * g
+    above = (
+        star_transmittance.values[i + 1, j] * (1.0 - g)
+        + star_transmittance.values[i + 1, j + 1] * g
+    )
     return below * (1.0 - f) + above * f
 
 
 @compiled_loop
-def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
+def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, star_transmittance, path, sampling):
     """Integral of the sun-biased sampling density along a traced ray, by pieces.
 
     Parameters
@@ -119,8 +124,8 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
         between them. [m], [1]
     count : int
         Number of panels, from ``trace_optical_depth``.
-    extinction, light, path : Extinction, Starlight, Trace
-    lit : Lit
+    extinction, star_transmittance, path : Extinction, StarTransmittance, Trace
+    sampling : SamplingDensity
         Receives the pieces.
 
     Returns
@@ -132,35 +137,40 @@ def sun_sampling_integral(r, mu, mu_s, nu, count, extinction, light, path, lit):
     n = nodes.size
     depth, total = 0.0, 0.0
     for at in range(count):
-        lit.before[at] = depth
+        sampling.before[at] = depth
         panel, values = path.panels[at], path.values[at]
         for k in range(n):
             within = 0.0
             for j in range(n):
                 within += running[k, j] * values[j]
-            within = max(within, lit.depth[at, k - 1] if k > 0 else 0.0)
-            lit.depth[at, k] = within
+            within = max(within, sampling.depth[at, k - 1] if k > 0 else 0.0)
+            sampling.depth[at, k] = within
             y = panel[3] + (panel[4] - panel[3]) * nodes[k]
             square = y * y
             away = sqrt(panel[1] * panel[1] + square * (2.0 * panel[0] + square))
             q = panel[0] + square
             mu_s_point = (r * mu_s + (-r * mu + panel[2] * away) * nu) / q
-            mass = weights[k] * values[k] * exp(-depth - within) * _starlight(q, mu_s_point, light)
-            lit.mass[at, k] = mass
+            mass = (
+                weights[k]
+                * values[k]
+                * exp(-depth - within)
+                * _star_transmittance(q, mu_s_point, star_transmittance)
+            )
+            sampling.mass[at, k] = mass
             total += mass
         depth += panel[5]
     return total
 
 
 @compiled_loop
-def place_in_light(u, v, count, total, extinction, path, lit):
+def sample_sun_biased(u, v, count, total, extinction, path, sampling):
     """Point sampled from the sun-biased density.
 
     Parameters
     ----------
     u, v : float
         Random numbers in (0, 1).
-    count, total, extinction, path, lit :
+    count, total, extinction, path, sampling :
         Arguments, result and outputs of ``sun_sampling_integral``.
 
     Returns
@@ -169,31 +179,31 @@ def place_in_light(u, v, count, total, extinction, path, lit):
         Panel and position of the point, and optical depth from the ray's start to it.
     """
     weights = extinction.weights
-    wanted = u * total
+    target = u * total
     at, k = 0, 0
     for piece in range(count * weights.size):
         at, k = piece // weights.size, piece % weights.size
-        if lit.mass[at, k] > 0.0:
-            wanted -= lit.mass[at, k]
-            if wanted <= 0.0:
+        if sampling.mass[at, k] > 0.0:
+            target -= sampling.mass[at, k]
+            if target <= 0.0:
                 break
     first = 0.0
     for j in range(k):
         first += weights[j]
     t = first + v * weights[k]
     base = k if t >= extinction.nodes[k] else k - 1
-    before = lit.depth[at, base] if base >= 0 else 0.0
-    depth = lit.before[at] + depth_within(at, t, base, before, extinction, path)
+    before = sampling.depth[at, base] if base >= 0 else 0.0
+    depth = sampling.before[at] + depth_within(at, t, base, before, extinction, path)
     return at, t, depth
 
 
 @compiled_loop
-def density_in_light(at, t, total, extinction, lit):
-    """Sampling density of ``place_in_light``, per panel variable."""
+def sun_biased_density(at, t, total, extinction, sampling):
+    """Sampling density of ``sample_sun_biased``, per panel variable."""
     weights = extinction.weights
     edge = 0.0
     for k in range(weights.size):
         edge += weights[k]
         if t <= edge or k == weights.size - 1:
-            return lit.mass[at, k] / (total * weights[k])
+            return sampling.mass[at, k] / (total * weights[k])
     return 0.0
