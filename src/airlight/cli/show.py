@@ -53,7 +53,7 @@ def show(
     Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
     """
     from airlight.planets import Medium
-    from airlight.planets.parameter_values import made_of
+    from airlight.planets.parameter_values import composition_of
     from airlight.system import is_scene_file
 
     if is_scene_file(planet):
@@ -73,7 +73,7 @@ def show(
     out = console()
     out.print(_overview(world, medium, given=ground_albedo is not None), end="\n\n")
     out.print(_constituents(world), end="\n\n")
-    if any(made_of(one) for one in world.constituents):
+    if any(composition_of(one) for one in world.constituents):
         out.print(_composition(world), end="\n\n")
     out.print(_optics(world, medium), end="\n\n")
     out.print(_swatch(world, cache=not no_cache))
@@ -153,7 +153,7 @@ def _composition(planet: Planet) -> Table:
     """Composition by gases and particles, and the quantities derived from it."""
     from rich.table import Table
 
-    from airlight.planets.parameter_values import made_of
+    from airlight.planets.parameter_values import composition_of
 
     table = Table(box=None, title="composition", title_justify="left")
     table.title_style = "italic"
@@ -162,7 +162,7 @@ def _composition(planet: Planet) -> Table:
     table.add_column("value")
     for one in planet.constituents:
         heading = one.name
-        for (quantity, unit), values in made_of(one, planet.wavelengths).items():
+        for (quantity, unit), values in composition_of(one, planet.wavelengths).items():
             shown = "  ".join(v if isinstance(v, str) else f"{v:.6g}" for v in values)
             table.add_row(heading, quantity, f"{shown} {unit}".rstrip())
             heading = ""
