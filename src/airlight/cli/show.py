@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from airlight.planets import Medium, Planet
+    from airlight.planets.constituent import Constituent
 
 EPILOG = examples(
     "airlight show earth",
@@ -115,7 +116,9 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     if medium.ground_map is not None:
         table.add_row("ground map", medium.ground_map)
     if medium.ground_map is not None or medium.ground_clouds is not None:
-        table.add_row("solver albedo", "as given" if given else _ground_below(planet))
+        table.add_row(
+            "surface albedo used by the solver", "as given" if given else _ground_below(planet)
+        )
     if medium.ground_clouds is not None:
         table.add_row("clouds", f"{medium.ground_clouds}, mean cover {medium.ground.cover:.4g}")
     for omitted in omitted_bands(planet, medium.wavelengths):
@@ -141,12 +144,20 @@ def _constituents(planet: Planet) -> Table:
     for one in planet.constituents:
         phase: Any = one.phase_function
         if phase is None:
-            words = "Rayleigh" if one.scatters else "none, absorbs only"
+            words = _own_phase(one)
         else:
             words = _parameters(phase)
         column = one.profile.column(planet.thickness)
         table.add_row(one.name, _parameters(one.profile), _metres(column), words)
     return table
+
+
+def _own_phase(constituent: Constituent) -> str:
+    """Phase function of a constituent without an explicit one."""
+    if not constituent.scatters:
+        return "none, absorbs only"
+    matter = constituent.matter
+    return "Mie" if matter is not None and matter.keyword == "particles" else "Rayleigh"
 
 
 def _composition(planet: Planet) -> Table:
