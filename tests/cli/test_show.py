@@ -91,11 +91,11 @@ def test_the_ground_that_the_air_is_solved_for_is_said(
     # Greenland's inland ice: more than five times the planet's mean albedo, 0.105
     monkeypatch.setattr(sky_color, "sky_colors", lambda *a, **o: (SKY[0],))
     assert main(["show", "earth"]) == 0
-    assert "that of the whole planet" in " ".join(capsys.readouterr().out.split())
+    assert "mean of the planet" in " ".join(capsys.readouterr().out.split())
     assert main(["show", "earth", "--latitude", "72", "--longitude", "-40"]) == 0
     out = " ".join(capsys.readouterr().out.split())
     assert "ground of 72°N 40°W" in out
     assert float(out.split(": albedo ")[1].split()[0]) > 5.0 * 0.105
     assert "planet 0.105" in out
     assert main(["show", "earth", "--ground-albedo", "0.3"]) == 0
-    assert "solver albedo as given" in " ".join(capsys.readouterr().out.split())
+    assert "surface albedo used by the solver as given" in " ".join(capsys.readouterr().out.split())

@@ -228,7 +228,9 @@ def test_thick_air_is_left_to_the_cpu(device):
 
 def test_a_solution_that_makes_light_is_left_to_the_cpu(device, monkeypatch):
     # The balance of energy is judged by the same function as on the CPU: only its answer is needed.
-    monkeypatch.setattr("airlight.gpu.solver.solver.makes_light", lambda energy, tolerance: True)
+    monkeypatch.setattr(
+        "airlight.gpu.solver.solver.violates_energy_balance", lambda energy, tolerance: True
+    )
     with pytest.raises(ThickAir, match="not resolved by the GPU's grid; the CPU solves it"):
         solve_on(device, medium_of("earth"), PREVIEW)
 

@@ -60,7 +60,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if made_for is None:
         pytest.skip("no target runs on this CPU")
     folder = tmp_path_factory.mktemp("package")
-    own = {"NUMBA_CPU_NAME": made_for.processor, "NUMBA_CPU_FEATURES": made_for.written}
+    own = {"NUMBA_CPU_NAME": made_for.cpu, "NUMBA_CPU_FEATURES": made_for.written}
     assert run(folder, folder / "cache", own=own) == ["False", "27.0", "0"]
     assert len(list((folder / "cache").rglob("*.nbc"))) == 2  # the inner one for its caller
     with pytest.MonkeyPatch.context() as patch:  # code is unpickled, which imports its module

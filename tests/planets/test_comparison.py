@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from airlight.planets import Medium, load_planet, planet_names
 from airlight.planets.comparison import ALL, common_wavelengths, compare
-from airlight.planets.parameter_values import made_of, parameter_values
+from airlight.planets.parameter_values import composition_of, parameter_values
 
 GREEN = (550.0,)
 
@@ -169,7 +169,7 @@ def test_a_gas_says_what_follows_from_its_composition():
     # Mars by the paper: RT/(Mg) with 44.0095 g/mol, N as given, F = (6+3δ)/(6-7δ), n - 1 of 0 °C
     # and one atmosphere thinned to N, all by hand
     planet = load_planet("mars-openspace")
-    values = made_of(planet.constituents[0], GREEN)
+    values = composition_of(planet.constituents[0], GREEN)
     height = 8.314462618 * 215.0 / (44.0095e-3 * 3.73)
     assert_allclose(values["scale height", "m"], height, rtol=1e-4)
     assert values["number density", "m⁻³"] == (2.8e23,)
@@ -178,7 +178,7 @@ def test_a_gas_says_what_follows_from_its_composition():
     assert_allclose(values["n - 1", ""], 4.5019e-4 * 2.8e23 / 2.68678e25, rtol=3e-4)
     assert values["depolarisation", ""] == (0.09,)
     # a constituent given by coefficients has no matter
-    assert made_of(load_planet("earth-openspace").constituents[1], GREEN) == {}
+    assert composition_of(load_planet("earth-openspace").constituents[1], GREEN) == {}
 
 
 def test_standard_and_advanced_mode_of_one_earth_side_by_side():

@@ -53,7 +53,7 @@ def compose(
     depth_kind: Annotated[
         Literal["auto", "planar", "distance", "position", "inverse"],
         typer.Option(
-            metavar="KIND",
+            metavar="auto|planar|distance|position|inverse",
             help="Depth kind: planar (along the camera's axis), distance (along the ray), "
             "position, inverse (1 / planar), or auto (by the channel's name).",
         ),

@@ -49,7 +49,7 @@ def _end_at_once(*_: object) -> None:
 def end_when_interrupted() -> None:
     """Watch for SIGINT and SIGTERM from now on, in the process of a command.
 
-    Where signals cannot be watched (Windows, a thread that is not the first), nothing changes.
+    No effect where signals cannot be watched (Windows, threads other than the main thread).
     """
     if threading.current_thread() is not threading.main_thread():
         return

@@ -30,7 +30,7 @@ Set = Annotated[
 Glare = Annotated[
     float,
     typer.Option(
-        metavar="AMOUNT",
+        metavar="NUMBER",
         help="Lens glare around the sun: 1 is a typical lens, 0 none, at most 10.",
     ),
 ]

@@ -50,7 +50,7 @@ EPILOG = examples(
     "airlight render earth --size 16384x9216 --crop 4096,2048,1024,1024 -o tile.exr",
 )
 
-#: Where the camera looks if nobody says: across the sunlight, which shows the air best. [deg]
+#: Default azimuth of the camera: across the sunlight, which shows the atmosphere best. [deg]
 _ACROSS = -75.0
 
 

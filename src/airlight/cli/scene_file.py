@@ -70,7 +70,7 @@ def rendered(
     name : str
         Preset or scene file.
     given : SceneOptions
-        What is changed.
+        Overrides.
     size, crop, wavelengths, quality, samples, cache :
         Options of ``airlight render``.
     whole : bool
@@ -113,7 +113,7 @@ def changed(name: str, given: SceneOptions) -> System:
     name : str
         Preset or scene file.
     given : SceneOptions
-        What is changed.
+        Overrides.
 
     Raises
     ------

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from airlight.planets import Medium, Planet
+    from airlight.planets.constituent import Constituent
 
 EPILOG = examples(
     "airlight show earth",
@@ -53,7 +54,7 @@ def show(
     Optical depths are vertical, at 680, 550 and 440 nm where the planet is known there.
     """
     from airlight.planets import Medium
-    from airlight.planets.parameter_values import made_of
+    from airlight.planets.parameter_values import composition_of
     from airlight.system import is_scene_file
 
     if is_scene_file(planet):
@@ -73,7 +74,7 @@ def show(
     out = console()
     out.print(_overview(world, medium, given=ground_albedo is not None), end="\n\n")
     out.print(_constituents(world), end="\n\n")
-    if any(made_of(one) for one in world.constituents):
+    if any(composition_of(one) for one in world.constituents):
         out.print(_composition(world), end="\n\n")
     out.print(_optics(world, medium), end="\n\n")
     out.print(_swatch(world, cache=not no_cache))
@@ -115,7 +116,9 @@ def _overview(planet: Planet, medium: Medium, *, given: bool) -> Table:
     if medium.surface.map is not None:
         table.add_row("ground map", medium.surface.map)
     if medium.surface.map is not None or medium.surface.clouds is not None:
-        table.add_row("solver albedo", "as given" if given else _ground_below(planet))
+        table.add_row(
+            "surface albedo used by the solver", "as given" if given else _ground_below(planet)
+        )
     if medium.surface.clouds is not None:
         table.add_row("clouds", f"{medium.surface.clouds}, mean cover {medium.ground.cover:.4g}")
     for omitted in omitted_bands(planet, medium.wavelengths):
@@ -141,7 +144,7 @@ def _constituents(planet: Planet) -> Table:
     for one in planet.constituents:
         phase: Any = one.phase_function
         if phase is None:
-            words = "Rayleigh" if one.scatters else "none, absorbs only"
+            words = _own_phase(one)
         else:
             words = _parameters(phase)
         column = one.profile.column(planet.thickness)
@@ -149,11 +152,19 @@ def _constituents(planet: Planet) -> Table:
     return table
 
 
+def _own_phase(constituent: Constituent) -> str:
+    """Phase function of a constituent without an explicit one."""
+    if not constituent.scatters:
+        return "none, absorbs only"
+    matter = constituent.matter
+    return "Mie" if matter is not None and matter.keyword == "particles" else "Rayleigh"
+
+
 def _composition(planet: Planet) -> Table:
     """Composition by gases and particles, and the quantities derived from it."""
     from rich.table import Table
 
-    from airlight.planets.parameter_values import made_of
+    from airlight.planets.parameter_values import composition_of
 
     table = Table(box=None, title="composition", title_justify="left")
     table.title_style = "italic"
@@ -162,7 +173,7 @@ def _composition(planet: Planet) -> Table:
     table.add_column("value")
     for one in planet.constituents:
         heading = one.name
-        for (quantity, unit), values in made_of(one, planet.wavelengths).items():
+        for (quantity, unit), values in composition_of(one, planet.wavelengths).items():
             shown = "  ".join(v if isinstance(v, str) else f"{v:.6g}" for v in values)
             table.add_row(heading, quantity, f"{shown} {unit}".rstrip())
             heading = ""

@@ -184,7 +184,7 @@ class AirLight:
     def _ground(self, lines: LinesOfSight, order: int | None) -> FloatArray:
         """Radiance of the ground, of one order, where lines of sight end on it, (rows, nl). [sr⁻¹]
 
-        Of its light the star's comes from one direction, the sky's from all.
+        Direct irradiance is from one direction, sky irradiance from all.
         """
         medium, rows = self.solution.medium, lines.to_ground
         bottom, nu = medium.bottom_radius, lines.nu[rows]

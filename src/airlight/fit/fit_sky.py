@@ -103,7 +103,7 @@ class SkyFit:
     fitted : FitResult
         Values, error bars and correlations.
     data : Measurements or Photograph
-        What was fitted.
+        Fitted data.
     first : array, shape (n,)
         Prediction at the start.
     tables : dict

@@ -349,7 +349,7 @@ def difference(
         Predicted values, shape (n,), for parameters of shape (p,).
     parameters : sequence of FitParameter
     values : array, shape (p,)
-        Where the derivative is taken.
+        Values at which the derivative is taken.
     index : int
         Number of the parameter.
     central : bool

@@ -42,7 +42,7 @@ class FitParameter:
         Smallest step of a difference that approximates a derivative: large against the solver's
         rounding, small against the parameter's usual size.
     prior : Prior, optional
-        What is known without the data.
+        Prior.
     """
 
     name: str

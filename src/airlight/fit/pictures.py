@@ -121,7 +121,7 @@ def value_plot(residuals: Residuals, title: str = "Measured and fitted values") 
 
 
 def dome_pictures(
-    residuals: Residuals, title: str = "Where the residual sits in the sky"
+    residuals: Residuals, title: str = "Residuals over the sky"
 ) -> ReportPicture | None:
     """Measured values, fitted values and differences on the dome; None with few directions.
 

@@ -127,7 +127,7 @@ def binned(residuals: Residuals, by: FloatArray, edges: ArrayLike | None = None)
     ----------
     residuals : Residuals
     by : array, shape (n,)
-        What the bins are of.
+        Binned quantity.
     edges : array, optional
         Edges of the bins.
     """

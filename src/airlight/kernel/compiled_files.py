@@ -168,7 +168,7 @@ def one_process(file: Path) -> Iterator[None]:
     ----------
     file : Path
         Path of a file that is locked meanwhile, and left empty. The lock ends with its process.
-        Where there is no such file, or no locks, and after two minutes, nobody waits.
+        Without such a file, or without locks, and after two minutes, the block runs unlocked.
     """
     if file in _held:
         yield

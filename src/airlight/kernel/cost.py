@@ -46,7 +46,7 @@ _BELIEVED: Final = 1e3
 #: Part that is left of a rate where slower work follows.
 _RATE_DECAY: Final = 0.8
 
-#: Listener to announcements, a line each; None where nobody listens.
+#: Listener of announcements, one line each; None without a listener.
 announce: ContextVar[Callable[[str], None] | None] = ContextVar("announce", default=None)
 _inside: ContextVar[bool] = ContextVar("inside", default=False)
 _lock = threading.Lock()

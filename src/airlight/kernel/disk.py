@@ -25,7 +25,7 @@ from airlight.kernel.large_arrays import FileMemory, release
 
 #: Total size of a folder above which its oldest results are removed. [bytes]
 LARGEST_TOTAL: Final = 1_000_000_000
-#: Folder of what nobody names another one for.
+#: Default folder.
 _SOLUTIONS: Final = "solutions"
 #: Size of the header of a member of an archive, and where it has the lengths of the two texts that
 #: follow it. [bytes]

@@ -108,7 +108,7 @@ class FirstCompilation(event.Listener):
             return
         self._said = True
         seconds = max(busy * _SECONDS * work, 1.0)
-        kept = "; the code is kept for later runs" if all(map(is_kept, loops)) else ""
+        kept = "; cached for later runs" if all(map(is_kept, loops)) else ""
         line = f"compiling, about {duration(seconds)}{kept}"
         (listener or logging.getLogger("airlight").warning)(line)
 

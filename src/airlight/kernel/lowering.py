@@ -235,7 +235,7 @@ class CompiledKernel(CPUDispatcher):
         folder : Path
             Its last three names are those of the code's folder in ``prebuilt_cache.PREBUILT`` too.
         trusted : bool
-            Whether nobody else can have written there; otherwise the folder is left alone.
+            Whether only this user can write there; otherwise the folder is not used.
         """
         self._cache = _Cache(self.py_func, folder, trusted)
 

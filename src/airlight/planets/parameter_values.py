@@ -163,7 +163,7 @@ def _kind(value: Any) -> str:
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(value).__name__).lower()
 
 
-def made_of(
+def composition_of(
     constituent: Constituent, wavelengths: tuple[float, ...] = ()
 ) -> dict[tuple[str, str], tuple[float | str, ...]]:
     """Explicit and derived values of a gas, particles or an absorber.
@@ -183,7 +183,7 @@ def made_of(
     Examples
     --------
     >>> from airlight.planets import load_planet
-    >>> made_of(load_planet("earth").constituents[2])
+    >>> composition_of(load_planet("earth").constituents[2])
     {('absorption', ''): ('ozone-absorption',), ('column', 'm⁻²'): (9.269391385704633e+22,)}
     """
     found: dict[tuple[str, str], tuple[float | str, ...]] = {}

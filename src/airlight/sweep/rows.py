@@ -89,7 +89,7 @@ def answer_rows(
 ) -> int:
     """Write a table of observers with their radiances appended.
 
-    What is computed is kept beside the target in hidden files, and a second start with the same
+    Computed rows are in hidden files in the target's folder, and a second start with the same
     table, planet, wavelengths and quality goes on from there, from the first block that is not as
     it was written; the target appears when it is whole. One process writes it at a time.
 

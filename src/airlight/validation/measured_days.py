@@ -86,9 +86,9 @@ def _score(day: Day, row: DayRow) -> float:
 
 
 def _parts(day: Day) -> list[Part]:
-    rests = _residuals(day)
-    dome = dome_pictures(rests, f"{day.scans.date}: where the rest sits in the sky")
-    curves = residual_curves(rests, f"{day.scans.date}: residuals of the row that counts")
+    residuals = _residuals(day)
+    dome = dome_pictures(residuals, f"{day.scans.date}: residuals over the sky")
+    curves = residual_curves(residuals, f"{day.scans.date}: residuals of the highlighted row")
     return [_inputs(day), _scores(day), curves, *([] if dome is None else [dome]), _places(day)]
 
 

@@ -107,7 +107,7 @@ def solve_on(
         energy=energy_error(plan.setup, field[..., :count]),
     )
     if violates_energy_balance(moments.energy, settings.energy_tolerance):
-        raise ThickAir
+        raise ThickAir("not resolved by the GPU's grid")
     solution = MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
     _fields[solution] = device, fields
     return solution

@@ -328,7 +328,7 @@ class SmallParticleAbsorption(Absorber):
         for part in ("real", "imaginary"):
             values[part] = index.spectral(part, "1", "1.5", wavelengths)
         index.finish()
-        return cls.made(within, values)
+        return cls.from_values(within, values)
 
     @property
     def limits(self) -> Limits:

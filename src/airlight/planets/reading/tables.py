@@ -62,12 +62,12 @@ def _constituent() -> _Listed:
     """Fields of a constituent, its coefficients in other forms, and its kinds of matter."""
     own = {key.name: key for key in Constituent.declared()}
     phase = own.pop("phase_function")
-    made_of = [
+    composition_kinds = [
         Field(name=one.keyword, label=one.label, help=one.help, kind="table", table=one.keyword)
         for one in MATTER
     ]
     first = [own.pop("name"), own.pop("profile"), WAVELENGTHS]
-    return _Listed(*first, *own.values(), *COEFFICIENT_KEYS, *made_of, phase)
+    return _Listed(*first, *own.values(), *COEFFICIENT_KEYS, *composition_kinds, phase)
 
 
 #: Kinds of table by the name that ``Field.table`` uses.

@@ -60,7 +60,7 @@ class TomlModel(Prebuilt):
             section.finish()
         made: Self | None = None
         with collector:
-            made = None if values is None else cls.made(section, values)
+            made = None if values is None else cls.from_values(section, values)
         collector.raise_all()
         assert made is not None
         return made
@@ -79,7 +79,7 @@ class TomlModel(Prebuilt):
         return {field: value for field, value in found.items() if value is not None}
 
     @classmethod
-    def made(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
+    def from_values(cls, section: TomlTable, values: Mapping[str, Any]) -> Self:
         """Create the object of these fields; errors name the key of the file."""
         names = {field: key.name for field, key in fields_of(cls).items()}
         with section.prefix_errors():

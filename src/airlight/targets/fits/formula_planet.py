@@ -72,7 +72,7 @@ class FormulaPlanet:
     fitted : tuple of FittedFormula
         Fits with their errors.
     notes : tuple of str
-        What is left out.
+        Omitted properties.
     g : float
         Parameter of the particles' lobe; 0 without particles. [1]
     """

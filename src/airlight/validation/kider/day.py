@@ -36,7 +36,7 @@ class DayRow:
     Attributes
     ----------
     name : str
-        What is special about it.
+        Description.
     inputs : Inputs
         Ingredients of the planet; a fitted load replaces theirs.
     predicted : array, shape (ns, nd, nl)

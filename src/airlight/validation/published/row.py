@@ -107,7 +107,7 @@ class PublishedSection:
         Title of the table.
     rows : sequence of PublishedRow
     note : str
-        What ours is, and what hangs on it.
+        Definition of our value, and its dependences.
     aims : sequence of Threshold
         Thresholds over several rows, or of rows whose source states no error.
     """
