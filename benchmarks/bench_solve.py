@@ -19,7 +19,7 @@ from airlight.color.spectral import default_wavelengths
 from airlight.planets import Constituent
 from airlight.planets.matter.phases import HenyeyGreenstein
 from airlight.planets.matter.profiles import Exponential, Tent
-from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
 
 RGB = (680.0, 550.0, 440.0)
 

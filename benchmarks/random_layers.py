@@ -26,7 +26,7 @@ from airlight.planets.ground import Ground
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential, Tabulated, Tent
 from airlight.planets.star import Star
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 
 #: Radius of the ground, thickness of the shell, scale height of the gas [m], its scattering at the
 #: ground [/m], and albedo.
@@ -121,7 +121,7 @@ def reference(
     if file is not None and file.exists():
         stored = np.load(file)
         return stored["radiance"], stored["error"]
-    settings = Settings(relative_error=error, most_histories=400_000, polarisation=False)
+    settings = MonteCarloSettings(relative_error=error, most_histories=400_000, polarisation=False)
     solution = airlight.solve(planet, quality=settings, solver="montecarlo", polarisation=False)
     got = solution.estimate(**where)
     radiance, noise = got.radiance.values[..., 0], got.standard_error.values[..., 0]

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import airlight
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 
 earth = airlight.load_planet("earth-atmosphere-plus")
 wavelengths = [680.0, 550.0, 440.0]
@@ -29,7 +29,9 @@ def sky(solution, angle):
 
 
 moments = sky(airlight.solve(earth, wavelengths), view)
-histories = airlight.solve(earth, wavelengths, Settings(relative_error=0.02), solver="montecarlo")
+histories = airlight.solve(
+    earth, wavelengths, MonteCarloSettings(relative_error=0.02), solver="montecarlo"
+)
 traced = sky(histories, dots)
 error = 3.0 * 0.02 * traced  # an upper bound: none is worse than asked for
 

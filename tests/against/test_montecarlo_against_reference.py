@@ -12,7 +12,7 @@ from numpy.testing import assert_array_less
 
 from airlight import solve
 from airlight.planets import Planet
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 
 RGB = (680.0, 550.0, 440.0)
 #: Scene, ground albedo, altitude [m], sun zenith, view zenith, azimuth [deg]: noon to twilight,
@@ -59,7 +59,7 @@ def test_radiances_agree_within_three_standard_errors(
             albedo=case[1], aerosol=lobe if kind == "full" else None,
             ozone=case[0] != "rayleigh-only",
         )  # fmt: skip
-        settings = Settings(relative_error=0.002, most_histories=400_000)
+        settings = MonteCarloSettings(relative_error=0.002, most_histories=400_000)
         data = solve(planet, RGB, settings, solver="montecarlo", polarisation=False).estimate(
             altitude=case[2], sun_zenith=case[3], view_zenith=case[4], azimuth=case[5]
         )

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from airlight.solvers.direct.settings import Settings as DirectSettings
-from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+from airlight.solvers.direct.settings import DirectSettings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 from airlight.validation.agreement import Result, agreements, results
 from airlight.validation.cases import CASES, WAVELENGTHS
 from airlight.validation.metrics import summarise

@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 from airlight import Camera, Scene, load_planet, solve
 from airlight.render import render
 from airlight.render.cpu_renderer import color_weights
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 
 SEA = {"ground.law": "water", "ground.albedo": 0.02, "ground.wind": "5 m/s"}
 #: Altitude, zenith angle and azimuth of lines that end on the sea, away from the glitter.
@@ -27,7 +27,7 @@ def test_the_sea_is_as_bright_as_by_monte_carlo(sun: float, most: float) -> None
     solution = solve(planet, nm, quality="default")
     judge = solve(
         planet, nm, solver="montecarlo",
-        quality=Settings(relative_error=0.02, most_histories=100_000),
+        quality=MonteCarloSettings(relative_error=0.02, most_histories=100_000),
     )  # fmt: skip
     green = float(color_weights(solution)[0, 1])
     for altitude, view, azimuth in LINES:

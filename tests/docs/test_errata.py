@@ -40,7 +40,7 @@ from airlight.optics.refractive_index import (
 )
 from airlight.optics.size_distribution import gamma_density
 from airlight.planets import Medium, load_planet
-from airlight.solvers.direct.settings import Settings
+from airlight.solvers.direct.settings import DirectSettings
 from airlight.solvers.direct.solution import solve
 
 PAGE = Path(__file__).parents[2] / "docs" / "errata.md"
@@ -107,7 +107,7 @@ def orders():
     planet = load_planet("earth-atmosphere-plus", {"ground.albedo": 0.3})
     medium = Medium.from_planet(planet, [440.0])
     # coarse tables: both sums are 0.4 % off together
-    coarse = Settings(
+    coarse = DirectSettings(
         radii=10, views=12, suns=16, scatter_angles=6, zenith_steps=6, azimuth_steps=12, steps=12,
         pass_steps=8, orders=12, keep_orders=False,
     )  # fmt: skip

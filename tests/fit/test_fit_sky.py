@@ -24,7 +24,7 @@ from airlight.fit.smooth_settings import smooth, smooth_near
 from airlight.planets import Medium, Planet, load_planet
 from airlight.solvers import solve
 from airlight.solvers.moments.delta_m import Optics
-from airlight.solvers.moments.settings import Settings, settings_for
+from airlight.solvers.moments.settings import MomentsSettings, settings_for
 
 #: Wavelengths [nm] and view zenith angles [deg] of predictions.
 NM: Final = np.array([440.0, 550.0, 680.0])
@@ -70,7 +70,7 @@ def test_predictions_do_not_jump_where_haze_becomes_thick(
         thick = degree_at(middle, quality) > degree_at(1.0, quality)
         low, high = (low, middle) if thick else (middle, high)
 
-    def change(settings: Settings) -> float:
+    def change(settings: MomentsSettings) -> float:
         seen = [
             solve(of_haze(low * factor), NM, settings, cache=False).radiance(
                 altitude=0.0, sun_zenith=60.0, view_zenith=VIEW, azimuth=70.0

@@ -100,7 +100,8 @@ def test_the_full_moons_light_is_that_of_its_picture() -> None:
     # magnitude by which the Moon lights a landscape.
     scene = system(
         MOON, EARTH, lights=(Light(star=SUN, direction=(-1.0, 0.05, 0.0)), Light(body="moon")),
-        observer=SceneObserver(position=(7e7, 0.0, 0.0)), view=View(look_at="moon", field_of_view=1.0),
+        observer=SceneObserver(position=(7e7, 0.0, 0.0)),
+        view=View(look_at="moon", field_of_view=1.0),
     )  # fmt: skip
     rgb = rendered(scene, width=80, height=80, wavelengths=NM)
     eye = scene.eye
@@ -156,7 +157,8 @@ def test_a_stars_disc_has_its_irradiance_and_its_dark_rim() -> None:
     scene = system(
         Body(name="rock", radius=1.0, position=(0.0, 1e6, 0.0)),
         lights=(Light(star=SUN, direction=(1.0, 0.0, 0.0)),),
-        observer=SceneObserver(position=(0.0, 0.0, 0.0)), view=View(look_at="sun", field_of_view=0.7),
+        observer=SceneObserver(position=(0.0, 0.0, 0.0)),
+        view=View(look_at="sun", field_of_view=0.7),
     )  # fmt: skip
     rgb = rendered(scene, width=70, height=70)
     lights = SceneLights(scene, np.array(NM), {})

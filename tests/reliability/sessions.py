@@ -19,7 +19,7 @@ from airlight.errors import ParameterError
 from airlight.planets import Planet
 from airlight.planets.medium import Medium
 from airlight.render import render
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 from airlight.solvers.moments.solve import solve
 from airlight.viewer.background.solver_thread import SolverThread
 from airlight.viewer.parameters.parameter import Parameter, Value
@@ -40,7 +40,7 @@ PLANETS = (
 #: clock: a machine that others keep busy may give seconds of the one in minutes of the other. [s]
 LONG, LONG_STILL = 60.0, 1800.0
 
-QUICK = Settings(
+QUICK = MomentsSettings(
     degree=2,
     thick_degree=2,
     radii=8,

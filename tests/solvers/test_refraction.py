@@ -19,7 +19,7 @@ from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.montecarlo.refracted_paths import refraction_on_path
-from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.solvers.star_light import direct_irradiance
 

@@ -93,7 +93,7 @@ class SkyModel:
         Wavelengths that are solved. [nm]
     combine : callable
         ``combine(radiance, solution)``: predicted values, shape (n,), from radiances (nd, nl).
-    quality : str or Settings
+    quality : str or MomentsSettings
         Quality of the solver.
     identity : bytes
         What, besides the numbers here, decides the predictions; with it they are kept on disk, so

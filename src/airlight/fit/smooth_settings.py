@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from airlight.planets.medium import Medium
 from airlight.planets.planet import Planet
 from airlight.solvers.moments.delta_m import Optics
-from airlight.solvers.moments.settings import Settings, settings_for
+from airlight.solvers.moments.settings import MomentsSettings, settings_for
 
 FloatArray = NDArray[np.float64]
 
@@ -19,7 +19,7 @@ FloatArray = NDArray[np.float64]
 _TOLERANCE: Final = 1e-4
 
 
-def smooth(quality: str) -> Settings:
+def smooth(quality: str) -> MomentsSettings:
     """Settings of a quality by which predictions have no jumps: tolerance, and degree of all air.
 
     Raises
@@ -31,7 +31,7 @@ def smooth(quality: str) -> Settings:
     return replace(settings, degree=settings.thick_degree, tolerance=_TOLERANCE)
 
 
-def smooth_near(quality: str, planet: Planet, wavelengths: FloatArray) -> Settings:
+def smooth_near(quality: str, planet: Planet, wavelengths: FloatArray) -> MomentsSettings:
     """Settings as from ``smooth``, with the degree that a planet has at this quality.
 
     The degree of clear air is lower, and the light of haze differs between the two by more than

@@ -24,7 +24,7 @@ from airlight.planets.medium import Medium
 from airlight.planets.omitted_absorption_bands import warn_of_omitted_bands
 from airlight.planets.picture_wavelengths import picture_wavelengths, texel_wavelengths
 from airlight.planets.planet import Planet
-from airlight.solvers.moments.settings import Settings, settings_for
+from airlight.solvers.moments.settings import MomentsSettings, settings_for
 from airlight.units import values_in
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ class PlanetSolver(Protocol):
 def solve_planet(
     planet: Planet,
     wavelengths: ArrayLike | None = None,
-    quality: str | Settings = "default",
+    quality: str | MomentsSettings = "default",
     *,
     polarisation: bool = True,
     device: Device | None = None,
@@ -66,7 +66,7 @@ def solve_planet(
         Planet to solve.
     wavelengths : array, shape (nl,), optional
         Wavelengths; by default ``picture_wavelengths``. [nm]
-    quality : str or Settings
+    quality : str or MomentsSettings
         Quality as for ``airlight.solve``.
     polarisation : bool
         Whether transfer is vectorial, as for ``airlight.solve``.

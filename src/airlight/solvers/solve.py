@@ -21,11 +21,11 @@ from airlight.solvers.solution import Solution
 from airlight.units import values_in
 
 if TYPE_CHECKING:
-    from airlight.solvers.direct.settings import Settings as DirectSettings
+    from airlight.solvers.direct.settings import DirectSettings
     from airlight.solvers.direct.solution import DirectSolution
-    from airlight.solvers.moments.settings import Settings as MomentsSettings
+    from airlight.solvers.moments.settings import MomentsSettings
     from airlight.solvers.moments.solution import MomentsSolution
-    from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+    from airlight.solvers.montecarlo.settings import MonteCarloSettings
     from airlight.solvers.montecarlo.solution import MonteCarloSolution
     from airlight.units import Measures
 

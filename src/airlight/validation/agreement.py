@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled
 from airlight.planets import load_planet
 from airlight.solvers import solve
-from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
 from airlight.validation.finite_disc import with_point_star

@@ -26,7 +26,7 @@ from airlight.planets import Planet
 FloatArray = NDArray[np.float64]
 
 
-class LinesOfSight(TypedDict):
+class CaseLines(TypedDict):
     """Keyword arguments of ``Solution.radiance``, each of shape (n,). [m], [deg]"""
 
     altitude: FloatArray
@@ -192,7 +192,7 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
     return float(altitude), degrees(sun_zenith), degrees(view), degrees(azimuth)
 
 
-def geometry(planet: Planet, cases: Sequence[Case] = CASES, level: float = 0.0) -> LinesOfSight:
+def geometry(planet: Planet, cases: Sequence[Case] = CASES, level: float = 0.0) -> CaseLines:
     """Convert cases for a planet to keyword arguments of ``Solution.radiance``.
 
     Parameters
@@ -204,12 +204,12 @@ def geometry(planet: Planet, cases: Sequence[Case] = CASES, level: float = 0.0) 
 
     Returns
     -------
-    LinesOfSight
+    CaseLines
         Arrays of shape (n,).
     """
     bottom, top = planet.bottom_radius + level, planet.top_radius
     rows = np.array([at_observer(one, bottom, top) for one in cases])
     altitude, sun_zenith, view_zenith, azimuth = np.ascontiguousarray(rows.T)
-    return LinesOfSight(
+    return CaseLines(
         altitude=altitude + level, sun_zenith=sun_zenith, view_zenith=view_zenith, azimuth=azimuth
     )

@@ -14,7 +14,7 @@ from airlight.errors import Cancelled
 from airlight.kernel import vectorized
 from airlight.planets import Medium, load_planet
 from airlight.solvers import Solution, solve
-from airlight.validation.cases import LinesOfSight
+from airlight.validation.cases import CaseLines
 from airlight.validation.cie_clear_sky import relative_luminance
 from airlight.validation.golden_numbers import (
     GoldenComparison,
@@ -276,11 +276,11 @@ def _transmittances(rows: Sequence[GoldenRow]) -> list[FloatArray]:
     ]
 
 
-def _geometry(rows: Sequence[GoldenRow]) -> LinesOfSight:
+def _geometry(rows: Sequence[GoldenRow]) -> CaseLines:
     def column(name: str) -> FloatArray:
         return np.array([row.at[name] for row in rows])
 
-    return LinesOfSight(
+    return CaseLines(
         altitude=column("altitude"),
         sun_zenith=column("sun"),
         view_zenith=column("view"),

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from airlight.errors import Cancelled
 from airlight.plots.figure import GREY, PALETTE, grid, new_figure
 from airlight.solvers import Solution, solve
-from airlight.solvers.montecarlo.settings import Settings as MonteCarloSettings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings as MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
-from airlight.validation.cases import Case, LinesOfSight, geometry
+from airlight.validation.cases import Case, CaseLines, geometry
 from airlight.validation.energy_planets import round_earth
 from airlight.validation.suite import Cancel, Part, Progress, ReportPicture, ReportTable
 
@@ -69,7 +69,7 @@ def order_convergence(
     return [_picture(shares), _table(shares)]
 
 
-def order_shares(solution: Solution, where: LinesOfSight) -> FloatArray:
+def order_shares(solution: Solution, where: CaseLines) -> FloatArray:
     """Light of orders 1, 2, … over the total, shape (orders, cases). [1]"""
     if isinstance(solution, MonteCarloSolution):  # the orders come from the same histories
         traced = solution.trace(solution.lines_of_sight(**where)[0])

@@ -14,7 +14,7 @@ from airlight import Cancelled, ConvergenceError, Medium, ParameterError, Planet
 from airlight.planets import Constituent, Ground, Star
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Exponential, Uniform
-from airlight.solvers.direct.settings import ATMOSPHERE_PLUS, QUALITIES, Settings
+from airlight.solvers.direct.settings import ATMOSPHERE_PLUS, QUALITIES, DirectSettings
 from airlight.solvers.direct.solution import DirectSolution, alone
 from airlight.solvers.direct.solution import solve as solve_medium
 
@@ -50,7 +50,7 @@ def air(scattering: float, albedo: float, absorption: float = 0.0) -> Planet:
 
 
 @cache
-def solved(planet: Planet, settings: Settings = COARSE) -> DirectSolution:
+def solved(planet: Planet, settings: DirectSettings = COARSE) -> DirectSolution:
     return solve_medium(Medium.from_planet(planet, [550.0]), settings, cache=False)
 
 

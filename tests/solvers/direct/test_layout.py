@@ -20,14 +20,16 @@ from airlight.solvers.direct.layout import (
     view_cell,
     view_of,
 )
-from airlight.solvers.direct.settings import MAPPINGS, Settings
+from airlight.solvers.direct.settings import MAPPINGS, DirectSettings
 
 
 @pytest.fixture(params=[(name, planet) for name in MAPPINGS for planet in ("earth", "mars")])
 def axes(request):
     mapping, planet = request.param
     flat = mapping not in ("angle", "bruneton")
-    settings = Settings(mapping=mapping, views=16, sun_angles=20, scatter_angles=1 if flat else 9)
+    settings = DirectSettings(
+        mapping=mapping, views=16, sun_angles=20, scatter_angles=1 if flat else 9
+    )
     return layout_for(Medium.from_planet(load_planet(planet), [550.0]), settings)
 
 

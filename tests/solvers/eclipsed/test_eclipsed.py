@@ -10,7 +10,7 @@ import airlight
 from airlight.solvers.eclipsed.solution import EclipsedSolution
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.montecarlo.eclipse import eclipsed_estimate
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 
 from .conftest import NM, moon_over
 
@@ -120,7 +120,7 @@ def check(
     planet = airlight.load_planet("earth")
     judge = airlight.solve(
         planet, NM, solver="montecarlo",
-        quality=Settings(
+        quality=MonteCarloSettings(
             relative_error=0.002, most_histories=histories,
             polarisation=solution.settings.polarisation,
         ),

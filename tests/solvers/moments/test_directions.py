@@ -11,18 +11,20 @@ from numpy.testing import assert_allclose
 
 from airlight import load_planet, solve
 from airlight.solvers.moments.directions import directions
-from airlight.solvers.moments.grid import Grid
-from airlight.solvers.moments.settings import QUALITIES, Settings
+from airlight.solvers.moments.grid import MomentsGrid
+from airlight.solvers.moments.settings import QUALITIES, MomentsSettings
 
-GRID = Grid(6371e3, 6471e3, 6371e3 + np.array([0.0, 1.0, 2e4, 1e5]), *[np.zeros(0)] * 4)
+GRID = MomentsGrid(6371e3, 6471e3, 6371e3 + np.array([0.0, 1.0, 2e4, 1e5]), *[np.zeros(0)] * 4)
 #: A small planet with a vast shell, whose horizon is far below the horizontal.
-VAST = Grid(1e6, 3e6, np.array([1e6, 2e6, 3e6]), *[np.zeros(0)] * 4)
+VAST = MomentsGrid(1e6, 3e6, np.array([1e6, 2e6, 3e6]), *[np.zeros(0)] * 4)
 COUNTS = [(12,), (6, 5), (3, 3)]
 
 
 @pytest.mark.parametrize("counts", COUNTS)
 @pytest.mark.parametrize("grid", [GRID, VAST])
-def test_directions_integrate_the_sphere_and_the_flux(grid: Grid, counts: tuple[int, ...]) -> None:
+def test_directions_integrate_the_sphere_and_the_flux(
+    grid: MomentsGrid, counts: tuple[int, ...]
+) -> None:
     # Exact: ∫ dmu = 2, ∫ mu dmu = 0, ∫ mu² dmu = 2/3 over all, ∫ mu dmu = 1/2 and ∫ mu² dmu = 1/3
     # over the upper half.
     mu, weight, flux = directions(grid, counts)
@@ -59,7 +61,7 @@ def test_deep_twilight_has_the_directions_that_it_needs() -> None:
     sun, view = np.array([94.0, 96.0, 98.0, 100.0])[:, None, None], np.array([0.0, 60.0, 85.0])
     default = QUALITIES["default"]
 
-    def sky(settings: Settings) -> np.ndarray:
+    def sky(settings: MomentsSettings) -> np.ndarray:
         solution = solve(load_planet("earth"), (440.0, 550.0, 680.0), settings, cache=False)
         azimuth = np.array([0.0, 90.0, 180.0])
         return np.stack([

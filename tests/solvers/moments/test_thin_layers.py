@@ -19,7 +19,7 @@ from airlight.planets.matter.profiles import Exponential, Tabulated, Tent
 from airlight.planets.star import Star
 from airlight.solvers.moments.energy_balance import energy_error
 from airlight.solvers.moments.solution import MomentsSolution
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 from airlight.validation.plane_parallel import flat_cases, ground_share, references
 
 RADIUS, TOP = 6371e3, 100e3
@@ -74,7 +74,7 @@ LAYERS = {
 @pytest.mark.parametrize("name", LAYERS)
 def test_radiances_of_thin_layers_are_those_of_monte_carlo(name: str) -> None:
     # A second method. Bounds of 1 % (default) and 3 % (preview), and four standard errors.
-    settings = Settings(relative_error=0.006, most_histories=300_000)
+    settings = MonteCarloSettings(relative_error=0.006, most_histories=300_000)
     judge = solve(LAYERS[name], quality=settings, solver="montecarlo", polarisation=False)
     truth = judge.estimate(**LINES)
     radiance, noise = truth.radiance.values[:, 0], truth.standard_error.values[:, 0]

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal, assert_array_less
 
 from airlight import Cancelled, ParameterError, Planet, Scene, render, solve
-from airlight.solvers.montecarlo.settings import QUALITIES, Settings, settings_for
+from airlight.solvers.montecarlo.settings import QUALITIES, MonteCarloSettings, settings_for
 
 WHERE: dict[str, Any] = {
     "altitude": [0.0, 0.0, 500e3],
@@ -18,7 +18,7 @@ WHERE: dict[str, Any] = {
     "view_zenith": [60.0, 75.0, 150.0],
     "azimuth": 60.0,
 }
-QUICK = Settings(relative_error=0.01, most_histories=60_000)
+QUICK = MonteCarloSettings(relative_error=0.01, most_histories=60_000)
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +57,7 @@ def test_seeds_give_independent_answers_with_honest_errors(earth: Planet) -> Non
     # eleven degrees of freedom is between 1.8 and 33 with a probability of 0.999.
     answers, errors = [], []
     for seed in range(12):
-        settings = Settings(relative_error=1.0, most_histories=16_384, seed=seed)
+        settings = MonteCarloSettings(relative_error=1.0, most_histories=16_384, seed=seed)
         data = solve(earth, [440.0], settings, solver="montecarlo").estimate(**WHERE)
         answers.append(data["radiance"].values[0, 0])
         errors.append(data["standard_error"].values[0, 0])
@@ -67,7 +67,9 @@ def test_seeds_give_independent_answers_with_honest_errors(earth: Planet) -> Non
 
 def test_it_stops_at_the_error_asked_for(earth: Planet) -> None:
     # The promise of the settings: every line and wavelength within it, and not far below.
-    solution = solve(earth, [680.0, 440.0], Settings(relative_error=0.002), solver="montecarlo")
+    solution = solve(
+        earth, [680.0, 440.0], MonteCarloSettings(relative_error=0.002), solver="montecarlo"
+    )
     data = solution.estimate(**WHERE)
     relative = (data["standard_error"] / data["radiance"]).values
     assert_array_less(relative, 0.002)
@@ -82,7 +84,10 @@ def test_it_stops_at_the_error_asked_for(earth: Planet) -> None:
 def test_what_is_not_reached_is_said(earth: Planet) -> None:
     # Far too few histories for twilight: the bound holds and the report names the failure.
     solution = solve(
-        earth, [440.0], Settings(relative_error=1e-4, most_histories=20_000), solver="montecarlo"
+        earth,
+        [440.0],
+        MonteCarloSettings(relative_error=1e-4, most_histories=20_000),
+        solver="montecarlo",
     )
     data = solution.estimate(**WHERE)
     assert data["histories"].values.max() <= 20_000
@@ -93,7 +98,7 @@ def test_what_is_not_reached_is_said(earth: Planet) -> None:
 
 def test_orders_add_up_to_the_radiance(earth: Planet) -> None:
     # By definition; the kept ones, one by one, and all further ones together.
-    settings = Settings(relative_error=0.01, kept_orders=3)
+    settings = MonteCarloSettings(relative_error=0.01, kept_orders=3)
     solution = solve(earth, [440.0], settings, solver="montecarlo")
     data = solution.estimate(**WHERE)
     orders = data["order_radiance"]
@@ -174,7 +179,7 @@ def test_a_solver_is_chosen_by_name(earth: Planet) -> None:
 def test_impossible_settings_are_refused(field: str, value: Any) -> None:
     # Name, value and range in one line.
     with pytest.raises(ParameterError, match=field):
-        Settings(**{field: value})
+        MonteCarloSettings(**{field: value})
 
 
 def test_a_picture_needs_the_moments(earth: Planet) -> None:

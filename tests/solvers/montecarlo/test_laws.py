@@ -13,9 +13,9 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.planets import Planet
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
 from airlight.planets.matter.profiles import Exponential, Tent, Uniform
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 
-SAMPLED = Settings(relative_error=0.004, exact_first_order=False)
+SAMPLED = MonteCarloSettings(relative_error=0.004, exact_first_order=False)
 
 
 @pytest.mark.parametrize(
@@ -58,7 +58,7 @@ def test_light_through_uniform_absorbing_air_obeys_beer(one_air: Callable[..., P
     # Air that scatters nothing: the lit ground through e^{-β L}, for a slanted view and star.
     # Relative error asked 0.2 %; 3 standard errors.
     absorbing = one_air(depth=0.0, absorption=1e-5, albedo=0.5, profile=Uniform(), thickness=50e3)
-    settings = Settings(relative_error=0.002, exact_first_order=False)
+    settings = MonteCarloSettings(relative_error=0.002, exact_first_order=False)
     solution = solve(absorbing, [550.0], settings, solver="montecarlo")
     bottom, top = absorbing.bottom_radius, absorbing.top_radius
     data = solution.estimate(altitude=50e3, sun_zenith=40.0, view_zenith=180.0)
@@ -100,7 +100,7 @@ def test_conservative_air_returns_what_the_ground_does_not_take(
     # Energy: nothing absorbs but the ground, and a planet so large that its air is flat (curvature
     # changes fluxes by 1e-5): µ_s = upward flux at the top + (1 - albedo)·(direct + diffuse) below.
     planet = one_air(depth=1.5, phase=phase, albedo=albedo, bottom=1e10)
-    solution = solve(planet, [550.0], Settings(relative_error=0.015), solver="montecarlo")
+    solution = solve(planet, [550.0], MonteCarloSettings(relative_error=0.015), solver="montecarlo")
     mu_s = np.cos(np.radians(50.0))
     rule = gauss_legendre(6)
     mu, weight = rule.nodes, rule.weights * rule.nodes
@@ -128,7 +128,7 @@ def test_places_drawn_in_light_change_the_noise_only(
     from airlight.solvers.montecarlo import estimate
 
     planet = reference_earth(albedo=0.1)
-    settings = Settings(relative_error=1e-6, most_histories=400_000)
+    settings = MonteCarloSettings(relative_error=1e-6, most_histories=400_000)
     where = {"altitude": 0.0, "sun_zenith": [93.0, 95.0], "view_zenith": [80.0, 20.0]}
     results = []
     for share in (0.0, 0.5):
@@ -146,7 +146,7 @@ def test_light_that_grazes_a_cloud_of_many_depths_is_finite(one_air: Callable[..
     # Half a thousand optical depths that absorb nothing: radiance from above lies between 0 and
     # that of a white Lambert ground, and the histories end although nothing absorbs.
     planet = one_air(depth=500.0, profile=Exponential(scale_height=8e3))
-    settings = Settings(relative_error=0.1, most_histories=20_000)
+    settings = MonteCarloSettings(relative_error=0.1, most_histories=20_000)
     data = solve(planet, [550.0], settings, solver="montecarlo").estimate(
         altitude=100e3, sun_zenith=30.0, view_zenith=150.0, azimuth=90.0
     )
@@ -174,7 +174,7 @@ def test_light_that_is_scattered_thousands_of_times_is_not_cut_off(
         depth=depth, profile=Uniform(), phase=HenyeyGreenstein(asymmetry=0.0), bottom=1e10,
         thickness=8e3,
     )  # fmt: skip
-    settings = Settings(relative_error=0.03, polarisation=False, exact_first_order=False)
+    settings = MonteCarloSettings(relative_error=0.03, polarisation=False, exact_first_order=False)
     solution = solve(planet, [550.0], settings, solver="montecarlo", polarisation=False)
     got = float(solution.irradiance(altitude=0.0, sun_zenith=0.0)["diffuse"].values[0])
     expected = 0.25 * np.sqrt(3.0) * 2.9078 * 4.0 / (3.0 * (depth + 1.4209))

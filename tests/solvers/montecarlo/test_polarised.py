@@ -12,9 +12,9 @@ from numpy.testing import assert_allclose, assert_array_equal, assert_array_less
 from airlight import ParameterError, load_planet, solve
 from airlight.planets import Planet
 from airlight.planets.matter.phases import HenyeyGreenstein, Rayleigh
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 
-ALL_SAMPLED = Settings(relative_error=0.003, exact_first_order=False)
+ALL_SAMPLED = MonteCarloSettings(relative_error=0.003, exact_first_order=False)
 #: Lines of sight all over the sky, on both sides of the star, and from space.
 LINES: dict[str, Any] = {
     "altitude": [0.0, 0.0, 0.0, 0.0, 400e3],
@@ -44,7 +44,7 @@ def test_light_scattered_once_swings_across_the_plane_of_star_and_line(
     # Closed form of thin air: degree of polarisation Δ sin²Θ / (Δ(1 + cos²Θ) + 4(1-Δ)/3), along
     # view x star; 4 standard errors, and for the exact first order the other orders' 2e-5.
     planet = one_air(depth=1e-5, phase=Rayleigh(depolarisation=depolarisation))
-    settings = Settings(relative_error=0.01, exact_first_order=exact)
+    settings = MonteCarloSettings(relative_error=0.01, exact_first_order=exact)
     data = solve(planet, [550.0], settings, solver="montecarlo").estimate(**LINES, stokes=True)
     assert data["stokes_radiance"].dims == ("case", "stokes", "wavelength")
     assert data["stokes"].values.tolist() == ["I", "Q", "U"]
@@ -99,7 +99,7 @@ def test_the_zenith_has_one_polarisation_in_every_frame(one_air: Callable[..., P
 def test_air_that_does_not_polarise_is_scalar(one_air: Callable[..., Planet]) -> None:
     # F12 = 0 from the start and for ever: I, histories and all, is that of scalar transfer.
     planet = one_air(depth=0.5, albedo=0.3, phase=HenyeyGreenstein(asymmetry=0.5))
-    settings = Settings(relative_error=0.01)
+    settings = MonteCarloSettings(relative_error=0.01)
     vector = solve(planet, [550.0], settings, solver="montecarlo")
     scalar = solve(planet, [550.0], settings, solver="montecarlo", polarisation=False)
     found = vector.radiance(**LINES, stokes=True).values

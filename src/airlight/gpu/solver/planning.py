@@ -17,7 +17,7 @@ from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
 from airlight.pixels.capacity import check_capacity
 from airlight.pixels.render_tables import WAVELENGTHS
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.refracted_geometry import RefractedGeometry
 
@@ -28,7 +28,7 @@ _SPAN: Final = 4 << 20
 
 
 def plan_for(
-    geometry: RefractedGeometry, settings: Settings, *, extinction_headroom: float = 1.0
+    geometry: RefractedGeometry, settings: MomentsSettings, *, extinction_headroom: float = 1.0
 ) -> SolverPlan:
     """Plan of the solve of a medium.
 
@@ -36,7 +36,7 @@ def plan_for(
     ----------
     geometry : RefractedGeometry
         Paths in a medium of at most four wavelengths.
-    settings : Settings
+    settings : MomentsSettings
         Grid sizes.
     extinction_headroom : float
         Factor on the extinction for which grids are laid out, see ``Setup``. [1]

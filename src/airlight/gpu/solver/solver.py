@@ -26,7 +26,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.energy_balance import energy_error, violates_energy_balance
 from airlight.solvers.moments.iterate import Moments
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.moments.stopping import Iteration, Stopping
 from airlight.solvers.refracted_geometry import RefractedGeometry
@@ -50,7 +50,7 @@ class ThickAir(AirlightError):
 def solve_on(
     device: Device,
     medium: Medium,
-    settings: Settings,
+    settings: MomentsSettings,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -63,7 +63,7 @@ def solve_on(
         From ``open_device``.
     medium : Medium
         Medium of at most four wavelengths.
-    settings : Settings
+    settings : MomentsSettings
         Grid sizes and tolerance.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.

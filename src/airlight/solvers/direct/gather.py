@@ -12,7 +12,7 @@ from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import Layout, angle_index, angle_of, radius_of, sun_of, view_of
-from airlight.solvers.direct.settings import Settings
+from airlight.solvers.direct.settings import DirectSettings
 from airlight.solvers.direct.trapezoid import sphere
 
 FloatArray = NDArray[np.float64]
@@ -29,7 +29,7 @@ _NARROW = 0.3
 _CONTINUED = 2.0
 
 
-class Directions(NamedTuple):
+class GatherDirections(NamedTuple):
     """Quadrature of directions at each radius of the table.
 
     Attributes
@@ -47,8 +47,8 @@ class Directions(NamedTuple):
     weights: FloatArray
 
 
-def directions_for(axes: Layout, settings: Settings) -> Directions:
-    """Directions, split at the horizon of each radius if the rule is graded."""
+def directions_for(axes: Layout, settings: DirectSettings) -> GatherDirections:
+    """GatherDirections, split at the horizon of each radius if the rule is graded."""
     rules = []
     for i in range(axes.radii):
         cuts: tuple[float, ...] = (0.0, np.pi)
@@ -58,7 +58,7 @@ def directions_for(axes: Layout, settings: Settings) -> Directions:
         rules.append(
             sphere(settings.zenith_steps, settings.azimuth_steps, cuts, grade=settings.graded)
         )
-    return Directions(
+    return GatherDirections(
         np.stack([one[0] for one in rules]), rules[0][1], np.stack([one[2] for one in rules])
     )
 
@@ -100,7 +100,7 @@ def gather(
     ----------
     i : int
         Index of the radius.
-    axes, directions : Layout, Directions
+    axes, directions : Layout, GatherDirections
         Axes of the table, and directions of the gather.
     phase, which : array
         Arrays from ``phase_nodes``. [sr⁻¹]

@@ -13,7 +13,7 @@ from airlight.kernel import compiled_loop, kernel
 from airlight.mappings import linear, power, scattering, transmittance, weighted_power
 from airlight.mappings.texels import cell, index_coordinate
 from airlight.planets.medium import Medium
-from airlight.solvers.direct.settings import MAPPINGS, Settings
+from airlight.solvers.direct.settings import MAPPINGS, DirectSettings
 
 FloatArray = NDArray[np.float64]
 
@@ -71,7 +71,7 @@ class Layout(NamedTuple):
     lowest: float
 
 
-def layout_for(medium: Medium, settings: Settings) -> Layout:
+def layout_for(medium: Medium, settings: DirectSettings) -> Layout:
     """Axes by the settings, for a medium's shell."""
     bottom, top = medium.bottom_radius, medium.top_radius
     return Layout(

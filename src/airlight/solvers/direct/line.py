@@ -15,7 +15,7 @@ from airlight.kernel import compiled_loop
 from airlight.optics.reflection import Reflection
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.layout import Layout, angle_cell, radius_cell, sun_cell, view_cell
-from airlight.solvers.direct.settings import Settings
+from airlight.solvers.direct.settings import DirectSettings
 from airlight.solvers.direct.trapezoid import graded, uniform
 from airlight.solvers.layered_columns import column_radii
 from airlight.tables.column_ratios import column_rows, columns_to_top, rational_mean_density
@@ -80,7 +80,7 @@ class LineOptics(NamedTuple):
     graded: bool
 
 
-def line_optics(medium: Medium, settings: Settings, steps: int) -> LineOptics:
+def line_optics(medium: Medium, settings: DirectSettings, steps: int) -> LineOptics:
     """Optical properties of a medium, for lines of ``steps`` steps."""
     scatterers = np.flatnonzero(medium.scattering.max(axis=1) > 0.0)
     radii = column_radii(medium, TABLE_SHAPE[0])

@@ -12,7 +12,7 @@ from airlight.errors import ConvergenceError
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.planets.medium import Medium
 from airlight.solvers.direct.gather import (
-    Directions,
+    GatherDirections,
     directions_for,
     gather,
     node_suns,
@@ -21,7 +21,7 @@ from airlight.solvers.direct.gather import (
 from airlight.solvers.direct.layout import Layout, layout_for
 from airlight.solvers.direct.line import LineOptics, axes_shape, line_optics, new_line
 from airlight.solvers.direct.passes import direct_light, first_pass, next_pass, sky_light
-from airlight.solvers.direct.settings import Settings
+from airlight.solvers.direct.settings import DirectSettings
 
 FloatArray = NDArray[np.float64]
 
@@ -68,7 +68,7 @@ class Orders:
 
 def solve_orders(
     medium: Medium,
-    settings: Settings,
+    settings: DirectSettings,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -78,7 +78,7 @@ def solve_orders(
     Parameters
     ----------
     medium : Medium
-    settings : Settings
+    settings : DirectSettings
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``; the reported total is an estimate until the last order.
 
@@ -140,14 +140,14 @@ class _Passes:
     def __init__(
         self,
         medium: Medium,
-        settings: Settings,
+        settings: DirectSettings,
         progress: Progress | None,
         cancel: Cancel | None,
     ) -> None:
         self.settings = settings
         self.axes: Layout = layout_for(medium, settings)
         self.air: LineOptics = line_optics(medium, settings, settings.pass_steps)
-        self.directions: Directions = directions_for(self.axes, settings)
+        self.directions: GatherDirections = directions_for(self.axes, settings)
         self.phase, self.which = phase_nodes(medium, self.air.scatterers)
         self.progress, self.cancel = progress, cancel
         sun_angles = node_suns(self.axes)

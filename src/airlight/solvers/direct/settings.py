@@ -15,7 +15,7 @@ LITERAL: Final = ("", "atmosphere-plus-1", "atmosphere-plus-2")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Settings:
+class DirectSettings:
     """Resolution and rules of the direct solver.
 
     Attributes
@@ -116,26 +116,26 @@ class Settings:
 
 
 QUALITIES: Final = {
-    "preview": Settings(
+    "preview": DirectSettings(
         radii=16, views=20, sun_angles=28, scatter_angles=8, zenith_steps=8, azimuth_steps=20,
         steps=12, pass_steps=8, tolerance=2e-2,
     ),
-    "default": Settings(),
-    "fine": Settings(
+    "default": DirectSettings(),
+    "fine": DirectSettings(
         radii=26, views=36, sun_angles=72, scatter_angles=16, zenith_steps=20, azimuth_steps=44,
         steps=28, pass_steps=14, keep_orders=False,
     ),
 }  # fmt: skip
 
 #: Tables of the Atmosphere Plus notes: 32 heights, 64 view and 32 sun directions, 30 steps.
-ATMOSPHERE_PLUS: Final = Settings(
+ATMOSPHERE_PLUS: Final = DirectSettings(
     mapping="weighted-power", radii=32, views=64, sun_angles=32, scatter_angles=1, zenith_steps=12,
     azimuth_steps=24, steps=30, pass_steps=30, graded=False, logarithmic=False, orders=6,
     tail=False,
 )  # fmt: skip
 
 
-def settings_for(quality: str | Settings) -> Settings:
+def settings_for(quality: str | DirectSettings) -> DirectSettings:
     """Settings of a named quality level; settings are returned unchanged.
 
     Raises

@@ -31,7 +31,7 @@ from airlight.solvers.direct.line import (
 )
 from airlight.solvers.direct.orders import Orders, solve_orders
 from airlight.solvers.direct.passes import add_ground, direct_light, reflected
-from airlight.solvers.direct.settings import Settings
+from airlight.solvers.direct.settings import DirectSettings
 from airlight.solvers.direct.trapezoid import sphere
 from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.refracted_geometry import without_refraction
@@ -54,8 +54,8 @@ class DirectSolution(Solution):
     ----------
     medium : Medium
         Medium that was solved.
-    settings : Settings
-        Settings of the solver.
+    settings : DirectSettings
+        DirectSettings of the solver.
     parts : list of (Medium, Orders)
         Medium and its orders; for the literal first notes one pair per scattering constituent.
     seconds : float
@@ -67,7 +67,7 @@ class DirectSolution(Solution):
     def __init__(
         self,
         medium: Medium,
-        settings: Settings,
+        settings: DirectSettings,
         parts: list[tuple[Medium, Orders]],
         seconds: float,
         note: str = "",
@@ -130,7 +130,7 @@ def _radiance(
     medium: Medium,
     orders: Orders,
     air: LineOptics,
-    settings: Settings,
+    settings: DirectSettings,
     lines: LinesOfSight,
     order: int | None,
 ) -> FloatArray:
@@ -205,7 +205,7 @@ def _lines(
 
 def solve(
     medium: Medium,
-    settings: Settings,
+    settings: DirectSettings,
     *,
     cache: bool = True,
     progress: Progress | None = None,
@@ -217,8 +217,8 @@ def solve(
     ----------
     medium : Medium
         Medium to solve.
-    settings : Settings
-        Settings of the solver.
+    settings : DirectSettings
+        DirectSettings of the solver.
     cache : bool
         Whether to read the solution from the cache on disk, and to write it there.
     progress, cancel : callable, optional
@@ -252,7 +252,7 @@ def solve(
     return DirectSolution(medium, settings, parts, seconds, note)
 
 
-def _key(medium: Medium, settings: Settings) -> str:
+def _key(medium: Medium, settings: DirectSettings) -> str:
     text = f"direct {fingerprint(Path(__file__))} {settings.as_text()} {medium.fingerprint()}"
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
@@ -269,7 +269,7 @@ def _to_arrays(orders: Orders) -> dict[str, NDArray[Any]]:
 
 
 def _from_arrays(
-    medium: Medium, settings: Settings, arrays: dict[str, NDArray[Any]] | None
+    medium: Medium, settings: DirectSettings, arrays: dict[str, NDArray[Any]] | None
 ) -> Orders | None:
     """Orders from the arrays of a cache file; None if they do not fit."""
     if arrays is None:

@@ -26,12 +26,12 @@ from airlight.kernel import compiled_loop, kernel
 from airlight.optics.layer_edges import FAINT, ThinLayer, layer_edges
 from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import FAINT_AND_WIDE, layer_ends
-from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.grid import MomentsGrid
 from airlight.solvers.moments.harmonics import ELEMENTS
 from airlight.solvers.moments.levels import Depths, panel_cuts
 from airlight.solvers.moments.packing import pack
 from airlight.solvers.moments.ray_optics import ScaledOptics
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 from airlight.tables.columns import density_table
 
 FloatArray = NDArray[np.float64]
@@ -185,15 +185,15 @@ class Optics:
     polarised: bool = True
 
     @classmethod
-    def chosen(cls, medium: Medium, settings: Settings) -> Optics:
+    def chosen(cls, medium: Medium, settings: MomentsSettings) -> Optics:
         """Optics of the lowest sufficient degree; higher for optically thick dust.
 
         Parameters
         ----------
         medium : Medium
             Medium with all wavelengths.
-        settings : Settings
-            Settings with the degrees for optically thin and thick media.
+        settings : MomentsSettings
+            MomentsSettings with the degrees for optically thin and thick media.
         """
         layers = bool(medium.thin_layers)
         highest = settings.layer_degree if layers else settings.thick_degree
@@ -301,14 +301,16 @@ class Optics:
         )
 
 
-def panel_ends(medium: Medium, grid: Grid, refinement: int, *, sweeps: bool = False) -> FloatArray:
+def panel_ends(
+    medium: Medium, grid: MomentsGrid, refinement: int, *, sweeps: bool = False
+) -> FloatArray:
     """Altitudes at which the panels of rays end, ascending, inside the shell. [m]
 
     Parameters
     ----------
     medium : Medium
-    grid : Grid
-        Grid of the medium.
+    grid : MomentsGrid
+        MomentsGrid of the medium.
     refinement : int
         More than 1 for optically thick media, where panels end at some levels; otherwise, and in
         sweeps, at boundaries of layers aloft.

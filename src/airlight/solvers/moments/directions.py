@@ -16,7 +16,7 @@ from numpy.polynomial.legendre import legvander
 from numpy.typing import NDArray
 
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.grid import MomentsGrid
 
 FloatArray = NDArray[np.float64]
 
@@ -43,20 +43,20 @@ class Directions(NamedTuple):
     flux: FloatArray
 
 
-def directions(grid: Grid, counts: tuple[int, ...]) -> Directions:
+def directions(grid: MomentsGrid, counts: tuple[int, ...]) -> Directions:
     """Gauss-Legendre directions on each side of the horizon of every radius.
 
     Parameters
     ----------
-    grid : Grid
-        Grid with the radii.
+    grid : MomentsGrid
+        MomentsGrid with the radii.
     counts : tuple of int
         Number of directions on each side; or those of the panel next to the horizon and of the rest
         of the side.
 
     Examples
     --------
-    >>> ground = Grid(1.0, 1.02, np.ones(1), *[np.zeros(0)] * 4)
+    >>> ground = MomentsGrid(1.0, 1.02, np.ones(1), *[np.zeros(0)] * 4)
     >>> directions(ground, (1, 1)).mu.round(3).tolist()
     [[-0.069, -0.569, 0.069, 0.569]]
     """

@@ -81,7 +81,7 @@ def violates_energy_balance(energy: FloatArray, tolerance: float) -> bool:
     energy : array, shape (nl,)
         Result of ``energy_error``. [1]
     tolerance : float
-        ``Settings.energy_tolerance``. [1]
+        ``MomentsSettings.energy_tolerance``. [1]
     """
     return bool(energy.max() > 0.5 * tolerance)
 

@@ -41,7 +41,7 @@ _SAMPLES: Final = 8193
 _LOOKUP = 8192
 
 
-class Grid(NamedTuple):
+class MomentsGrid(NamedTuple):
     """Nodes of a solution in radius and sun elevation.
 
     Attributes
@@ -76,8 +76,8 @@ def make_grid(
     sun_angles: int,
     depths: Depths,
     first_nodes: FloatArray,
-) -> tuple[Grid, int]:
-    """Grid of a shell, and its refinement.
+) -> tuple[MomentsGrid, int]:
+    """MomentsGrid of a shell, and its refinement.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def make_grid(
 
     Returns
     -------
-    grid : Grid
+    grid : MomentsGrid
     refinement : int
         Step, in radii of the grid, between those at which light is gathered.
     """
@@ -114,7 +114,7 @@ def make_grid(
     levels = radial_grid(even, depths, radii)
     r = bottom_radius + levels.altitudes
     r[0], r[-1] = bottom_radius, top_radius
-    grid = Grid(
+    grid = MomentsGrid(
         float(bottom_radius),
         float(top_radius),
         r,

@@ -26,7 +26,7 @@ from airlight.solvers.moments.convergence import (
 )
 from airlight.solvers.moments.energy_balance import energy_error
 from airlight.solvers.moments.first_order import first_order_radius, first_order_radius_narrow
-from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.grid import MomentsGrid
 from airlight.solvers.moments.harmonics import EVEN, POLARISED
 from airlight.solvers.moments.iterate_update import (
     add_first_order,
@@ -35,7 +35,7 @@ from airlight.solvers.moments.iterate_update import (
 )
 from airlight.solvers.moments.limits import check_limits
 from airlight.solvers.moments.packing import pack_light
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 from airlight.solvers.moments.setup import Setup, WavelengthBatch
 from airlight.solvers.moments.spectral_initial_guess import SpectralGuess, wavelength_batches
 from airlight.solvers.moments.stopping import Iteration, Stopping
@@ -89,7 +89,7 @@ class Moments:
     ----------
     degree : int
         Degree of the harmonics.
-    grid : Grid
+    grid : MomentsGrid
         Nodes of the field.
     refinement : int
         Number of levels of the grid per radius of the sweep.
@@ -110,7 +110,7 @@ class Moments:
     """
 
     degree: int
-    grid: Grid
+    grid: MomentsGrid
     refinement: int
     field: Float32Array
     sky: Float32Array
@@ -123,7 +123,7 @@ class Moments:
 
 def solve_moments(
     geometry: RefractedGeometry,
-    settings: Settings,
+    settings: MomentsSettings,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -134,8 +134,8 @@ def solve_moments(
     ----------
     geometry : RefractedGeometry
         Refracted geometry of a medium with any number of wavelengths and constituents.
-    settings : Settings
-        Grid sizes and tolerance.
+    settings : MomentsSettings
+        MomentsGrid sizes and tolerance.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 

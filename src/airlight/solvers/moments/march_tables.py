@@ -64,7 +64,7 @@ class MarchTables(NamedTuple):
     ends : array, shape (n,)
         Altitudes at which panels end, from ``panel_ends``. [m]
     row, place : array
-        Fields of ``Grid``.
+        Fields of ``MomentsGrid``.
     start, ahead, back : array
         Fields of ``Harmonics``.
     rules : array, flat

@@ -14,7 +14,7 @@ from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import compiled_loop
 from airlight.optics.density_profile import DensitySegments
 from airlight.solvers.moments.directions import directions
-from airlight.solvers.moments.grid import Grid
+from airlight.solvers.moments.grid import MomentsGrid
 from airlight.tables.columns import density_table, new_path, split_at_profile_edges, trace_resolved
 
 FloatArray = NDArray[np.float64]
@@ -131,7 +131,7 @@ def trace_into(
 
 
 def trace_rays(
-    grid: Grid,
+    grid: MomentsGrid,
     density: DensitySegments,
     strongest: FloatArray,
     angles: tuple[int, ...],
@@ -145,8 +145,8 @@ def trace_rays(
 
     Parameters
     ----------
-    grid : Grid
-        Grid whose radii the rays start from.
+    grid : MomentsGrid
+        MomentsGrid whose radii the rays start from.
     density : DensitySegments
         Density profiles.
     strongest : array, shape (nc,)

@@ -9,7 +9,7 @@ from airlight.solvers.quality import settings_by_name
 
 
 @dataclass(frozen=True, kw_only=True)
-class Settings:
+class MomentsSettings:
     """Grid sizes and tolerances of the moments solver.
 
     Attributes
@@ -77,7 +77,7 @@ class Settings:
 
 
 QUALITIES: Final = {
-    "preview": Settings(
+    "preview": MomentsSettings(
         degree=4,
         thick_degree=6,
         layer_degree=12,
@@ -98,7 +98,7 @@ QUALITIES: Final = {
         cut_panels=1,
         energy_tolerance=3e-2,
     ),
-    "default": Settings(
+    "default": MomentsSettings(
         degree=9,
         thick_degree=16,
         radii=24,
@@ -117,7 +117,7 @@ QUALITIES: Final = {
         cut_nodes=(20, 24, 28),
         cut_panels=1,
     ),
-    "fine": Settings(
+    "fine": MomentsSettings(
         degree=16,
         thick_degree=24,
         layer_degree=24,
@@ -140,7 +140,7 @@ QUALITIES: Final = {
 }
 
 
-def settings_for(quality: str | Settings) -> Settings:
+def settings_for(quality: str | MomentsSettings) -> MomentsSettings:
     """Settings of a named quality level; settings are returned unchanged.
 
     Raises

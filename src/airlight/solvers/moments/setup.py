@@ -1,4 +1,4 @@
-"""Grid, rays and optics that a solve derives from a medium, shared by CPU, GPU and browser.
+"""MomentsGrid, rays and optics that a solve derives from a medium, shared by CPU, GPU and browser.
 
 ``Setup`` is shared by all wavelengths; ``WavelengthBatch`` adds those that are solved together.
 """
@@ -21,7 +21,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.layered_columns import column_radii
 from airlight.solvers.moments.adaptive_quadrature import adaptive_quadrature
 from airlight.solvers.moments.delta_m import Optics, panel_ends
-from airlight.solvers.moments.grid import Grid, make_grid
+from airlight.solvers.moments.grid import MomentsGrid, make_grid
 from airlight.solvers.moments.harmonics import Harmonics, harmonics, moment_count
 from airlight.solvers.moments.levels import FEW_NODES
 from airlight.solvers.moments.opaque_culling import cull_opaque
@@ -33,7 +33,7 @@ from airlight.solvers.moments.packing import (
 )
 from airlight.solvers.moments.ray_optics import Azimuths, ScaledOptics
 from airlight.solvers.moments.rays import Rays, trace_rays
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.tables.column_ratios import column_rows, rational_mean_density
 from airlight.tables.columns import ColumnTable
@@ -73,15 +73,15 @@ class Setup:
     ----------
     geometry : RefractedGeometry
         Refracted geometry of a medium with any number of wavelengths and constituents.
-    settings : Settings
-        Grid sizes and tolerance.
+    settings : MomentsSettings
+        MomentsGrid sizes and tolerance.
     extinction_headroom : float
         Factor of the extinction for which grid and rays are made: above 1 if later edits that
         increase extinction reuse them. [1]
     """
 
     geometry: RefractedGeometry
-    settings: Settings
+    settings: MomentsSettings
     extinction_headroom: float = 1.0
 
     @property
@@ -105,7 +105,7 @@ class Setup:
         return moment_count(self.degree)
 
     @cached_property
-    def _nodes(self) -> tuple[Grid, int]:
+    def _nodes(self) -> tuple[MomentsGrid, int]:
         medium, settings, depths = self.medium, self.settings, self.optics.depths
         return make_grid(
             medium.bottom_radius,
@@ -117,7 +117,7 @@ class Setup:
         )
 
     @property
-    def grid(self) -> Grid:
+    def grid(self) -> MomentsGrid:
         """Nodes in radius and in sun elevation."""
         return self._nodes[0]
 
@@ -127,8 +127,8 @@ class Setup:
         return self._nodes[1]
 
     @cached_property
-    def gathering(self) -> Grid:
-        """Grid with only the radii of the sweep."""
+    def gathering(self) -> MomentsGrid:
+        """MomentsGrid with only the radii of the sweep."""
         return self.grid._replace(radii=self.grid.radii[:: self.refinement])
 
     @cached_property

@@ -31,7 +31,7 @@ from airlight.solvers.moments.iterate import FALLBACK_SCHEMES, Moments
 from airlight.solvers.moments.march import march
 from airlight.solvers.moments.march_tables import MarchTables, new_workspace, quadratures
 from airlight.solvers.moments.packing import filled, pack, pack_light
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.refracted_geometry import RefractedGeometry
 from airlight.solvers.solution import Report, Solution
@@ -54,7 +54,7 @@ class MomentsSolution(Solution):
     ----------
     medium : Medium
         Solved medium.
-    settings : Settings
+    settings : MomentsSettings
         Grid sizes and tolerance.
     moments : Moments
         Result of the iteration.
@@ -67,7 +67,7 @@ class MomentsSolution(Solution):
     def __init__(
         self,
         medium: Medium,
-        settings: Settings,
+        settings: MomentsSettings,
         moments: Moments,
         seconds: float,
         geometry: RefractedGeometry | None = None,

@@ -22,7 +22,7 @@ from airlight.planets.medium import Medium
 from airlight.solvers.moments.energy_balance import imbalance, violates_energy_balance
 from airlight.solvers.moments.harmonics import moment_count
 from airlight.solvers.moments.iterate import Moments, solve_moments
-from airlight.solvers.moments.settings import Settings, settings_for
+from airlight.solvers.moments.settings import MomentsSettings, settings_for
 from airlight.solvers.moments.setup import Setup
 from airlight.solvers.moments.solution import MomentsSolution
 from airlight.solvers.refracted_geometry import RefractedGeometry
@@ -30,7 +30,7 @@ from airlight.solvers.refracted_geometry import RefractedGeometry
 
 def solve(
     medium: Medium,
-    settings: Settings,
+    settings: MomentsSettings,
     *,
     cache: bool = True,
     progress: Progress | None = None,
@@ -45,7 +45,7 @@ def solve(
     ----------
     medium : Medium
         Medium to solve.
-    settings : Settings
+    settings : MomentsSettings
         Grid sizes and tolerance.
     cache : bool
         Whether to read the solution from the cache on disk and to write it there.
@@ -79,7 +79,7 @@ def solve(
 
 
 def _computed(
-    medium: Medium, settings: Settings, *, progress: Progress | None, cancel: Cancel | None
+    medium: Medium, settings: MomentsSettings, *, progress: Progress | None, cancel: Cancel | None
 ) -> MomentsSolution:
     geometry = RefractedGeometry.of(medium)
     started = perf_counter()
@@ -89,7 +89,7 @@ def _computed(
     return MomentsSolution(medium, settings, moments, perf_counter() - started, geometry)
 
 
-def _stored(key: str, medium: Medium, settings: Settings) -> MomentsSolution | None:
+def _stored(key: str, medium: Medium, settings: MomentsSettings) -> MomentsSolution | None:
     """Solution from the cache, or None."""
     stored = disk.load(key)
     if stored is None:
@@ -126,7 +126,7 @@ def _warned(solution: MomentsSolution) -> MomentsSolution:
     return solution
 
 
-def solve_work(quality: str | Settings, wavelengths: int) -> float:
+def solve_work(quality: str | MomentsSettings, wavelengths: int) -> float:
     """Estimated work of a solve: five sweeps of a dusty atmosphere, moments times ray points. [1]
 
     The degree and the number of points are typical, since those of a planet take as long as a
@@ -134,7 +134,7 @@ def solve_work(quality: str | Settings, wavelengths: int) -> float:
 
     Parameters
     ----------
-    quality : str or Settings
+    quality : str or MomentsSettings
         Quality of the solution.
     wavelengths : int
         Number of wavelengths.
@@ -146,7 +146,7 @@ def solve_work(quality: str | Settings, wavelengths: int) -> float:
     return 5.0 * -(-wavelengths // LANES) * points * moment_count(degree)
 
 
-def _key(medium: Medium, settings: Settings) -> str:
+def _key(medium: Medium, settings: MomentsSettings) -> str:
     text = f"moments {fingerprint(Path(__file__))} {settings.as_text()} {medium.fingerprint()}"
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 

@@ -52,7 +52,7 @@ def place_stars(
     sine_s, mu_s : float32
         Sine and cosine of the star's zenith angle at the start of the ray. [1]
     places : array
-        ``Grid.place`` in single precision.
+        ``MomentsGrid.place`` in single precision.
     sun_angles : int
         Number of sun elevations.
     columns, shares, steps, sines : array, shape (points·8,)

@@ -22,7 +22,7 @@ from airlight.solvers.moments.convergence import (
     counted_changes,
     estimated_tail,
 )
-from airlight.solvers.moments.settings import Settings
+from airlight.solvers.moments.settings import MomentsSettings
 
 FloatArray = NDArray[np.float64]
 Float32Array = NDArray[np.float32]
@@ -71,7 +71,7 @@ class Stopping:
     night: float
 
     @classmethod
-    def of_sweeps(cls, settings: Settings) -> Stopping:
+    def of_sweeps(cls, settings: MomentsSettings) -> Stopping:
         """Rule for the CPU, with synthetic acceleration."""
         return cls(
             tolerance=settings.tolerance,
@@ -82,7 +82,7 @@ class Stopping:
         )
 
     @classmethod
-    def of_passes(cls, settings: Settings) -> Stopping:
+    def of_passes(cls, settings: MomentsSettings) -> Stopping:
         """Rule for the GPU, in Python and in the browser: plain successive orders in float32."""
         return cls(
             tolerance=settings.tolerance,

@@ -231,7 +231,7 @@ def sweep_radius(
     ----------
     i : int
         Index of the radius.
-    grid, rays, azimuths, air : Grid, Rays, Azimuths, ScaledOptics
+    grid, rays, azimuths, air : MomentsGrid, Rays, Azimuths, ScaledOptics
         Shell, its rays, and its optics.
     norm : array, shape (r·a·8,)
         Normalisation factors from ``cull_opaque``. [1]

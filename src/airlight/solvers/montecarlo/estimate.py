@@ -21,7 +21,7 @@ from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.solvers.montecarlo.histories import trace_paths
 from airlight.solvers.montecarlo.history_optics import HistoryOptics
 from airlight.solvers.montecarlo.rays import new_trace
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 from airlight.solvers.montecarlo.streams import stream
 from airlight.solvers.montecarlo.sun_biased_sampling import new_sampling_density
 
@@ -103,7 +103,7 @@ def estimate(
     query: Query,
     airs: Sequence[HistoryOptics],
     wavelengths: FloatArray,
-    settings: Settings,
+    settings: MonteCarloSettings,
     *,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
@@ -117,7 +117,7 @@ def estimate(
         Optical properties at each wavelength.
     wavelengths : array, shape (nl,)
         Wavelengths, from which the streams of random numbers are derived. [nm]
-    settings : Settings
+    settings : MonteCarloSettings
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``.
 
@@ -192,7 +192,7 @@ def estimate(
 
 def _run_block(
     query: Query, line: int, at: int, air: HistoryOptics, nm: float, block: int,
-    settings: Settings, out: FloatArray,
+    settings: MonteCarloSettings, out: FloatArray,
 ) -> None:  # fmt: skip
     """Run one block of histories of one task."""
     start = query.starts[line]
@@ -247,7 +247,7 @@ def _criterion(
 
 def _more(
     query: Query, sums: FloatArray, blocks: NDArray[np.int64], known: FloatArray,
-    open_: NDArray[np.bool_], settings: Settings, most: int,
+    open_: NDArray[np.bool_], settings: MonteCarloSettings, most: int,
 ) -> NDArray[np.int64]:  # fmt: skip
     """Number of blocks of each task after the next round, shape (tasks,)."""
     means, errors = _statistics(sums, blocks * BLOCK)

@@ -10,7 +10,7 @@ from airlight.solvers.quality import settings_by_name
 
 
 @dataclass(frozen=True, kw_only=True)
-class Settings:
+class MonteCarloSettings:
     """Stopping rule of a Monte Carlo estimate.
 
     Attributes
@@ -57,13 +57,13 @@ class Settings:
 
 
 QUALITIES: Final = {
-    "preview": Settings(relative_error=0.03, most_histories=200_000),
-    "default": Settings(relative_error=0.005, most_histories=4_000_000),
-    "fine": Settings(relative_error=0.001, most_histories=50_000_000),
+    "preview": MonteCarloSettings(relative_error=0.03, most_histories=200_000),
+    "default": MonteCarloSettings(relative_error=0.005, most_histories=4_000_000),
+    "fine": MonteCarloSettings(relative_error=0.001, most_histories=50_000_000),
 }
 
 
-def settings_for(quality: str | Settings) -> Settings:
+def settings_for(quality: str | MonteCarloSettings) -> MonteCarloSettings:
     """Settings of a named quality level; settings are returned unchanged.
 
     Raises

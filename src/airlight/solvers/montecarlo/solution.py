@@ -20,7 +20,7 @@ from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.montecarlo.estimate import Estimate, Query, estimate
 from airlight.solvers.montecarlo.history_optics import history_optics
 from airlight.solvers.montecarlo.refracted_paths import refracted_direct_irradiance
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 from airlight.solvers.single_scattering import reflected_once, single_scattering
 from airlight.solvers.solution import Report, Solution
 from airlight.solvers.star_light import direct_irradiance
@@ -83,7 +83,7 @@ class MonteCarloSolution(Solution):
     ----------
     medium : Medium
         Medium to solve.
-    settings : Settings
+    settings : MonteCarloSettings
         Stopping rule.
     progress, cancel : callable, optional
         See ``airlight.kernel.threads``; for every result.
@@ -92,7 +92,7 @@ class MonteCarloSolution(Solution):
     def __init__(
         self,
         medium: Medium,
-        settings: Settings,
+        settings: MonteCarloSettings,
         *,
         progress: Progress | None = None,
         cancel: Cancel | None = None,
@@ -402,7 +402,7 @@ def disc_mean(
 
 def solve(
     medium: Medium,
-    settings: Settings,
+    settings: MonteCarloSettings,
     *,
     cache: bool = True,
     progress: Progress | None = None,
@@ -414,7 +414,7 @@ def solve(
     ----------
     medium : Medium
         Medium to solve.
-    settings : Settings
+    settings : MonteCarloSettings
         Stopping rule.
     cache : bool
         Ignored: nothing is cached on disk.

@@ -13,7 +13,7 @@ from airlight.errors import Cancelled
 from airlight.kernel.threads import Cancel
 from airlight.planets import Planet, load_planet, replace
 from airlight.solvers import solve
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 from airlight.solvers.montecarlo.solution import MonteCarloSolution
 from airlight.validation.agreement import LEAST_RADIANCE, NOISE
 from airlight.validation.cases import CASES, WAVELENGTHS, Case, geometry
@@ -30,7 +30,7 @@ TOLERANCE, DEGREE = 0.01, 0.01
 #: Cosine of the angle from the star below which a line is in the aureole, whose light is hardly
 #: polarised and a matter of the forward peak.
 AUREOLE: Final = float(np.cos(np.radians(10.0)))
-HISTORIES: Final = Settings(relative_error=0.003, most_histories=65_536)
+HISTORIES: Final = MonteCarloSettings(relative_error=0.003, most_histories=65_536)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,7 +41,7 @@ class PolarisedPlanet:
     ----------
     planet : str
         Name of a preset. Its star is taken as a point, and its light as straight.
-    histories : Settings
+    histories : MonteCarloSettings
         Stopping rule of the histories.
     level : float
         Altitude that stands for the ground in the cases. [m]
@@ -54,7 +54,7 @@ class PolarisedPlanet:
     """
 
     planet: str
-    histories: Settings = HISTORIES
+    histories: MonteCarloSettings = HISTORIES
     level: float = 0.0
     latest: float = 180.0
     noise: float = 0.01
@@ -68,7 +68,7 @@ PLANETS: Final = (
     PolarisedPlanet(planet="mars"),
     PolarisedPlanet(
         planet="venus",
-        histories=Settings(relative_error=0.02, most_histories=16_384),
+        histories=MonteCarloSettings(relative_error=0.02, most_histories=16_384),
         level=70e3,
         latest=60.0,
         noise=0.03,
@@ -155,7 +155,7 @@ class Beside:
 
 def beside(
     planet: Planet, wavelengths: tuple[float, ...] = WAVELENGTHS, quality: Any = "default",
-    histories: Settings = HISTORIES, *, cases: Sequence[Case] = CASES, level: float = 0.0,
+    histories: MonteCarloSettings = HISTORIES, *, cases: Sequence[Case] = CASES, level: float = 0.0,
     noise: float = 0.01, progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> Beside:  # fmt: skip
     """Solve a planet three times: polarised, scalar, and by histories.
@@ -165,9 +165,9 @@ def beside(
     planet : Planet
     wavelengths : tuple of float
         Wavelengths. [nm]
-    quality : str or Settings
+    quality : str or MonteCarloSettings
         Quality of the moments solver.
-    histories : Settings
+    histories : MonteCarloSettings
         Stopping rule of the histories.
     cases : sequence of Case
         Lines of sight.

@@ -13,7 +13,7 @@ from airlight.planets import Constituent, Ground, Planet, Star
 from airlight.planets.matter.phases import Rayleigh
 from airlight.planets.matter.profiles import Layer, Layered
 from airlight.solvers import solve as solve_planet
-from airlight.solvers.montecarlo.settings import Settings
+from airlight.solvers.montecarlo.settings import MonteCarloSettings
 from airlight.validation.metrics import summarise
 from airlight.validation.published.row import Solve
 from airlight.validation.suite import Part, ReportTable, Threshold
@@ -39,7 +39,7 @@ LINES: Final = (
 #: the zenith are left out: theirs is off by 0.27 of the degree one degree from it.
 MEDIAN_THRESHOLD, HIGH_THRESHOLD, DEGREE_THRESHOLD = 0.3, 1.0, 0.005
 #: Histories that judge both for the same lines.
-HISTORIES: Final = Settings(relative_error=0.002, most_histories=100_000)
+HISTORIES: Final = MonteCarloSettings(relative_error=0.002, most_histories=100_000)
 
 
 class Sky(NamedTuple):
@@ -117,7 +117,7 @@ def round_air(solve: Solve, quality: object = "default") -> tuple[list[Threshold
     ----------
     solve : callable
         See ``published.row.Solve``.
-    quality : str or Settings
+    quality : str or MonteCarloSettings
         Quality of the moments solver.
     """
     sky = reference_sky()

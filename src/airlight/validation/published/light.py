@@ -47,7 +47,7 @@ def earth(solve: Solve, quality: object = "default") -> list[PublishedSection]:
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or Settings, optional
+    quality : str or MomentsSettings, optional
         Quality of the solver.
     """
     average = solve(load_planet("earth", average_aerosol()), TWILIGHT_WAVELENGTHS, quality)

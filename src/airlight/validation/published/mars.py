@@ -33,7 +33,7 @@ def daylight(solve: Solve, quality: object = "default") -> PublishedSection:
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or Settings
+    quality : str or MomentsSettings
     """
     rows = []
     for dust in DUST:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.errors import FileError
 from airlight.planets import Planet
-from airlight.validation.cases import LinesOfSight
+from airlight.validation.cases import CaseLines
 from airlight.validation.reference_earth import reference_earth
 
 FloatArray = NDArray[np.float64]
@@ -34,7 +34,7 @@ class ReferenceScene:
         Name of the air, as in the file.
     albedo : float
         Albedo of the ground. [1]
-    geometry : LinesOfSight
+    geometry : CaseLines
         Lines of sight, arrays of shape (n,). [m], [deg]
     radiance, standard_error : array, shape (n, 3)
         Values at 680, 550 and 440 nm, per irradiance of the sun. [sr⁻¹]
@@ -42,7 +42,7 @@ class ReferenceScene:
 
     name: str
     albedo: float
-    geometry: LinesOfSight
+    geometry: CaseLines
     radiance: FloatArray
     standard_error: FloatArray
 
@@ -104,7 +104,7 @@ def _scene(name: str, albedo: float, rows: list[dict[str, str]]) -> ReferenceSce
     def rgb(quantity: str) -> FloatArray:
         return np.stack([column(f"{quantity}_{nm}nm") for nm in _NM], axis=1)
 
-    geometry = LinesOfSight(
+    geometry = CaseLines(
         altitude=column("altitude_m"),
         sun_zenith=column("sun_zenith_deg"),
         view_zenith=column("view_zenith_deg"),

@@ -25,7 +25,7 @@ from airlight.solvers.moments.delta_m import Optics
 from airlight.solvers.moments.iterate import POLARISED_OVER_RELAXATION
 from airlight.solvers.moments.levels import finer_weights
 from airlight.solvers.moments.packing import filled
-from airlight.solvers.moments.settings import QUALITIES, Settings
+from airlight.solvers.moments.settings import QUALITIES, MomentsSettings
 from airlight.solvers.moments.setup import (
     LATERAL_THRESHOLD,
     NUMERICAL_DIFFUSION,
@@ -53,21 +53,23 @@ _TOLERANCE: Final = 2e-3
 _HEADROOM: Final = 2.0
 
 
-def page_settings() -> Settings:
+def page_settings() -> MomentsSettings:
     """Solver settings of a page: like ``preview``, with the degree that thick dust needs."""
     preview = QUALITIES["preview"]
     return replace(preview, degree=preview.thick_degree, tolerance=_TOLERANCE)
 
 
-def solver_data(solution: MomentsSolution, settings: Settings | None = None) -> dict[str, Any]:
+def solver_data(
+    solution: MomentsSolution, settings: MomentsSettings | None = None
+) -> dict[str, Any]:
     """Data of the solver as JSON values, read by ``web/solving/solver.js``.
 
     Parameters
     ----------
     solution : MomentsSolution
         Solution of the unedited planet at three or four wavelengths.
-    settings : Settings, optional
-        Settings for solving edits; by default ``page_settings()``.
+    settings : MomentsSettings, optional
+        MomentsSettings for solving edits; by default ``page_settings()``.
 
     Returns
     -------
