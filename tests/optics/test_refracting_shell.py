@@ -48,5 +48,5 @@ def test_light_that_would_follow_the_ground_is_refused() -> None:
 
 def test_refractivity_that_grows_with_height_is_refused() -> None:
     # The lower half of a tent: the bending would change its sign.
-    with pytest.raises(ParameterError, match=r"grows with height at"):
+    with pytest.raises(ParameterError, match=r"increases with height at"):
         shell(ROWS, np.array([0.0, 1e-5, 0.0]))
