@@ -55,7 +55,7 @@ class DirectSolution(Solution):
     medium : Medium
         Medium that was solved.
     settings : DirectSettings
-        DirectSettings of the solver.
+        Settings of the solver.
     parts : list of (Medium, Orders)
         Medium and its orders; for the literal first notes one pair per scattering constituent.
     seconds : float
@@ -218,7 +218,7 @@ def solve(
     medium : Medium
         Medium to solve.
     settings : DirectSettings
-        DirectSettings of the solver.
+        Settings of the solver.
     cache : bool
         Whether to read the solution from the cache on disk, and to write it there.
     progress, cancel : callable, optional

@@ -193,7 +193,7 @@ class Optics:
         medium : Medium
             Medium with all wavelengths.
         settings : MomentsSettings
-            MomentsSettings with the degrees for optically thin and thick media.
+            Settings with the degrees for optically thin and thick media.
         """
         layers = bool(medium.thin_layers)
         highest = settings.layer_degree if layers else settings.thick_degree
