@@ -37,8 +37,8 @@ def on_gpu(device: Device) -> Callable[..., Any]:
 
     An input is an array or a number, passed at run time (floats as f32, integers as i32, bools),
     or a ``Value`` of the emitter, such as a ``Constant``. ``tables`` and ``spectra``, the latter of
-    shape (n, 4), are the arrays of the ``ShaderTable`` values by name. The result is an array, or a
-    tuple of them, in the inputs' common shape; four wavelengths are its last axis.
+    shape (..., 4), are the arrays of the ``ShaderTable`` values by name. The result is an array, or
+    a tuple of them, in the inputs' common shape; four wavelengths are its last axis.
     """
 
     def run(
@@ -85,7 +85,7 @@ def _run(
     assert len(numbers) <= 8, "two targets are all that a browser allows"
     numbers += ["0.0"] * (8 - len(numbers))
     shapes = [(name, array.shape, True) for name, array in tables.items()]
-    shapes += [(name, array.shape[:1], False) for name, array in spectra.items()]
+    shapes += [(name, array.shape[:-1], False) for name, array in spectra.items()]
     declared = "".join(_declared(*one, binding) for binding, one in enumerate(shapes, start=1))
     source = f"""{emitter.module()}
 @group(0) @binding(0) var inputs: texture_2d<f32>;
@@ -103,7 +103,7 @@ struct Results {{ @location(0) first: vec4f, @location(1) second: vec4f }}
     for name, array in tables.items():
         resources[f"texture_{name}"] = flat_texture(device, np.ravel(array))
     for name, array in spectra.items():
-        resources[f"texture_{name}"] = flat_texture(device, array)
+        resources[f"texture_{name}"] = flat_texture(device, array.reshape(-1, 4))
     targets = [empty_flat_texture(device, max(count, 1), 4) for _ in range(2)]
     FragmentPass(device, source, "results", ["rgba32float"] * 2, function.__name__).draw(
         resources, targets

@@ -23,7 +23,7 @@ from airlight.gpu.emit.shader_types import ShaderTable
 from airlight.gpu.picture.display_shaders import all_shaders
 from airlight.gpu.solver import passes as solver_passes
 from airlight.gpu.solver import ray_sums
-from airlight.kernel.lanes import LANES, lane_array, load, store
+from airlight.kernel.lanes import lane_array, lane_view, store
 from airlight.optics import altitude_nodes
 from airlight.pixels import pixel as picture
 from airlight.solvers.moments import first_order, harmonics, ray_optics, source
@@ -53,7 +53,7 @@ def uniform(low: float, high: float) -> np.ndarray:
 
 def lanes(*shape: int, low: float = 0.0, high: float = 1.0) -> np.ndarray:
     """Table of four wavelengths."""
-    return RNG.uniform(low, high, (int(np.prod(shape)), 4)).astype(np.float32)
+    return RNG.uniform(low, high, (*shape, 4)).astype(np.float32)
 
 
 # --- compared functions: numbers first, then tables, then spectral tables ------------------------
@@ -62,37 +62,37 @@ def lanes(*shape: int, low: float = 0.0, high: float = 1.0) -> np.ndarray:
 def through_three(a, b, c, extinction):
     here = np.empty(THREE)
     here[0], here[1], here[2] = a, b, c
-    return source.transmittance_columns(here, extinction, THREE, LANES, 0)
+    return source.transmittance_columns(here, lane_view(extinction), THREE)
 
 
 def star_of_two(seen, a, b, c, spread, extinction):
     here, there = np.empty(THREE), np.empty(THREE)
     here[0], here[1], here[2] = a, b, c
     there[0], there[1], there[2] = c, a, b
-    return source.direct_beam(seen, here, there, spread, extinction, THREE, LANES, 0)
+    return source.direct_beam(seen, here, there, spread, lane_view(extinction), THREE)
 
 
 def scattered_by_three(a, b, c, scattering, phase):
     here = np.empty(THREE, np.float32)
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
-    return source.single_scattering_source(here, scattering, phase, THREE, LANES, 0)
+    return source.single_scattering_source(here, lane_view(scattering), lane_view(phase), THREE)
 
 
 def level_by_two(a, b, c, low, high, extinction):
     here, there = np.empty(THREE), np.empty(THREE)
     here[0], here[1], here[2] = a, b, c
     there[0], there[1], there[2] = c, a, b
-    return source.direct_horizontal(here, there, low, high, extinction, THREE, LANES, 0)
+    return source.direct_horizontal(here, there, low, high, lane_view(extinction), THREE)
 
 
 def level_under_sky(place, share, sky):
-    return source.diffuse_horizontal(sky, place, share, LANES, 0)
+    return source.diffuse_horizontal(lane_view(sky), place, share)
 
 
 def third_phase(half_sine, table):
     out = lane_array(THREE)
-    source.read_phase(half_sine, table, NODES, LANES * THREE, out)
-    return load(out, LANES * 2)
+    source.read_phase(half_sine, table, out)
+    return lane_view(out)[2]
 
 
 def some_harmonics(mu, start, ahead, back):
@@ -118,18 +118,17 @@ def multiple_scattering_of_four(
     here[0], here[1], here[2] = np.float32(a), np.float32(b), np.float32(c)
     out = np.empty(TERMS, np.float32)
     harmonics.legendre_functions(mu, (DEGREE, start, ahead, back), out)
-    block = LANES * (1 + MOMENTS)
     g, h = np.float32(1.0 - f), np.float32(1.0 - e)
     f, e = np.float32(f), np.float32(e)
     return source.multiple_scattering_source(
-        here, moments, polarised_moments, field, out, 0, 2 * block, block, g * h, g * e, f * h,
-        f * e, DEGREE, THREE, LANES, 0,
+        here, lane_view(moments), lane_view(polarised_moments), lane_view(field), out, 0, 0, g * h,
+        g * e, f * h, f * e, DEGREE, THREE,
     )  # fmt: skip
 
 
 def between_four(a, b, c, d, field):
     return source.between(
-        field, 0, 2 * LANES, LANES, np.float32(a), np.float32(b), np.float32(c), np.float32(d)
+        lane_view(field), 0, 0, 1, np.float32(a), np.float32(b), np.float32(c), np.float32(d)
     )
 
 
@@ -188,11 +187,11 @@ def sky_between(row, sky, azimuth, table):
     column, right = picture.texel_before(7.0 * azimuth, 0, 7)
     line, down = picture.texel_before(5.0 * row, 0, 5)
     near = (line if sky else line + 6) * 8 + column
-    return picture.between_texels(table, near, 8, right, down, LANES, 0)
+    return picture.between_texels(lane_view(table), near, 8, right, down)
 
 
 def depth_of_row(first, column, extinction):
-    return ray_optics.optical_depth(column, first, extinction, THREE)
+    return ray_optics.optical_depth(column, first, lane_view(extinction), THREE)
 
 
 def star_at_point(point, mu_s, nu, turn):
@@ -204,11 +203,11 @@ def star_at_ground(i, a, mu_s, nu, end):
 
 
 def strength_of_point(point, l, amount, moments):
-    return ray_optics.strength_of(moments, amount, point, l, DEGREE, THREE)
+    return ray_optics.strength_of(lane_view(moments), amount, point, l, THREE)
 
 
 def through_whole_ray(first, total, extinction):
-    return ray_optics.transmittance_ray(extinction, total, first, THREE)
+    return ray_optics.transmittance_ray(lane_view(extinction), total, first, THREE)
 
 
 def angle_leaving(i, a, mu, end):
@@ -216,25 +215,25 @@ def angle_leaving(i, a, mu, end):
 
 
 def sky_on_ground(mu_s, place, ground):
-    return ray_optics.sky_at(ground, mu_s, place, NODES)
+    return ray_optics.sky_at(lane_view(ground), mu_s, place, NODES)
 
 
 def emitted_by(a, scale):
-    return block_rays.emitted(load(scale, 0) * np.float32(a))
+    return block_rays.emitted(lane_view(scale)[0] * np.float32(a))
 
 
 def through_a_row(local, x, depths):
-    return first_order.transmittance_row(depths, local, x, NODES)
+    return first_order.transmittance_row(lane_view(depths), local, x, NODES)
 
 
 def depth_above(row, f, place, distance, ratios, extinction):
-    return ray_sums.depth_towards(ratios, row, f, place, distance, extinction, THREE)
+    return ray_sums.depth_towards(ratios, row, f, place, distance, lane_view(extinction), THREE)
 
 
 def phases_from_moments(nu, moments):
-    out = lane_array(THREE)
-    ray_sums.fill_phases(moments, nu, DEGREE, THREE, out)
-    return load(out, LANES)
+    out = lane_view(lane_array(THREE))
+    ray_sums.fill_phases(lane_view(moments), nu, DEGREE, THREE, out)
+    return out[1]
 
 
 class Case(NamedTuple):
@@ -264,9 +263,7 @@ CELLS = np.concatenate([[0.0], np.cumsum([1.0, 2.0, 3.0, 2.0] * 4)])
 ROWS = np.sort(RNG.uniform(0.0, 7.0, 33))
 RATIOS = 1.0 + RNG.uniform(0.0, 0.2, (8, 16, THREE, 2))
 LIFT = np.stack([RNG.uniform(0.0, 0.01, (8, 12)), RNG.uniform(0.8, 1.0, (8, 12))], -1)
-FIELD = np.concatenate(
-    [lanes(4, 1, low=0.5).reshape(4, 1, 4), lanes(4, MOMENTS).reshape(4, MOMENTS, 4)], axis=1
-).reshape(-1, 4)
+FIELD = np.concatenate([lanes(2, 2, 1, low=0.5), lanes(2, 2, MOMENTS)], axis=2)
 
 CASES = [
     Case(through_three, (source.transmittance_columns,), AMOUNTS, {}, SPECTRA, DEPTH),
@@ -276,9 +273,9 @@ CASES = [
     Case(level_by_two, (source.direct_horizontal,),
          (*AMOUNTS, UNIT, 1.0 - UNIT), {}, SPECTRA, DEPTH),
     Case(level_under_sky, (source.diffuse_horizontal,),
-         (RNG.integers(0, NODES - 1, COUNT), UNIT), {}, {"sky": lanes(2 * NODES, low=0.1)}),
+         (RNG.integers(0, NODES - 1, COUNT), UNIT), {}, {"sky": lanes(1, NODES, 2, low=0.1)}),
     # The position in the table is accurate to EPS of its length, its slope is the table's step.
-    Case(third_phase, (source.read_phase,), (UNIT,), {}, {"table": lanes(NODES * THREE)},
+    Case(third_phase, (source.read_phase,), (UNIT,), {}, {"table": lanes(NODES, THREE)},
          atol=16 * NODES * EPS),
     # Four steps of the recurrence, each a difference of terms of order 2.
     Case(some_harmonics, (harmonics.legendre_functions,), (MU,), HARMONICS, atol=64 * EPS),
@@ -287,11 +284,12 @@ CASES = [
          atol=64 * EPS),
     Case(some_directed, (harmonics.directed_functions,), (MU, 2.0 * UNIT - 1.0), HARMONICS,
          atol=64 * EPS),
-    Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {}, {"field": lanes(4)}),
+    Case(between_four, (source.between,), (UNIT, UNIT, *AMOUNTS[:2]), {},
+         {"field": lanes(2, 2, 2)}),
     # Sums of 15 harmonics of either sign, over a scale of at least a half.
     Case(multiple_scattering_of_four, (source.multiple_scattering_source,),
          (*AMOUNTS, MU, UNIT, 1.0 - UNIT), HARMONICS,
-         {"moments": lanes(THREE * (DEGREE + 1)), "polarised_moments": lanes(4 * THREE),
+         {"moments": lanes(THREE, DEGREE + 1), "polarised_moments": lanes(THREE, 4),
           "field": FIELD},
          rtol=64 * EPS, atol=2048 * EPS),
     # r - R is accurate to EPS of R, which is 1e-5 of the shell's 100 km; steps of the table: 40.
@@ -332,23 +330,23 @@ CASES = [
          atol=4 * EPS),
     Case(strength_of_point, (ray_optics.strength_of,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, DEGREE + 1, COUNT)), {"amount": RNG.uniform(0.0, 1.0, (5, THREE))},
-         {"moments": lanes(THREE * (DEGREE + 1))}),
+         {"moments": lanes(THREE, DEGREE + 1)}),
     Case(through_whole_ray, (ray_optics.transmittance_ray,), (RNG.integers(0, 20, COUNT),),
          {"total": RNG.uniform(0.0, 2.0, 24)}, SPECTRA, DEPTH),
     Case(angle_leaving, (ray_optics.mu_r_at_end,), (RNG.integers(0, 5, COUNT),
          RNG.integers(0, 3, COUNT), MU), {"end": RNG.uniform(-1.0, 1.0, (5, 3, 2))},
          atol=4 * EPS),
     Case(sky_on_ground, (ray_optics.sky_at,), (MU,), {"place": np.linspace(0.0, NODES - 1.0, 33)},
-         {"ground": lanes(2 * NODES, low=0.1)}, rtol=32 * NODES * 4 * EPS),
+         {"ground": lanes(1, NODES, 2, low=0.1)}, rtol=32 * NODES * 4 * EPS),
     # 1 - e^-τ from its series or directly: exact where τ is small, to EPS of 1 elsewhere.
     Case(emitted_by, (block_rays.emitted,), (np.geomspace(1e-6, 20.0, COUNT),), {},
          {"scale": lanes(1, low=0.5)}, rtol=DEPTH),
     Case(through_a_row, (first_order.transmittance_row,), (RNG.integers(0, 3, COUNT),
-         uniform(0.0, NODES - 1.0)), {}, {"depths": lanes(3 * NODES)}, DEPTH),
+         uniform(0.0, NODES - 1.0)), {}, {"depths": lanes(3, NODES)}, DEPTH),
     Case(depth_above, (ray_sums.depth_towards,), (RNG.integers(0, 7, COUNT), UNIT,
          RNG.integers(0, 16, COUNT), uniform(0.0, 3.0)), {"ratios": RATIOS}, SPECTRA),
     Case(phases_from_moments, (ray_sums.fill_phases,), (MU,), {},
-         {"moments": lanes(THREE * (DEGREE + 1))}, atol=256 * EPS),
+         {"moments": lanes(THREE, DEGREE + 1)}, atol=256 * EPS),
 ]  # fmt: skip
 
 
@@ -363,9 +361,9 @@ def by_cpu(case: Case) -> list[np.ndarray]:
     tables = [table.astype(np.float32).astype(np.float64) for table in case.tables.values()]
     spectra = []
     for table in case.spectra.values():
-        wide = np.zeros((len(table), 8), np.float32)
-        wide[:, :4] = table
-        spectra.append(wide.ravel())
+        wide = np.zeros((*table.shape[:-1], 8), np.float32)
+        wide[..., :4] = table
+        spectra.append(wide)
     rows = []
     given = [
         one.astype(np.float32).astype(np.float64) if one.dtype.kind == "f" else one
@@ -388,7 +386,7 @@ def test_a_formula_with_tables_on_the_gpu_is_the_cpu_s(
 ) -> None:
     # A second compiler for the same source.
     values = [ShaderTable(name, table.ndim) for name, table in case.tables.items()]
-    values += [ShaderTable(name, 1, True) for name in case.spectra]
+    values += [ShaderTable(name, table.ndim - 1, True) for name, table in case.spectra.items()]
     seen = on_gpu(
         case.function, *case.inputs, *values, tables=dict(case.tables), spectra=dict(case.spectra)
     )

@@ -17,8 +17,8 @@ from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import I32, Constant
 from airlight.gpu.emit.uniform_struct import UniformStruct
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.kernel.lanes import LANES, load
-from airlight.kernel.shader_fields import CHOICE, SPECTRA, InTexture, scalars
+from airlight.kernel.lanes import lane_view
+from airlight.kernel.shader_fields import CHOICE, InTexture, scalars, spectra
 
 RNG = np.random.default_rng(8)
 COUNT = 12
@@ -26,7 +26,7 @@ COUNT = 12
 
 class Inner(NamedTuple):
     factor: float
-    tints: Annotated[Any, SPECTRA]
+    tints: Annotated[Any, spectra(2)]
 
 
 class Lamp(NamedTuple):
@@ -48,13 +48,13 @@ STRUCT = UniformStruct("lamp", (Lamp,), ("color",))
 ARRAYS = {
     "first": RNG.random((3, 4)),
     "second": RNG.random((2, 3, 2, 2)),
-    "tints": RNG.random((COUNT, 4)),
+    "tints": RNG.random((COUNT // 4, 4, 4)),
 }
 
 
 def shone(index, lamp):
     """Sum that reads every table at several places, and every number."""
-    total = load(lamp.inner.tints, LANES * index) * np.float32(lamp.inner.factor)
+    total = lane_view(lamp.inner.tints)[index // 4, index % 4] * np.float32(lamp.inner.factor)
     i = index % 3
     scale = lamp.first[i, index % 4] + lamp.second[index % 2, i, index % 2, 1] * lamp.height
     scale = scale + float(lamp.first.shape[1] + lamp.second.shape[1] + lamp.count)
@@ -93,13 +93,13 @@ def test_what_is_declared_arrives_in_the_shader(device: Device) -> None:
     )
     first, second, k = ARRAYS["first"], ARRAYS["second"], np.arange(COUNT)
     scale = first[k % 3, k % 4] + 2.0 * second[k % 2, k % 3, k % 2, 1] + 4 + 3 + 7 + 5
-    wanted = 0.5 * ARRAYS["tints"] * scale[:, None] + [0.0, 0.0, 3.0, 0.0]
+    wanted = 0.5 * ARRAYS["tints"].reshape(-1, 4) * scale[:, None] + [0.0, 0.0, 3.0, 0.0]
     assert_allclose(read_flat(device, target, COUNT), wanted, rtol=1e-6)
 
 
 def test_tables_lie_behind_each_other_in_their_textures() -> None:
     textures, places = STRUCT.laid_out(ARRAYS)
-    assert places == {"first": (0, 3, 4), "second": (12, 2, 3, 2, 2), "tints": (0, COUNT)}
+    assert places == {"first": (0, 3, 4), "second": (12, 2, 3, 2, 2), "tints": (0, COUNT // 4, 4)}
     assert_array_equal(textures["scalars"][12:, 0], ARRAYS["second"].astype(np.float32).ravel())
     assert textures["spectra"].shape == (COUNT, 4)
     assert "table_layer" not in STRUCT.vectors()

@@ -13,6 +13,8 @@ from airlight.kernel.lanes import (
     exponential,
     floored,
     folded,
+    lane_array,
+    lane_view,
     largest,
     load,
     load_two,
@@ -65,6 +67,27 @@ def across_lanes(x, y, out):
     store(out, 48, looked_up(y, load(x, 8)))
     store(out, 56, splat(largest(a)))
     store(out, 64, where_positive(a, b, splat(7.0)))
+
+
+@compiled_loop
+def matrix_product(matrix, vectors, out):
+    total = lane_view(lane_array(1))
+    for at in range(0, vectors.shape[2], LANES):
+        given, found = lane_view(vectors, at), lane_view(out, at)
+        for i in range(matrix.shape[0]):
+            for k in range(vectors.shape[1]):
+                total[0] = splat(0.0)
+                for j in range(matrix.shape[1]):
+                    total[0] += given[j, k] * np.float32(matrix[i, j])
+                found[i, k] = total[0]
+
+
+@compiled_loop
+def transposed(x, out):
+    given, found = lane_view(x), lane_view(out)
+    for i in range(given.shape[0]):
+        for j in range(given.shape[1]):
+            found[j, i] = given[i, j]
 
 
 def exponentials(x: np.ndarray) -> np.ndarray:
@@ -150,3 +173,18 @@ def test_lanes_are_paired_folded_and_looked_up() -> None:
         [a.max()] * LANES, np.where(a > 0.0, b, 7.0),
     ]  # fmt: skip
     assert_allclose(out.reshape(9, LANES), np.array(expected), rtol=2e-7)
+
+
+def test_views_have_the_axes_of_their_arrays() -> None:
+    # Second method: NumPy's product and transposition of the arrays, with wavelengths on the last
+    # axis, in two groups and in one; what is read may be read-only.
+    rng = np.random.default_rng(7)
+    matrix, vectors = rng.random((3, 4)), rng.random((4, 5, 2 * LANES)).astype(np.float32)
+    vectors.flags.writeable = False
+    out = np.empty((3, 5, 2 * LANES), np.float32)
+    matrix_product(matrix, vectors, out)
+    assert_allclose(out, np.einsum("ij,jkw->ikw", matrix, vectors), rtol=5e-7)
+    few = np.ascontiguousarray(vectors[:, :, :LANES])
+    turned = np.empty((5, 4, LANES), np.float32)
+    transposed(few, turned)
+    assert_array_equal(turned, few.transpose(1, 0, 2))

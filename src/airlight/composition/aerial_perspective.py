@@ -21,7 +21,7 @@ from airlight.composition.aerial_reading import (
 from airlight.composition.path_radiance import PathRadiance
 from airlight.errors import Cancelled, ConflictError, ParameterError
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, store
+from airlight.kernel.lanes import LANES, lane_view
 from airlight.kernel.threads import Cancel, Progress
 from airlight.mappings.sky_view import direction_from_row
 from airlight.pixels.view_uniforms import view_uniforms
@@ -180,7 +180,7 @@ class AerialPerspective:
             nearest=nearest, farthest=farthest,
             octave=(steps - 1) / np.log2(farthest / nearest),
             columns=size[0], rows=size[1], steps=distance.size,
-            sky_columns=sky_size[0], sky_rows=sky_size[1], lanes=LANES,
+            sky_columns=sky_size[0], sky_rows=sky_size[1],
             light_scale=scales[0], extinction_scale=scales[1],
             air_light=_stored(light / scales[0]), air_extinction=_stored(extinction / scales[1]),
             air_sky=_stored(sky**0.25), air_star=_stored(star**0.25),
@@ -319,7 +319,7 @@ def check_request(
 
 def _stored(values: FloatArray | Float32Array) -> Float32Array:
     """Texels rounded to half precision, as in files."""
-    return np.ascontiguousarray(values, np.float16).astype(np.float32).ravel()
+    return np.ascontiguousarray(values, np.float16).astype(np.float32).reshape(-1, LANES)
 
 
 def _errors(tables: AerialTables, march: _March) -> AerialErrors:
@@ -355,9 +355,9 @@ def _air_of(
     tables: AerialTables, directions: ArrayLike, distances: ArrayLike
 ) -> tuple[Float32Array, Float32Array]:
     unit = np.ascontiguousarray(directions, np.float64)
-    out = np.zeros((unit.shape[0], 2 * LANES), np.float32)
+    out = np.zeros((unit.shape[0], 2, LANES), np.float32)
     _read_air(unit, np.asarray(distances, np.float64), tables, out)
-    return out[:, :3], out[:, LANES : LANES + 3]
+    return out[:, 0, :3], out[:, 1, :3]
 
 
 def _sky_of(tables: AerialTables, directions: ArrayLike, pixel: float) -> Float32Array:
@@ -375,13 +375,15 @@ def _statistics(values: FloatArray) -> tuple[float, float, float]:
 
 @compiled_loop
 def _read_air(unit, distances, tables, out):
+    found = lane_view(out)
     for k in range(distances.size):
         x, y, z = unit[k, 0], unit[k, 1], unit[k, 2]
-        store(out[k], 0, air_radiance(x, y, z, distances[k], tables))
-        store(out[k], LANES, air_transmittance(x, y, z, distances[k], tables))
+        found[k, 0] = air_radiance(x, y, z, distances[k], tables)
+        found[k, 1] = air_transmittance(x, y, z, distances[k], tables)
 
 
 @compiled_loop
 def _read_sky(unit, pixel, tables, out):
+    found = lane_view(out)
     for k in range(unit.shape[0]):
-        store(out[k], 0, sky_radiance(unit[k, 0], unit[k, 1], unit[k, 2], pixel, tables))
+        found[k] = sky_radiance(unit[k, 0], unit[k, 1], unit[k, 2], pixel, tables)

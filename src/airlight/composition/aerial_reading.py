@@ -14,8 +14,8 @@ import numpy as np
 
 from airlight.geometry.cubic_curves import catmull_rom
 from airlight.kernel import inlined
-from airlight.kernel.lanes import exponential, load, maximum, splat
-from airlight.kernel.shader_fields import Always, InTexture
+from airlight.kernel.lanes import exponential, lane_view, maximum, splat
+from airlight.kernel.shader_fields import InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle
 from airlight.pixels.pixel import between_texels, texel_before
 from airlight.pixels.sky_view_lut import half_sine_between
@@ -41,8 +41,6 @@ class AerialTables(NamedTuple):
         Numbers of azimuths, of rows per hemisphere, and of distances of the air tables.
     sky_columns, sky_rows : int
         Numbers of azimuths and of rows per hemisphere of the sky tables.
-    lanes : int
-        Number of lanes of a texel.
     light_scale, extinction_scale : float
         Radiance over distance [m⁻¹] and mean extinction [m⁻¹] of a stored value of 1.
     air_light, air_extinction : array
@@ -64,7 +62,6 @@ class AerialTables(NamedTuple):
     steps: int
     sky_columns: int
     sky_rows: int
-    lanes: Annotated[int, Always(1)]
     light_scale: float
     extinction_scale: float
     air_light: Annotated[np.ndarray, InTexture("air_light", spectral=True, whole=True)]
@@ -109,7 +106,7 @@ def per_distance(table, x, y, z, distance, tables):
 
     Parameters
     ----------
-    table : array
+    table : lanes, shape (texels,)
         ``air_light`` or ``air_extinction``.
     x, y, z, distance, tables :
         Arguments of ``air_radiance``.
@@ -119,16 +116,15 @@ def per_distance(table, x, y, z, distance, tables):
     step, t = texel_before(z_place, 1, tables.steps - 2)
     e, f = np.float32(right), np.float32(down)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    along = tables.lanes * tables.steps
     total = splat(0.0)
     for node in range(4):
-        upper = along * near + tables.lanes * (step - 1 + node)
-        lower = upper + along * tables.columns
+        upper = near * tables.steps + step - 1 + node
+        lower = upper + tables.steps * tables.columns
         value = (
-            load(table, upper) * (g * h)
-            + load(table, upper + along) * (g * e)
-            + load(table, lower) * (f * h)
-            + load(table, lower + along) * (f * e)
+            table[upper] * (g * h)
+            + table[upper + tables.steps] * (g * e)
+            + table[lower] * (f * h)
+            + table[lower + tables.steps] * (f * e)
         )
         total = total + value * np.float32(catmull_rom(node, t))
     return maximum(total, splat(0.0))
@@ -149,7 +145,7 @@ def air_radiance(x, y, z, distance, tables):
         Tables.
     """
     reach = min(distance, tables.farthest)
-    stored = per_distance(tables.air_light, x, y, z, reach, tables)
+    stored = per_distance(lane_view(tables.air_light), x, y, z, reach, tables)
     return stored * np.float32(tables.light_scale * reach)
 
 
@@ -163,7 +159,7 @@ def air_transmittance(x, y, z, distance, tables):
         Arguments of ``air_radiance``.
     """
     reach = min(distance, tables.farthest)
-    stored = per_distance(tables.air_extinction, x, y, z, reach, tables)
+    stored = per_distance(lane_view(tables.air_extinction), x, y, z, reach, tables)
     return exponential(stored * np.float32(-tables.extinction_scale * reach))
 
 
@@ -180,8 +176,8 @@ def sky_radiance(x, y, z, pixel, tables):
     """
     near, right, down = texel_towards(x, y, z, tables.sky_columns, tables.sky_rows, tables)
     columns = tables.sky_columns
-    sky = between_texels(tables.air_sky, near, columns, right, down, tables.lanes, 0)
+    sky = between_texels(lane_view(tables.air_sky), near, columns, right, down)
     apart = 2.0 * half_sine_between(x, y, z, tables.star_x, tables.star_z)
     share = covered(apart, tables.star_radius, pixel)
-    disc = between_texels(tables.air_star, near, columns, right, down, tables.lanes, 0)
+    disc = between_texels(lane_view(tables.air_star), near, columns, right, down)
     return sky + disc * np.float32(share)

@@ -20,7 +20,6 @@ from airlight.exports.manifest import MANIFEST, fingerprint, write_manifest
 from airlight.gpu.emit.glsl import GLSL
 from airlight.gpu.emit.shader_types import FLAT_WIDTH
 from airlight.gpu.emit.wgsl import WGSL
-from airlight.kernel.lanes import LANES
 from airlight.solvers.provenance import version
 
 #: Format named in the manifest.
@@ -79,7 +78,7 @@ def write_aerial(
             textures[name] = {
                 "width": FLAT_WIDTH,
                 "height": texels.shape[0],
-                "texels": getattr(aerial.tables, name).size // LANES,
+                "texels": len(getattr(aerial.tables, name)),
                 "format": "rgba16float",
                 "files": {file.name: fingerprint(file)},
             }
@@ -94,7 +93,7 @@ def write_aerial(
 
 def _flat(values: np.ndarray) -> np.ndarray:
     """Texels of four channels as a flat texture, shape (height, FLAT_WIDTH, 4), half floats."""
-    texels = values.reshape(-1, LANES)[:, :_CHANNELS]
+    texels = values[:, :_CHANNELS]
     height = -(-texels.shape[0] // FLAT_WIDTH)
     out = np.zeros((height * FLAT_WIDTH, _CHANNELS), "<f2")
     out[: texels.shape[0]] = texels

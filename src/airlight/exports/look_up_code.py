@@ -198,7 +198,7 @@ def _shape(baked: Baked) -> TextureShape:
         bottom=layout.bottom_radius, top=layout.top_radius, lowest=layout.grid.lowest,
         radii=layout.radii, views=layout.views, suns=layout.suns, angles=layout.angles,
         rows=rows, columns=columns, levels=levels, heights=heights,
-        nodes=phase_texture(baked).shape[1], lanes=1,
+        nodes=phase_texture(baked).shape[1],
     )  # fmt: skip
 
 

@@ -23,7 +23,7 @@ from airlight.errors import ParameterError
 from airlight.geometry.disc_overlap import visible_discs
 from airlight.geometry.quadrature import gauss_legendre
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, load
+from airlight.kernel.lanes import LANES, lane_view
 
 FloatArray = npt.NDArray[np.float64]
 Float32Array = npt.NDArray[np.float32]
@@ -57,7 +57,7 @@ class OccultedStar(NamedTuple):
         First apparent radius of the table, and its step. [rad]
     lanes : int
         Number of lanes w.
-    roots : array, shape (sizes·(inner + outer)·w,)
+    roots : array, shape (sizes, inner + outer, w)
         Cube roots of the fraction. [1]
     """
 
@@ -94,12 +94,25 @@ class OccultedStar(NamedTuple):
     def whole(cls) -> OccultedStar:
         """Star without occluder, encoded by 0 lanes."""
         return cls(
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0, np.zeros(1, np.float32)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            1.0,
+            0.0,
+            0.0,
+            1.0,
+            0.0,
+            1.0,
+            0,
+            np.zeros((1, 1, 1), np.float32),
         )
 
     def lane(self, index: int) -> OccultedStar:
         """Star at one wavelength, for ``star_visible_fraction``."""
-        roots = np.ascontiguousarray(self.roots.reshape(-1, self.lanes)[:, index])
+        roots = np.ascontiguousarray(self.roots[:, :, index : index + 1])
         return self._replace(lanes=1, roots=roots)
 
 
@@ -167,7 +180,7 @@ def occulted_star(
         x=x, y=y, z=z, radius=float(radius), star_x=a, star_y=b, star_z=c,
         nearness=1.0 / distance, star_radius=float(star_radius), scale=1.0,
         smallest=float(sizes[0]), step=float(sizes[1] - sizes[0]), lanes=lanes,
-        roots=roots.reshape(-1),
+        roots=roots,
     )  # fmt: skip
 
 
@@ -215,18 +228,18 @@ def table_place(separation, size, star):
 
     Returns
     -------
-    near : int
-        Index of the first lane of the node before; -1 for the unocculted star, -2 for totality.
+    row, node : int
+        Indices of the node before; row -1 for all of the star's light, -2 for none.
     e, f : float
         Fractions of the steps to the next separation and to the next apparent radius. [1]
     """
     alpha = star.star_radius
     if separation >= size + alpha:
-        return -1, 0.0, 0.0
+        return -1, 0, 0.0, 0.0
     inner = abs(size - alpha)
     if separation <= inner:
         if size >= alpha:
-            return -2, 0.0, 0.0
+            return -2, 0, 0.0, 0.0
         at = _INNER * separation / inner if inner > 0.0 else float(_INNER)
     else:
         half = 0.5 * (separation - inner) / min(size, alpha)
@@ -234,30 +247,29 @@ def table_place(separation, size, star):
     node = min(int(at), _INNER + _OUTER - 2)
     line = min(max((size - star.smallest) / star.step, 0.0), _SIZES - 1.0)
     row = min(int(line), _SIZES - 2)
-    return star.lanes * (row * (_INNER + _OUTER) + node), at - node, line - row
+    return row, node, at - node, line - row
 
 
 @inlined
-def visible_fractions(near, e, f, star, at):
+def visible_fractions(row, node, e, f, star, at):
     """Visible fraction of the star at eight wavelengths. [1]
 
     Parameters
     ----------
-    near, e, f : int, float, float
-        Results of ``table_place``, ``near`` not negative.
+    row, node, e, f : int, int, float, float
+        Results of ``table_place``, ``row`` not negative.
     star : OccultedStar
     at : int
         Index of the first lane.
     """
     g, h = np.float32(e), np.float32(f)
     low, lower = np.float32(1.0) - g, np.float32(1.0) - h
-    first = near + at
-    second = first + star.lanes * (_INNER + _OUTER)
+    roots = lane_view(star.roots, at)
     root = (
-        load(star.roots, first) * (lower * low)
-        + load(star.roots, first + star.lanes) * (lower * g)
-        + load(star.roots, second) * (h * low)
-        + load(star.roots, second + star.lanes) * (h * g)
+        roots[row, node] * (lower * low)
+        + roots[row, node + 1] * (lower * g)
+        + roots[row + 1, node] * (h * low)
+        + roots[row + 1, node + 1] * (h * g)
     )
     return root * root * root
 
@@ -272,12 +284,12 @@ def star_visible_fraction(x, y, z, star):
         Arguments of ``apparent_discs``; the star has one lane, see ``OccultedStar.lane``.
     """
     separation, size = apparent_discs(x, y, z, star)
-    near, e, f = table_place(separation, size, star)
-    if near == -1:
+    row, node, e, f = table_place(separation, size, star)
+    if row == -1:
         return 1.0
-    if near == -2:
+    if row == -2:
         return 0.0
-    second = near + _INNER + _OUTER
-    root = (1.0 - f) * ((1.0 - e) * star.roots[near] + e * star.roots[near + 1])
-    root += f * ((1.0 - e) * star.roots[second] + e * star.roots[second + 1])
+    roots = star.roots
+    root = (1.0 - f) * ((1.0 - e) * roots[row, node, 0] + e * roots[row, node + 1, 0])
+    root += f * ((1.0 - e) * roots[row + 1, node, 0] + e * roots[row + 1, node + 1, 0])
     return root * root * root

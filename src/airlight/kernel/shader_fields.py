@@ -22,7 +22,7 @@ class InTexture:
     texture : str
         Name of the texture.
     rank : int
-        Number of axes; of four, the last has the length two.
+        Number of axes, without that of the wavelengths; of four, the last has the length two.
     spectral : bool
         Whether an element is a texel of four wavelengths rather than a single number.
     whole : bool
@@ -69,7 +69,7 @@ class Always:
 #: one that each light of a picture has for itself.
 CHOICE: Final = Choice()
 SPECTRA: Final = InTexture("spectra", spectral=True)
-FIELDS: Final = InTexture("fields", spectral=True)
+FIELDS: Final = InTexture("fields", 3, spectral=True)
 DISC: Final = InTexture("disc", spectral=True)
 
 
@@ -82,6 +82,17 @@ def image(texture: str) -> InTexture:
         Name of the texture.
     """
     return InTexture(texture, 2, spectral=True, whole=True, image=True)
+
+
+def spectra(rank: int) -> InTexture:
+    """Table of four wavelengths.
+
+    Parameters
+    ----------
+    rank : int
+        Number of axes.
+    """
+    return InTexture("spectra", rank, spectral=True)
 
 
 def scalars(rank: int = 1) -> InTexture:

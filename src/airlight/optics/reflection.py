@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from airlight.kernel import compiled_loop, inlined
 from airlight.kernel.choice import chosen_kernel
 from airlight.kernel.lanes import load
-from airlight.kernel.shader_fields import CHOICE, SPECTRA
+from airlight.kernel.shader_fields import CHOICE, spectra
 from airlight.optics import lambert, lommel_seeliger, water
 
 FloatArray = NDArray[np.float64]
@@ -70,7 +70,7 @@ class Reflection(NamedTuple):
         Mean cloud cover, and albedo of the Lambertian clouds. [1]
     """
 
-    albedo: Annotated[Any, SPECTRA]
+    albedo: Annotated[Any, spectra(0)]
     law: Annotated[int, CHOICE] = 0
     wet: bool = False
     wind: float = 5.0

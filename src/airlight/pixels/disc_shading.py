@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import load
+from airlight.kernel.lanes import lane_view
 from airlight.optics.moon_phase import dusty_sphere
 
 #: Number of powers of μ, from 0: as many as ``limb_darkening.COEFFICIENTS``.
@@ -174,9 +174,7 @@ def darkened(p0, p1, p2, p3, p4, p5, tables, at):
     at : int
         Index of the first lane.
     """
-    total = load(tables.darkening, at) * np.float32(p0)
-    total = total + load(tables.darkening, tables.lanes + at) * np.float32(p1)
-    total = total + load(tables.darkening, 2 * tables.lanes + at) * np.float32(p2)
-    total = total + load(tables.darkening, 3 * tables.lanes + at) * np.float32(p3)
-    total = total + load(tables.darkening, 4 * tables.lanes + at) * np.float32(p4)
-    return total + load(tables.darkening, 5 * tables.lanes + at) * np.float32(p5)
+    darkening = lane_view(tables.darkening, at)
+    total = darkening[0] * np.float32(p0) + darkening[1] * np.float32(p1)
+    total = total + darkening[2] * np.float32(p2) + darkening[3] * np.float32(p3)
+    return total + darkening[4] * np.float32(p4) + darkening[5] * np.float32(p5)

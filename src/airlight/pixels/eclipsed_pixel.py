@@ -13,7 +13,7 @@ import numpy as np
 from airlight.geometry.refraction import refraction_angle
 from airlight.geometry.shell import distance_to_bottom, distance_to_top
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, store
 from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.cox_munk import mean_square_slope, mirrored_cosine
 from airlight.pixels.ground import GROUND_VALUES, ground_factor, ground_reflectances, lamp_light
@@ -48,15 +48,13 @@ def eclipsed_light(
         Arguments of ``pixel_light``.
     shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
-    found : array, shape (2·w,)
+    found : array, shape (2, w)
         Workspace.
     result : array, shape (w,)
         Receives the radiance. [sr⁻¹]
     """
-    lanes = tables.lanes
     sine, _, through_air, to_ground = classify_ray(x, y, z, observer, tables)
-    for at in range(0, lanes, LANES):
-        store(result, at, splat(0.0))
+    result[:] = 0.0
     if not through_air:
         return
     u = turn[0, 0] * x + turn[0, 1] * y + turn[0, 2] * z
@@ -75,12 +73,11 @@ def eclipsed_light(
     if to_ground:
         length = distance_to_bottom(r, mu, tables.bottom)
     half_sine = half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
-    read_phase(half_sine, tables.phase, tables.phase_nodes, lanes * tables.constituents, work.phase)
+    read_phase(half_sine, tables.phase, work.phase)
     march_eclipsed(
         a, b, c, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
     )
-    for at in range(0, lanes, LANES):
-        store(result, at, load(found, at))
+    result[:] = found[0]
     if not to_ground:
         return
     p, q, s, mu_r = end_on_ground(a, b, c, u, v, w, length, tables, work)
@@ -89,20 +86,18 @@ def eclipsed_light(
         refraction = refraction_angle(
             r, mu, tables.refraction_strength, work.columns_total[tables.constituents - 1]
         )
-    for at in range(0, lanes, LANES):
-        store(work.radiance, lanes + at, load(found, lanes + at))
+    work.radiance[1] = found[1]
     if tables.ground.wet:
         _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found)
-        for at in range(0, lanes, LANES):
-            store(work.radiance, MIRRORED * lanes + at, load(found, at))
+        work.radiance[MIRRORED] = found[0]
     star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored = ground_reflectances(
         x, y, z, sine, refraction, observer, view, tables, work, color
     )
     eclipsed_ground_light(p, q, s, TOTAL, tables, shadow, work, scratch)
     if view.overlaid:
         columns_to_ground(z, sine, observer, tables, work.columns_total, work.columns_so_far)
-    for at in range(0, lanes, LANES):
-        received = load(work.irradiance, at) + load(work.irradiance, lanes + at)
+    for at in range(0, tables.lanes, LANES):
+        received, behind = lane_view(work.irradiance, at), lane_view(work.radiance, at)
         factor = ground_factor(
             color,
             view,
@@ -115,8 +110,8 @@ def eclipsed_light(
             work,
             at,
         )
-        behind = received * INVERSE_PI * load(work.radiance, lanes + at)
-        total = load(result, at) + behind * factor
+        white = (received[0] + received[1]) * INVERSE_PI * behind[1]
+        total = load(result, at) + white * factor
         if view.overlaid:
             total = total + lamp_light(color, view, tables, work.columns_total, at)
         store(result, at, total)
@@ -148,9 +143,7 @@ def _mirrored_sky(p, q, s, u, v, w, mu_r, tables, shadow, work, scratch, found):
     # Blurred by the slope distribution of the facets.
     spread = 0.25 * mean_square_slope(tables.ground.wind)
     half_sine = sqrt(min(0.5 * (1.0 - nu) + spread, 1.0))
-    read_phase(
-        half_sine, tables.phase, tables.phase_nodes, tables.lanes * tables.constituents, work.phase
-    )
+    read_phase(half_sine, tables.phase, work.phase)
     length = distance_to_top(tables.bottom, mu, tables.top)
     march_eclipsed(
         p, q, s, u, v, w, half_sine, length, TOTAL, work.phase, tables, shadow, work, scratch, found
@@ -172,7 +165,7 @@ def render_eclipsed(px, py, turn, observer, view, tables, shadow, work, scratch,
     """
     view, tables, shadow, work, scratch = without_refcount((view, tables, shadow, work, scratch))
     lanes = tables.lanes
-    found, result = np.empty(2 * lanes, np.float32), np.empty(lanes, np.float32)
+    found, result = np.empty((2, lanes), np.float32), np.empty(lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
     for k in range(px.size):
         x, y, z = camera_direction(px[k], py[k], view)

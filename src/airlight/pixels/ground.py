@@ -14,7 +14,7 @@ import numpy as np
 
 from airlight.geometry.shell import first_intersection
 from airlight.kernel import inlined
-from airlight.kernel.lanes import load, maximum, minimum, splat
+from airlight.kernel.lanes import lane_view, load, maximum, minimum, splat
 from airlight.optics.clouds import layer_distance, under_clouds
 from airlight.optics.reflection import WATER, brdf_diffuse, brdf_direct
 from airlight.optics.water import water_reflectances
@@ -200,12 +200,9 @@ def lamp_light(color, view, tables, columns, at):
     red = np.float32(color[4] * view.lamp_red)
     green = np.float32(color[5] * view.lamp_green)
     blue = np.float32(color[6] * view.lamp_blue)
-    total = load(tables.basis, at) * red + load(tables.basis, tables.lanes + at) * green
-    total = total + load(tables.basis, 2 * tables.lanes + at) * blue
-    transmittance = transmittance_columns(
-        columns, tables.scaled_extinction, tables.constituents, tables.lanes, at
-    )
-    return total * transmittance
+    basis, extinction = lane_view(tables.basis, at), lane_view(tables.scaled_extinction, at)
+    total = basis[0] * red + basis[1] * green + basis[2] * blue
+    return total * transmittance_columns(columns, extinction, tables.constituents)
 
 
 @inlined
@@ -226,9 +223,10 @@ def reflectance(color, mapped, tables, at):
     detail = np.float32(max(color[8], 0.0))
     if not mapped:
         return load(tables.ground.albedo, at) * detail
+    basis = lane_view(tables.basis, at)
     total = splat(0.0)
     for c in range(3):
-        total = total + load(tables.basis, tables.lanes * c + at) * np.float32(color[c])
+        total = total + basis[c] * np.float32(color[c])
     return minimum(maximum(total * detail, splat(0.0)), splat(1.0))
 
 
@@ -251,11 +249,10 @@ def ground_factor(
     albedo = reflectance(color, view.mapped, tables, at)
     if tables.ground.law == 0 and not tables.ground.wet and not view.clouded:
         return albedo
-    star, sky = load(work.irradiance, at), load(work.irradiance, tables.lanes + at)
+    received, found = lane_view(work.irradiance, at), lane_view(work.radiance, at)
+    star, sky = received[0], received[1]
     by_star = star * (albedo * np.float32(star_diffuse) + np.float32(star_specular))
     by_sky = sky * (albedo * np.float32(sky_diffuse) + np.float32(sky_specular))
     if tables.ground.wet:
-        by_sky = by_sky + load(work.radiance, MIRRORED * tables.lanes + at) * np.float32(
-            pi * mirrored
-        )
+        by_sky = by_sky + found[MIRRORED] * np.float32(pi * mirrored)
     return (by_star + by_sky) / maximum(star + sky, splat(1e-30))

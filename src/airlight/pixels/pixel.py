@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import LANES, lane_view, load, splat, store
 from airlight.kernel.shader_fields import CHOICE, InTexture
 from airlight.mappings.sky_view import angle_above_horizon, row_from_angle, row_from_impact
 from airlight.pixels.disc_shading import darkened
@@ -125,36 +125,33 @@ def texel_before(coordinate, first, last):
 
 
 @inlined
-def between_texels(table, near, stride, right, down, lanes, at):
+def between_texels(table, near, stride, right, down):
     """Bilinear interpolation of a layer of the sky-view LUT.
 
     Parameters
     ----------
-    table : array
+    table : lanes, shape (texels,)
         Layer of fourth roots.
     near, stride : int
         Index of the first of the four texels, and texels per row.
     right, down : float
         Fractions of the distance to the next texel and to the next row. [1]
-    lanes, at : int
-        Number of lanes of a texel, and index of the first that is read.
     """
     e, f = np.float32(right), np.float32(down)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    upper = lanes * near + at
-    lower = upper + lanes * stride
+    below = near + stride
     root = (
-        load(table, upper) * (g * h)
-        + load(table, upper + lanes) * (g * e)
-        + load(table, lower) * (f * h)
-        + load(table, lower + lanes) * (f * e)
+        table[near] * (g * h)
+        + table[near + 1] * (g * e)
+        + table[below] * (f * h)
+        + table[below + 1] * (f * e)
     )
     square = root * root
     return square * square
 
 
 @inlined
-def phase_of(half_sine, constituent, table, tables, lanes, at):
+def phase_of(half_sine, constituent, table):
     """Phase matrix element of one constituent. [sr⁻¹]
 
     Parameters
@@ -163,73 +160,70 @@ def phase_of(half_sine, constituent, table, tables, lanes, at):
         sin(θ/2). [1]
     constituent : int
         Index of the constituent.
-    table : array
+    table : lanes, shape (nodes, nc)
         ``phase`` or ``phase_f12`` of the tables.
-    tables : MarchTables
-        Tables of the solution.
-    lanes, at : int
-        Arguments of ``between_texels``.
     """
-    u = half_sine * (tables.phase_nodes - 1)
-    node = min(int(u), tables.phase_nodes - 2)
+    u = half_sine * (table.shape[0] - 1)
+    node = min(int(u), table.shape[0] - 2)
     f = np.float32(u - node)
-    first = lanes * (node * tables.constituents + constituent) + at
-    low = load(table, first)
-    return low + f * (load(table, first + lanes * tables.constituents) - low)
+    low = table[node, constituent]
+    return low + f * (table[node + 1, constituent] - low)
 
 
 @inlined
 def polarised_between(
-    near, stride, right, down, half_sine, turn_cosine, turn_sine, view, tables, lanes, at
+    near, stride, right, down, half_sine, turn_cosine, turn_sine, view, tables, at
 ):  # fmt: skip
     """Q and U from the sky-view LUT, with exact phase matrices of separated constituents. [sr⁻¹]
 
     Parameters
     ----------
-    near, stride, right, down, half_sine, view, tables, lanes, at :
+    near, stride, right, down, half_sine, view, tables, at :
         Arguments of ``air_between``.
     turn_cosine, turn_sine : float
         Results of ``star_plane``. [1]
     """
+    phases = lane_view(tables.phase_f12, at)
     peaked = splat(0.0)
     if tables.separated_1 >= 0:
-        element = phase_of(half_sine, tables.separated_1, tables.phase_f12, tables, lanes, at)
-        peaked = peaked + element * between_texels(
-            view.sky_first, near, stride, right, down, lanes, at
-        )
+        first = lane_view(view.sky_first, at)
+        element = phase_of(half_sine, tables.separated_1, phases)
+        peaked = peaked + element * between_texels(first, near, stride, right, down)
     if tables.separated_2 >= 0:
-        element = phase_of(half_sine, tables.separated_2, tables.phase_f12, tables, lanes, at)
-        peaked = peaked + element * between_texels(
-            view.sky_second, near, stride, right, down, lanes, at
-        )
-    rest = between_texels(view.sky_air, near, stride, right, down, lanes, at)
-    stokes_q = between_texels(view.sky_q, near, stride, right, down, lanes, at) - rest
-    stokes_u = between_texels(view.sky_u, near, stride, right, down, lanes, at) - rest
+        second = lane_view(view.sky_second, at)
+        element = phase_of(half_sine, tables.separated_2, phases)
+        peaked = peaked + element * between_texels(second, near, stride, right, down)
+    rest = between_texels(lane_view(view.sky_air, at), near, stride, right, down)
+    stokes_q = between_texels(lane_view(view.sky_q, at), near, stride, right, down) - rest
+    stokes_u = between_texels(lane_view(view.sky_u, at), near, stride, right, down) - rest
     return stokes_q + peaked * np.float32(turn_cosine), stokes_u + peaked * np.float32(turn_sine)
 
 
 @inlined
-def air_between(near, stride, right, down, half_sine, view, tables, lanes, at):
+def air_between(near, stride, right, down, half_sine, view, tables, at):
     """Radiance from the sky-view LUT, with exact phase functions of separated ones. [sr⁻¹]
 
     Parameters
     ----------
-    near, stride, right, down, lanes, at :
+    near, stride, right, down :
         Arguments of ``between_texels``.
     half_sine : float
         sin(θ/2) of the angle to the apparent star. [1]
     view, tables : ViewUniforms, MarchTables
         Sky-view LUT, and tables of the solution.
+    at : int
+        Index of the first lane.
     """
-    total = between_texels(view.sky_air, near, stride, right, down, lanes, at)
+    phases = lane_view(tables.phase, at)
+    total = between_texels(lane_view(view.sky_air, at), near, stride, right, down)
     if tables.separated_1 >= 0:
-        total = total + phase_of(
-            half_sine, tables.separated_1, tables.phase, tables, lanes, at
-        ) * between_texels(view.sky_first, near, stride, right, down, lanes, at)
+        first = lane_view(view.sky_first, at)
+        element = phase_of(half_sine, tables.separated_1, phases)
+        total = total + element * between_texels(first, near, stride, right, down)
     if tables.separated_2 >= 0:
-        total = total + phase_of(
-            half_sine, tables.separated_2, tables.phase, tables, lanes, at
-        ) * between_texels(view.sky_second, near, stride, right, down, lanes, at)
+        second = lane_view(view.sky_second, at)
+        element = phase_of(half_sine, tables.separated_2, phases)
+        total = total + element * between_texels(second, near, stride, right, down)
     return total
 
 
@@ -331,10 +325,10 @@ def sky_lookup(
                 )  # fmt: skip
             if mirrored:
                 for at in range(0, tables.lanes, LANES):
-                    value = splat(0.0)
+                    found = lane_view(work.radiance, at)
+                    found[MIRRORED] = splat(0.0)
                     if wet and observer.orders != 1:
-                        value = load(work.radiance, at)
-                    store(work.radiance, MIRRORED * tables.lanes + at, value)
+                        found[MIRRORED] = found[0]
     else:
         near, right, down = sky_view_coordinates(x, y, row, to_ground, window)
         turn_cosine, turn_sine = 1.0, 0.0
@@ -342,28 +336,32 @@ def sky_lookup(
             nu = min(max(x * observer.sun_x + z * observer.sun_z, -1.0), 1.0)
             turn_cosine, turn_sine = star_plane(z, observer.sun_z, nu)
         for at in range(0, tables.lanes, LANES):
-            value = air_between(
-                near, window.column_count, right, down, half_sine, view, tables, tables.lanes, at
+            found = lane_view(work.radiance, at)
+            found[0] = air_between(
+                near, window.column_count, right, down, half_sine, view, tables, at
             )
-            store(work.radiance, at, value)
             if view.filter > 0:
-                stokes_q, stokes_u = polarised_between(
-                    near, window.column_count, right, down, half_sine, turn_cosine, turn_sine,
-                    view, tables, tables.lanes, at,
-                )  # fmt: skip
-                store(work.radiance, 4 * tables.lanes + at, stokes_q)
-                store(work.radiance, 5 * tables.lanes + at, stokes_u)
-            if to_ground:
-                value = between_texels(
-                    view.sky_ground, near, window.column_count, right, down, tables.lanes, at
+                found[4], found[5] = polarised_between(
+                    near,
+                    window.column_count,
+                    right,
+                    down,
+                    half_sine,
+                    turn_cosine,
+                    turn_sine,
+                    view,
+                    tables,
+                    at,
                 )
-                store(work.radiance, tables.lanes + at, value)
+            if to_ground:
+                layer = lane_view(view.sky_ground, at)
+                found[1] = between_texels(layer, near, window.column_count, right, down)
             if wet:
-                value = between_texels(
-                    view.sky_air, near + window.ground_count * window.column_count,
-                    window.column_count, right, down, tables.lanes, at,
+                mirror = lane_view(view.sky_air, at)
+                found[MIRRORED] = between_texels(
+                    mirror, near + window.ground_count * window.column_count,
+                    window.column_count, right, down,
                 )  # fmt: skip
-                store(work.radiance, MIRRORED * tables.lanes + at, value)
         if to_ground and tables.refraction_strength > 0.0:
             refraction = refraction_to_ground(z, sine, observer, tables, work.columns_total)
     return refraction
@@ -413,22 +411,23 @@ def pixel_light(
     if view.filter > 0:
         whole, stokes_q, stokes_u = filter_shares(x, y, z, view)
     for at in range(0, tables.lanes, LANES):
+        found = lane_view(work.radiance, at)
         total = splat(0.0)
         if through_air:
-            total = load(work.radiance, at)
+            total = found[0]
         if to_ground and view.draws_air:
             factor = ground_factor(
                 color, view, star_diffuse, star_specular, sky_diffuse, sky_specular, mirrored,
                 tables, work, at,
             )  # fmt: skip
-            total = total + load(work.radiance, tables.lanes + at) * factor
+            total = total + found[1] * factor
             if view.overlaid:
                 total = total + lamp_light(color, view, tables, work.columns_total, at)
         if view.filter > 0:
             total = total * np.float32(whole)
             if through_air:
-                total = total + load(work.radiance, 4 * tables.lanes + at) * np.float32(stokes_q)
-                total = total + load(work.radiance, 5 * tables.lanes + at) * np.float32(stokes_u)
+                total = total + found[4] * np.float32(stokes_q)
+                total = total + found[5] * np.float32(stokes_u)
         store(result, at, total)
     if view.draws_disc and not to_ground:
         apart = 2.0 * half_sine_between(x, y, z, observer.seen_x, observer.seen_z)
@@ -440,7 +439,7 @@ def pixel_light(
         if p0 > 0.0:
             for at in range(0, tables.lanes, LANES):
                 transmittance = transmittance_columns(
-                    work.columns_total, tables.extinction, tables.constituents, tables.lanes, at
+                    work.columns_total, lane_view(tables.extinction, at), tables.constituents
                 )
                 disc = darkened(p0, p1, p2, p3, p4, p5, tables, at)
                 store(result, at, load(result, at) + transmittance * disc * np.float32(whole))

@@ -5,28 +5,27 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import LANES, lane_view, load, splat
 from airlight.kernel.without_refcount import without_refcount
 from airlight.pixels.ground import GROUND_VALUES
 from airlight.pixels.samples import sampled_light
 
 
 @inlined
-def _as_color(radiance, lanes, weights, sums, out):
+def _as_color(radiance, weights, sums, out):
     """Convert spectral radiance to linear sRGB, into ``out``."""
     red, green, blue = splat(0.0), splat(0.0), splat(0.0)
-    for at in range(0, lanes, LANES):
-        total = load(radiance, at)
-        red = red + total * load(weights, at)
-        green = green + total * load(weights, lanes + at)
-        blue = blue + total * load(weights, 2 * lanes + at)
-    store(sums, 0, red)
-    store(sums, LANES, green)
-    store(sums, 2 * LANES, blue)
+    for at in range(0, radiance.size, LANES):
+        total, weight = load(radiance, at), lane_view(weights, at)
+        red = red + total * weight[0]
+        green = green + total * weight[1]
+        blue = blue + total * weight[2]
+    channels = lane_view(sums)
+    channels[0], channels[1], channels[2] = red, green, blue
     for c in range(3):
         total = np.float32(0.0)
         for lane in range(LANES):
-            total += sums[LANES * c + lane]
+            total += sums[c, lane]
         out[c] = total
 
 
@@ -36,12 +35,12 @@ def _pixels(exact, px, py, window, observer, view, tables, work, weights, reach,
     view, tables, work, weights, out = without_refcount((view, tables, work, weights, out))
     found, total = np.empty(tables.lanes, np.float32), np.empty(tables.lanes, np.float32)
     color = np.zeros(GROUND_VALUES)
-    sums = np.empty(3 * LANES, np.float32)
+    sums = np.empty((3, LANES), np.float32)
     for k in range(px.size):
         sampled_light(
             px[k], py[k], exact, reach, window, observer, view, tables, work, color, total, found
         )
-        _as_color(found, tables.lanes, weights, sums, out[k])
+        _as_color(found, weights, sums, out[k])
 
 
 @compiled_loop
@@ -58,7 +57,7 @@ def render_pixels(px, py, window, observer, view, tables, work, weights, reach, 
         Observer, camera with its maps, and tables of the solution.
     work : MarchWorkspace
         Workspace of the thread.
-    weights : array, shape (3·w,)
+    weights : array, shape (3, w)
         Linear sRGB per radiance over irradiance. [W m⁻² sr⁻¹ sr]
     reach : float
         Largest angle between the apparent star and a visible point of its disc. [rad]

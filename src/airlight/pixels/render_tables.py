@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.errors import ParameterError
-from airlight.kernel.lanes import LANES
 from airlight.solvers.moments.harmonics import EVEN
 from airlight.solvers.moments.march_tables import MarchTables, quadratures
 from airlight.solvers.moments.solution import MomentsSolution
@@ -112,11 +111,11 @@ def render_tables(
 
 
 def pack_texels(values: Float32Array, wavelengths: int) -> Float32Array:
-    """Spectral table of eight lanes as texels of four wavelengths, shape (n, 4).
+    """Convert a spectral table of eight lanes to texels of four wavelengths, shape (..., 4).
 
     Parameters
     ----------
-    values : array of float32, size n·8
+    values : array of float32, shape (..., 8)
         Table with eight lanes per element.
     wavelengths : int
         Number of lanes in use.
@@ -128,4 +127,4 @@ def pack_texels(values: Float32Array, wavelengths: int) -> Float32Array:
     """
     if wavelengths > WAVELENGTHS:
         raise ParameterError("wavelengths", wavelengths, f"at most {WAVELENGTHS} on the GPU")
-    return np.ascontiguousarray(values.reshape(-1, LANES)[:, :WAVELENGTHS])
+    return np.ascontiguousarray(values[..., :WAVELENGTHS])

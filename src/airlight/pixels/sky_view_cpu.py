@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, load, store
+from airlight.kernel.lanes import LANES
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.pixels.sky_view_lut import Observer, sky_view_texel
@@ -25,10 +25,10 @@ _BLOCK: Final = 256
 
 
 class SkyViewLayers(NamedTuple):
-    """Layers of the sky-view LUT as fourth roots, each shape (texels·w,).
+    """Sky-view LUT, all wavelengths: fourth roots, each shape (texels, w).
 
     Rows of the sky come first, then of the ground, then of the sky mirrored by water. Unused layers
-    have one value.
+    of absent peaked constituents have one texel.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class SkyViewLayers(NamedTuple):
     first, second : array
         Single scattering by separated constituents, without phase function. [1]
     stokes_q, stokes_u : array
-        I + Q and I + U of the air, without separated constituents. [sr^-¼]
+        I + Q and I + U of the air, without these; one texel if they are not asked. [sr^-¼]
     """
 
     air: Float32Array
@@ -50,7 +50,7 @@ class SkyViewLayers(NamedTuple):
     @classmethod
     def none(cls) -> SkyViewLayers:
         """Empty layers."""
-        empty = np.zeros(1, np.float32)
+        empty = np.zeros((1, LANES), np.float32)
         return cls(*[empty] * 6)
 
 
@@ -58,8 +58,7 @@ class SkyViewLayers(NamedTuple):
 def fill_texels(begin, end, window, observer, tables, work, layers):
     """Fill texels ``begin`` to ``end`` - 1 of all layers."""
     tables, work, layers = without_refcount((tables, work, layers))
-    found, lanes = work.radiance, tables.lanes
-    peaks, polarised = tables.separated_1 >= 0, layers.stokes_q.size > 1
+    peaks, polarised = tables.separated_1 >= 0, layers.stokes_q.shape[0] > 1
     stride = window.column_count
     sky_texels = stride * window.sky_count
     for texel in range(begin, end):
@@ -72,18 +71,15 @@ def fill_texels(begin, end, window, observer, tables, work, layers):
                 row += window.rows - window.ground_count
         sky_view_texel(
             column, row, window.columns, window.rows, True, peaks, polarised, observer, tables,
-            work, found,
+            work, work.radiance,
         )  # fmt: skip
-        for at in range(0, lanes, LANES):
-            store(layers.air, lanes * texel + at, load(found, at))
-            store(layers.ground, lanes * texel + at, load(found, lanes + at))
-            if tables.separated_1 >= 0:
-                store(layers.first, lanes * texel + at, load(found, 2 * lanes + at))
-            if tables.separated_2 >= 0:
-                store(layers.second, lanes * texel + at, load(found, 3 * lanes + at))
-            if polarised:
-                store(layers.stokes_q, lanes * texel + at, load(found, 4 * lanes + at))
-                store(layers.stokes_u, lanes * texel + at, load(found, 5 * lanes + at))
+        layers.air[texel], layers.ground[texel] = work.radiance[0], work.radiance[1]
+        if tables.separated_1 >= 0:
+            layers.first[texel] = work.radiance[2]
+        if tables.separated_2 >= 0:
+            layers.second[texel] = work.radiance[3]
+        if polarised:
+            layers.stokes_q[texel], layers.stokes_u[texel] = work.radiance[4], work.radiance[5]
 
 
 def fill_sky_view(
@@ -118,14 +114,17 @@ def fill_sky_view(
     texels = window.texels
     if tables.ground.wet:
         texels += window.ground_count * window.column_count
-    size = texels * tables.lanes
+
+    def layer(*, kept: bool = True) -> Float32Array:
+        return np.zeros((texels if kept else 1, tables.lanes), np.float32)
+
     layers = SkyViewLayers(
-        air=np.empty(size, np.float32),
-        ground=np.empty(size, np.float32),
-        first=np.zeros(size if tables.separated_1 >= 0 else 1, np.float32),
-        second=np.zeros(size if tables.separated_2 >= 0 else 1, np.float32),
-        stokes_q=np.empty(size if polarised else 1, np.float32),
-        stokes_u=np.empty(size if polarised else 1, np.float32),
+        air=layer(),
+        ground=layer(),
+        first=layer(kept=tables.separated_1 >= 0),
+        second=layer(kept=tables.separated_2 >= 0),
+        stokes_q=layer(kept=polarised),
+        stokes_u=layer(kept=polarised),
     )
 
     def run(index: int) -> None:

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, first_intersection
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, load, maximum, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, fourth_root, lane_view, maximum, splat
 from airlight.mappings.sky_view import direction_from_row, impact_from_row
 from airlight.optics.cox_munk import mean_square_slope
 from airlight.pixels.ground_angles import mirrored_line, refraction_to_ground, star_from
@@ -159,10 +159,9 @@ def look(
         Arguments of ``march``.
     observer, tables : Observer, MarchTables
         Observer, and tables of the solution.
-    result : array, shape (4·w,), or (6·w,) if ``polarised``
-        Receives the radiance of the air and of a white Lambert ground behind it [sr⁻¹], single
-        scattering by the two separated constituents without phase function [1], and Q and U.
-        [sr⁻¹]
+    result : array, shape (4, w), or (6, w) if ``polarised``
+        Receives the air's radiance, that of a white Lambert ground behind it [sr⁻¹], the single
+        scattering by the two peaked constituents [1], and Q and U of the air's light. [sr⁻¹]
 
     Returns
     -------
@@ -197,12 +196,12 @@ def look(
         )  # fmt: skip
         ground_light(mu_s, observer.orders, tables, work)
         for at in range(0, tables.lanes, LANES):
-            received = load(work.irradiance, at) + load(work.irradiance, tables.lanes + at)
-            behind = received * INVERSE_PI * load(result, tables.lanes + at)
-            store(result, tables.lanes + at, behind)
+            received, found = lane_view(work.irradiance, at), lane_view(result, at)
+            found[1] = (received[0] + received[1]) * INVERSE_PI * found[1]
     else:
         for at in range(0, tables.lanes, LANES):
-            store(result, tables.lanes + at, splat(0.0))
+            found = lane_view(result, at)
+            found[1] = splat(0.0)
     return angle
 
 
@@ -220,16 +219,17 @@ def phases_towards(half_sine, separated_phases, table, tables, phase):
         ``phase`` or ``phase_f12`` of the tables.
     tables : MarchTables
         Tables of the solution.
-    phase : array, shape (c·w,)
+    phase : array, shape (nc, w)
         Receives the elements. [sr⁻¹]
     """
-    read_phase(half_sine, table, tables.phase_nodes, tables.lanes * tables.constituents, phase)
+    read_phase(half_sine, table, phase)
     if not separated_phases:
         for at in range(0, tables.lanes, LANES):
+            elements = lane_view(phase, at)
             if tables.separated_1 >= 0:
-                store(phase, tables.lanes * tables.separated_1 + at, splat(0.0))
+                elements[tables.separated_1] = splat(0.0)
             if tables.separated_2 >= 0:
-                store(phase, tables.lanes * tables.separated_2 + at, splat(0.0))
+                elements[tables.separated_2] = splat(0.0)
 
 
 @inlined
@@ -319,13 +319,13 @@ def sky_view_texel(
             observer, tables, work, result,
         )  # fmt: skip
     for at in range(0, tables.lanes, LANES):
+        found = lane_view(result, at)
         if polarised:
             for layer in range(4, 6):
-                both = load(result, at) + load(result, tables.lanes * layer + at)
-                store(result, tables.lanes * layer + at, fourth_root(maximum(both, 0.0)))
+                found[layer] = fourth_root(maximum(found[0] + found[layer], 0.0))
         for layer in range(4):
             root = splat(0.0)
             # The mirrored sky includes separated constituents.
             if not mirrored or (shown and layer < 2):
-                root = fourth_root(load(result, tables.lanes * layer + at))
-            store(result, tables.lanes * layer + at, root)
+                root = fourth_root(found[layer])
+            found[layer] = root

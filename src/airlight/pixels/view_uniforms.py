@@ -179,7 +179,7 @@ def cpu_view_uniforms(
         "over_texels": np.zeros(CHANNELS, np.uint8) if overlay is None else overlay.flat,
         "sky_columns": 0,
         "sky_rows": 0,
-        "separated_phases": layers.first.size > 1,
+        "separated_phases": len(layers.first) > 1,
         "sky_air": layers.air,
         "sky_ground": layers.ground,
         "sky_first": layers.first,

@@ -12,6 +12,7 @@ from typing import Any, Final, get_args
 import numpy as np
 
 from airlight.kernel.background_compiler import BackgroundCompiler
+from airlight.kernel.lanes import LANES
 from airlight.kernel.shader_fields import InTexture, shader_fields
 from airlight.pixels.render_cpu import march_pixels, render_pixels
 from airlight.pixels.sky_view_cpu import SkyViewLayers, fill_texels
@@ -56,7 +57,8 @@ def _arguments() -> list[tuple[Any, ...]]:
     observer = observer_from(numbers)
     layers, window = SkyViewLayers.none(), SkyViewWindow.whole(2, 2)
     view = cpu_view_uniforms(numbers, Camera(width=1, height=1), None, None, layers)
-    weights, rgb, none = np.zeros(3, np.float32), np.zeros((1, 3), np.float32), np.zeros(0)
+    weights, rgb = np.zeros((3, LANES), np.float32), np.zeros((1, 3), np.float32)
+    none = np.zeros(0)
     pixels = (none, none, window, observer, view, tables, work, weights, 1.0, rgb)
     return [(0, 0, window, observer, tables, work, layers), pixels, pixels]
 
@@ -85,7 +87,9 @@ def empty(bundle: Any) -> Any:
         if hasattr(kind, "_fields"):
             values.append(empty(kind))
         elif isinstance(mark, InTexture):
-            values.append(np.zeros((1,) * mark.rank, _number(kind, spectral=mark.spectral)))
+            lanes = (LANES,) if mark.spectral else ()
+            number = _number(kind, spectral=mark.spectral)
+            values.append(np.zeros((1,) * mark.rank + lanes, number))
         else:
             values.append(kind(1))
     return bundle(*values)

@@ -179,8 +179,8 @@ def color_weights(solution: MomentsSolution) -> FloatArray:
 
 
 def _lane_weights(solution: MomentsSolution) -> Float32Array:
-    """Colour weights by lane, shape (3·w,), zero in unused lanes."""
+    """Weights as the rows read them: shape (3, w), zero in lanes without a wavelength."""
     weights = color_weights(solution)
     padded = np.zeros((3, solution.tables.lanes), np.float32)
     padded[:, : weights.shape[0]] = weights.T
-    return padded.reshape(-1)
+    return padded

@@ -2,7 +2,7 @@
 
 They are emitted to shading languages (``exports.look_up_code``) and give the numbers of the
 layouts' own ``interpolate``, on the same mappings. A table is a texture in the order of its memory;
-``load`` reads one texel of it.
+an index reads one texel of it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from airlight.geometry.shell import horizon_cosine
 from airlight.kernel import inlined
-from airlight.kernel.lanes import load, splat
+from airlight.kernel.lanes import splat
 from airlight.mappings import irradiance
 from airlight.mappings.scattering import (
     angle_coordinate,
@@ -43,8 +43,6 @@ class TextureShape(NamedTuple):
         Texels of the irradiance along r and mu_s.
     nodes : int
         Texels of the phase functions along u = sin(θ/2).
-    lanes : int
-        Numbers of a texel.
     """
 
     bottom: float
@@ -59,7 +57,6 @@ class TextureShape(NamedTuple):
     levels: int
     heights: int
     nodes: int
-    lanes: int
 
 
 @inlined
@@ -86,12 +83,8 @@ def row_at(table, near, l0, l1, k0, k1, c, d, shape):
         Numbers of the textures.
     """
     low, high = (near + l0) * shape.suns, (near + l1) * shape.suns
-    first = load(table, shape.lanes * (low + k0)) * np.float32(1.0 - d) + load(
-        table, shape.lanes * (low + k1)
-    ) * np.float32(d)
-    second = load(table, shape.lanes * (high + k0)) * np.float32(1.0 - d) + load(
-        table, shape.lanes * (high + k1)
-    ) * np.float32(d)
+    first = table[low + k0] * np.float32(1.0 - d) + table[low + k1] * np.float32(d)
+    second = table[high + k0] * np.float32(1.0 - d) + table[high + k1] * np.float32(d)
     return first * np.float32(1.0 - c) + second * np.float32(c)
 
 
@@ -146,9 +139,7 @@ def phase_at(table, nu, row, shape):
     u = sqrt(min(max(0.5 * (1.0 - nu), 0.0), 1.0))
     low, high, f = cell(u * (shape.nodes - 1), 0, shape.nodes - 1)
     near = row * shape.nodes
-    return load(table, shape.lanes * (near + low)) * np.float32(1.0 - f) + load(
-        table, shape.lanes * (near + high)
-    ) * np.float32(f)
+    return table[near + low] * np.float32(1.0 - f) + table[near + high] * np.float32(f)
 
 
 @inlined
@@ -169,7 +160,7 @@ def light_at(table, phases, r, mu, mu_s, nu, to_ground, row, scale, shape):
 
 
 @inlined
-def between_four(table, x, y, rows, columns, lanes):
+def between_four(table, x, y, rows, columns):
     """Value of a table of two axes, linear along both, in the stored unit.
 
     Parameters
@@ -180,18 +171,13 @@ def between_four(table, x, y, rows, columns, lanes):
         Coordinates along both axes, 0 to 1. [1]
     rows, columns : int
         Texels along them.
-    lanes : int
-        Numbers of a texel.
     """
     i0, i1, f = cell(x * (rows - 1), 0, rows - 1)
     j0, j1, e = cell(y * (columns - 1), 0, columns - 1)
-    low = load(table, lanes * (i0 * columns + j0)) * np.float32(1.0 - e) + load(
-        table, lanes * (i0 * columns + j1)
-    ) * np.float32(e)
-    high = load(table, lanes * (i1 * columns + j0)) * np.float32(1.0 - e) + load(
-        table, lanes * (i1 * columns + j1)
-    ) * np.float32(e)
-    return low * np.float32(1.0 - f) + high * np.float32(f)
+    low, high = i0 * columns, i1 * columns
+    lower = table[low + j0] * np.float32(1.0 - e) + table[low + j1] * np.float32(e)
+    upper = table[high + j0] * np.float32(1.0 - e) + table[high + j1] * np.float32(e)
+    return lower * np.float32(1.0 - f) + upper * np.float32(f)
 
 
 @inlined
@@ -211,7 +197,7 @@ def transmittance_at(table, r, mu, scale, shape):
         return splat(0.0)
     x = altitude_coordinate(r, shape.bottom, shape.top)
     y = direction_coordinate(r, mu, shape.bottom, shape.top)
-    return between_four(table, x, y, shape.rows, shape.columns, shape.lanes) * np.float32(scale)
+    return between_four(table, x, y, shape.rows, shape.columns) * np.float32(scale)
 
 
 @inlined
@@ -229,4 +215,4 @@ def irradiance_at(table, r, mu_s, scale, shape):
     """
     x = irradiance.radius_coordinate(r, shape.bottom, shape.top)
     y = irradiance.sun_coordinate(mu_s)
-    return between_four(table, x, y, shape.levels, shape.heights, shape.lanes) * np.float32(scale)
+    return between_four(table, x, y, shape.levels, shape.heights) * np.float32(scale)

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.testing import assert_allclose, assert_array_less
 
 from airlight import load_planet
-from airlight.kernel.lanes import LANES
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.adaptive_quadrature import POINTS, adaptive_quadrature
 from airlight.solvers.moments.rays import Rays
@@ -23,7 +22,7 @@ def test_few_points_in_dim_panels_change_no_ray_by_a_thousandth() -> None:
     medium = Medium.from_planet(load_planet("titan"), [680.0, 550.0, 440.0])
     setup = Setup(geometry=RefractedGeometry.of(medium), settings=settings_for("preview"))
     air = setup.optics.air(slice(0, 3))
-    extinction = air.extinction.astype(float).reshape(-1, LANES)
+    extinction = air.extinction.astype(float)
     count = extinction.shape[0]
 
     def light(rays: Rays) -> np.ndarray:

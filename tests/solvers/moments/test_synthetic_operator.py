@@ -19,10 +19,10 @@ def test_weights_at_levels_go_to_the_radii_that_these_are_interpolated_from(part
     rng = np.random.default_rng(1)
     cubics = finer_weights(RADII, parts)
     weights = rng.uniform(0.5, 1.0, (ANGLES, len(cubics), PAIRS, LANES)).astype(np.float32)
-    out = np.full(ANGLES * RADII * PAIRS * LANES, np.nan, np.float32)
-    gather_levels(cubics.astype(np.float32), weights.reshape(-1), ANGLES, out)
-    wanted = np.einsum("fr,afk->ark", cubics, weights.reshape(ANGLES, len(cubics), -1))
-    assert_allclose(out, wanted.reshape(-1), rtol=1e-6)
+    out = np.full((ANGLES, RADII, PAIRS, LANES), np.nan, np.float32)
+    gather_levels(cubics.astype(np.float32), weights, out)
+    wanted = np.einsum("fr,afkw->arkw", cubics, weights)
+    assert_allclose(out, wanted, rtol=1e-6)
 
 
 @pytest.mark.parametrize(("first", "width"), [(0, 4), (4, 3), (7, 2)])
@@ -32,7 +32,7 @@ def test_rays_are_projected_onto_quantities_of_their_radius(first: int, width: i
     weights = rng.uniform(0.5, 1.0, (ANGLES, RADII, PAIRS, LANES)).astype(np.float32)
     projections = rng.uniform(-1.0, 1.0, (width, ANGLES))
     out = np.full((width, RADII * width + 1, LANES), 3.0, np.float32)
-    project_radii(projections, weights.reshape(-1), first, width, RADII, out.reshape(-1))
+    project_radii(projections, weights, first, width, out)
     wanted = np.einsum("qa,arkw->qrkw", projections, weights[:, :, first : first + width])
     assert_allclose(out[:, :-1], wanted.reshape(width, -1, LANES), atol=2e-6)
     assert_array_equal(out[:, -1], np.float32(3.0))

@@ -3,9 +3,9 @@
 A kernel is specialised for its argument types; tables, constants and NamedTuples are bound at
 emission. The Python subset: numbers, ``+ - * / // % **``, comparisons, ``and or not``, ``x if c
 else y``, ``if``, ``for … in range(…)``, ``while``, tuples as results, ``math``, other kernels,
-tables (``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``) and
-the lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything else raises an
-error with file and line.
+tables (``table[i, j]``, ``table.shape[0]``), arrays (``np.empty(CONSTANT)``, ``lane_array``), and
+``lane_view`` and the lanes of ``airlight.kernel.lanes``, which are four wavelengths here. Anything
+else raises an error with file and line.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from typing import Any, Final
 
 from airlight.gpu.emit import single_precision
 from airlight.gpu.emit.dialect import Dialect, ShaderDialect
+from airlight.gpu.emit.lane_views import LaneViews
 from airlight.gpu.emit.scope import SubsetError
 from airlight.gpu.emit.shader_types import (
     LocalArray,
@@ -168,6 +169,7 @@ def _syntax_tree(function: Callable[..., Any]) -> ast.FunctionDef:
     text = getattr(function, "source_text", None) or inspect.getsource(function)
     tree = ast.parse(textwrap.dedent(text)).body[0]
     assert isinstance(tree, ast.FunctionDef)
+    LaneViews(function.__globals__).visit(tree)
     return tree
 
 

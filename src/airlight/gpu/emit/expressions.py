@@ -152,6 +152,8 @@ class Expressions(Calls):
             axis = self.fold(node.slice)
             if isinstance(owner, ShaderTable) and isinstance(axis, int) and axis < owner.rank:
                 return self.dialect.length(owner.name, str(axis)), I32
+            if isinstance(owner, ShaderTable) and owner.spectral and axis == owner.rank:
+                return "1", Constant(1)
             if isinstance(owner, LocalArray) and axis == 0:
                 return str(owner.size), Constant(owner.size)
         owner = self.bound(node.value)
@@ -159,9 +161,7 @@ class Expressions(Calls):
             if owner.image:
                 places = self.indices(node, owner)
                 return self.dialect.texel(owner.name, *places), owner.element
-            if owner.spectral:
-                raise self.refuse(node, "is read with load()")
-            return self.dialect.element(owner.name, self.flat_index(node, owner)), F32
+            return self.dialect.element(owner.name, self.flat_index(node, owner)), owner.element
         return self.place(node)
 
     def indices(self, node: ast.Subscript, table: ShaderTable) -> list[str]:

@@ -37,7 +37,7 @@ _SHORT: Final = frozenset(
 _UNROLLED: Final = 4
 #: Largest number of operations of an unrolled loop: drivers inline every call, so that unrolling
 #: multiplies their compile time.
-_MOST_OPERATIONS: Final = 20
+_MOST_OPERATIONS: Final = 12
 
 
 @dataclass

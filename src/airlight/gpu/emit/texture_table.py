@@ -37,6 +37,8 @@ class TextureTable:
         Whether the texture has packed texels, with longer rows.
     image : bool
         Whether it is an image, read by row and column.
+    axes : tuple of str
+        Expressions of the lengths of the axes after the first, as floats, if no vector has them.
     """
 
     name: str
@@ -50,6 +52,7 @@ class TextureTable:
     by_number: bool = False
     packed: bool = False
     image: bool = False
+    axes: tuple[str, ...] = ()
 
     @property
     def table(self) -> ShaderTable:
@@ -89,7 +92,7 @@ class TextureTable:
     def _lengths(self, dialect: ShaderDialect) -> list[str]:
         """Length of each axis, by constant index into ``lengths``."""
         if not self.lengths:
-            return []
+            return ["0"] * bool(self.axes) + [dialect.convert(one, I32) for one in self.axes]
         named = self.rank - 1 if self.pair else self.rank
         places = [f"{self.lengths}[{axis + self.first}]" for axis in range(named)]
         return [dialect.convert(one, I32) for one in places] + ["2"] * self.pair

@@ -213,7 +213,7 @@ class UniformStruct:
         Parameters
         ----------
         arrays : mapping
-            Arrays of scalars, any shape, or of texels, shape (n, 4), by table name.
+            Arrays of numbers, any shape, or of texels, shape (..., 4), by the names of tables.
 
         Returns
         -------
@@ -229,7 +229,7 @@ class UniformStruct:
                 continue
             channels = self.textures[table.texture]
             before = parts.setdefault(table.texture, [])
-            shape = arrays[name].shape if channels == 1 else arrays[name].shape[:1]
+            shape = arrays[name].shape if channels == 1 else arrays[name].shape[:-1]
             places[name] = (sum(part.shape[0] for part in before), *shape)
             before.append(np.ascontiguousarray(arrays[name], np.float32).reshape(-1, channels))
         return {name: np.concatenate(part) for name, part in parts.items()}, places

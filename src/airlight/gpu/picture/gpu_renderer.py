@@ -537,7 +537,7 @@ class GpuRenderer:
         )  # fmt: skip
         unread = () if uniforms["separated_phases"] else LAYERS[2:4]
         for name, layer in zip(LAYERS, layers, strict=True):
-            if layer.size > 1 and name not in unread:
+            if len(layer) > 1 and name not in unread:
                 update_flat(self.device, sky.layers[name], 0, pack_texels(layer, WAVELENGTHS))
 
     def _require_solution(self) -> MomentsSolution:

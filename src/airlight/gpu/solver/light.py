@@ -9,7 +9,7 @@ import numpy as np
 
 from airlight.gpu.solver.ray_sums import fill_phase_f12, fill_phases, gathered, scattered_once
 from airlight.kernel import inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, lane_array, load, splat
+from airlight.kernel.lanes import INVERSE_PI, lane_array, lane_view, splat
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import direct_reflectance
 from airlight.pixels.render_tables import MAX_CONSTITUENTS
@@ -55,8 +55,8 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
     ray, i, a, mu_s, nu = ray_and_star(index, sizes, tables)
     first = int(tables.start[i, a])
     points = int(tables.start[i, a + 1]) - first
-    phases = lane_array(MAX_CONSTITUENTS)
-    phase_f12 = lane_array(MAX_CONSTITUENTS)
+    phases = lane_view(lane_array(MAX_CONSTITUENTS))
+    phase_f12 = lane_view(lane_array(MAX_CONSTITUENTS))
     fill_phases(tables.moments, nu, sizes.degree, sizes.constituents, phases)
     fill_phase_f12(tables.polarised_moments, nu, sizes.constituents, phase_f12)
     radiance, scattering_q = scattered_once(
@@ -79,14 +79,14 @@ def radiance_once(index, sizes, tables, first_point, shares, strengths, throughs
         sizes.star_radius,
         tables.refraction_table,
     )
-    share = load(shares, LANES * ray)
+    share = shares[ray]
     radiance = share * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
         factor = direct_reflectance(
             tables.ground, 0, at_ground, mu_r_at_end(tables.end, i, a, tables.mu[i, a]), nu
         )
-        radiance = radiance + factor * INVERSE_PI * load(throughs, LANES * ray) * direct_light(
+        radiance = radiance + factor * INVERSE_PI * throughs[ray] * direct_light(
             at_ground,
             sizes.bottom,
             sizes.top,
@@ -112,32 +112,29 @@ def row(index, sizes, tables, first_point, factors, packed):
     x = node_value(tables.radius[point], sizes.bottom, sizes.top, tables.first_nodes, tables.row)
     level = min(int(x), sizes.levels - 2)
     f = np.float32(x - level)
-    low = (level * sizes.sun_angles + j) * (1 + sizes.terms) * LANES
-    high = low + sizes.sun_angles * (1 + sizes.terms) * LANES
     if part == 0:
-        return (np.float32(1.0) - f) * load(packed, low) + f * load(packed, high)
-    start = LANES * point * (sizes.terms + 1)
-    last = start + LANES * (sizes.terms - POLARISED + EVEN)
+        return (np.float32(1.0) - f) * packed[level, j, 0] + f * packed[level + 1, j, 0]
+    last = sizes.terms - POLARISED + EVEN
     if part > sizes.degree + 1:
         m = part - 2 - sizes.degree
         slanting = m >= EVEN
         if slanting:
             m = m - EVEN + 1
-        moment, coupled = coupled_moments(packed, low, high, f, m, sizes.degree, False)
+        moment, coupled = coupled_moments(packed, level, j, f, m, sizes.degree, False)
         even, odd = polarised_function(tables.mu_along[point], m)
         if slanting:
             even, odd = odd, even
-        sent = load(factors, last) * moment + load(factors, last + LANES) * coupled
+        sent = factors[point, last] * moment + factors[point, last + 1] * coupled
         sent = np.float32(even) * sent
         if m > 0:
-            coupled = odd_moment(packed, low, high, f, m, sizes.degree, False)
-            sent = sent + np.float32(odd) * load(factors, last + 2 * LANES) * coupled
+            coupled = odd_moment(packed, level, j, f, m, sizes.degree, False)
+            sent = sent + np.float32(odd) * factors[point, last + 2] * coupled
         return sent
     m = part - 1
-    total = contracted(factors, start, packed, low, high, f, m, sizes.degree, False)
+    total = contracted(factors, point, packed, level, j, f, m, sizes.degree, False)
     if m < EVEN:
-        _, coupled = coupled_moments(packed, low, high, f, m, sizes.degree, False)
-        total = total + load(factors, last + LANES * (m - EVEN)) * coupled
+        _, coupled = coupled_moments(packed, level, j, f, m, sizes.degree, False)
+        total = total + factors[point, last + m - EVEN] * coupled
     return total
 
 
@@ -165,11 +162,11 @@ def radiance_again(index, sizes, tables, first_point, shares, rows, bounces, irr
         True,
         False,
     )
-    radiance = load(shares, LANES * ray) * radiance
+    radiance = shares[ray] * radiance
     if a < sizes.angles // 2:
         at_ground = star_at_end(tables.end, i, a, mu_s, nu)
         sky = sky_at(irradiances, at_ground, tables.place, sizes.sun_angles)
-        radiance = radiance + load(bounces, LANES * ray) * sky
+        radiance = radiance + bounces[ray] * sky
     return radiance
 
 
@@ -197,7 +194,7 @@ def polarised_again(index, sizes, tables, first_point, shares, rows):
         False,
         True,
     )
-    share = load(shares, LANES * ray)
+    share = shares[ray]
     return share * stokes_q, share * stokes_u
 
 
@@ -209,14 +206,14 @@ def azimuthal_once(index, sizes, tables, radiances, planes):
     start = index // width * sizes.turns
     total = splat(0.0)
     for b in range(sizes.turns):
-        value = load(radiances, LANES * (start + b))
+        value = radiances[start + b]
         if part > sizes.degree:
             _, i, a, mu_s, nu = ray_and_star(start + b, sizes, tables)
             cosine, sine = star_plane(tables.mu[i, a], mu_s, nu)
             turn = cosine
             if part > sizes.degree + EVEN:
                 turn = sine
-            value = np.float32(turn) * load(planes, LANES * (start + b))
+            value = np.float32(turn) * planes[start + b]
         total = total + np.float32(azimuthal_weight(tables, part, b, sizes.degree)) * value
     return total
 
@@ -243,12 +240,11 @@ def azimuthal(index, sizes, tables, radiances, stokes_qs, stokes_us):
     start = index // width * sizes.turns
     total = splat(0.0)
     for b in range(sizes.turns):
-        at = LANES * (start + b)
-        value = load(radiances, at)
+        value = radiances[start + b]
         if part > sizes.degree + EVEN:
-            value = load(stokes_us, at)
+            value = stokes_us[start + b]
         elif part > sizes.degree:
-            value = load(stokes_qs, at)
+            value = stokes_qs[start + b]
         total = total + np.float32(azimuthal_weight(tables, part, b, sizes.degree)) * value
     return total
 
@@ -268,7 +264,7 @@ def gathered_moment(index, sizes, projections, azimuthals):
         start = sizes.radii * sizes.angles * weights + i * sizes.angles
         for a in range(sizes.angles):
             at = ((i * sizes.angles + a) * sizes.sun_angles + j) * width
-            total = total + np.float32(projections[start + a]) * load(azimuthals, LANES * at)
+            total = total + np.float32(projections[start + a]) * azimuthals[at]
         return total
     node, term = index // sizes.terms, index % sizes.terms
     i, j = node // sizes.sun_angles, node % sizes.sun_angles
@@ -285,9 +281,9 @@ def gathered_moment(index, sizes, projections, azimuthals):
         ray = i * sizes.angles + a
         at = (ray * sizes.sun_angles + j) * width + m
         start = ray * weights
-        total = total + np.float32(projections[start + first]) * load(azimuthals, LANES * at)
+        total = total + np.float32(projections[start + first]) * azimuthals[at]
         if term > harmonics:
-            odd = load(azimuthals, LANES * (at + EVEN - 1))
+            odd = azimuthals[at + EVEN - 1]
             total = total + np.float32(projections[start + second]) * odd
     return total
 
@@ -295,4 +291,4 @@ def gathered_moment(index, sizes, projections, azimuthals):
 @inlined
 def gathered_onto(index, sizes, projections, azimuthals, first):
     """Sum of ``gathered_moment`` and the first order."""
-    return load(first, LANES * index) + gathered_moment(index, sizes, projections, azimuthals)
+    return first[index] + gathered_moment(index, sizes, projections, azimuthals)

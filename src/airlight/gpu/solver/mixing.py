@@ -6,7 +6,6 @@ See ``rays`` for the index.
 from __future__ import annotations
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, load
 from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.convergence import is_near
 from airlight.solvers.moments.stopping import PASS_ITERATES
@@ -24,8 +23,8 @@ def mean(index, sizes, iterate, guess):
     if index // nodes % 2 == 1:
         at = nodes * sizes.terms + node
     if index < 2 * nodes:
-        return load(iterate, LANES * at)
-    return load(guess, LANES * at)
+        return iterate[at]
+    return guess[at]
 
 
 @inlined
@@ -71,10 +70,8 @@ def next_guess(index, sizes, weights, iterates, sounds):
     node = index // sizes.terms
     if index >= nodes * sizes.terms:
         node = nodes + index - nodes * sizes.terms
-    total = load(weights, 0) * load(iterates.iterate_0, LANES * index)
-    total = total + load(weights, LANES) * load(iterates.iterate_1, LANES * index)
-    total = total + load(weights, 2 * LANES) * load(iterates.iterate_2, LANES * index)
-    total = total + load(weights, 3 * LANES) * load(iterates.iterate_3, LANES * index)
-    total = total + load(weights, 4 * LANES) * load(iterates.iterate_4, LANES * index)
-    last = load(iterates.iterate_0, LANES * index)
-    return last + load(sounds, LANES * node) * (total - last)
+    last = iterates.iterate_0[index]
+    total = weights[0] * last + weights[1] * iterates.iterate_1[index]
+    total = total + weights[2] * iterates.iterate_2[index] + weights[3] * iterates.iterate_3[index]
+    total = total + weights[4] * iterates.iterate_4[index]
+    return last + sounds[node] * (total - last)

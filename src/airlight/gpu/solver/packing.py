@@ -8,7 +8,6 @@ from __future__ import annotations
 from math import sqrt
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, load
 from airlight.pixels.render_tables import WAVELENGTHS
 from airlight.solvers.moments.levels import between_levels, cubic_bend, smoothness
 from airlight.solvers.moments.packing import floor_below, rational_scale
@@ -188,12 +187,12 @@ def packed(index, sizes, fine, scales):
     moments = nodes * (1 + sizes.terms)
     if index >= moments:
         node = (index - moments) // 2
-        scale = load(scales, LANES * (nodes + node))
+        scale = scales[nodes + node]
         if (index - moments) % 2 == 0:
             return scale
-        return load(fine, LANES * (nodes * sizes.terms + node)) * scale
+        return fine[nodes * sizes.terms + node] * scale
     node, part = index // (1 + sizes.terms), index % (1 + sizes.terms)
-    scale = load(scales, LANES * node)
+    scale = scales[node]
     if part == 0:
         return scale
-    return load(fine, LANES * (node * sizes.terms + part - 1)) * scale
+    return fine[node * sizes.terms + part - 1] * scale

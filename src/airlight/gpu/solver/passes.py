@@ -26,6 +26,7 @@ from airlight.gpu.emit.texture_table import TextureTable
 from airlight.gpu.emit.wgsl import WGSL
 from airlight.gpu.solver import light, mixing, packing, rays
 from airlight.gpu.solver.tables import SOLVE, GridSizes, Tables
+from airlight.solvers.moments.harmonics import POLARISED
 from airlight.solvers.moments.stopping import PASS_ITERATES
 
 #: Element types of an input texture: four wavelengths a texel, or scalars.
@@ -47,11 +48,14 @@ class TextureInput:
         Element type: vectors of four wavelengths, or scalars.
     from_sky : bool
         Whether index 0 is the ground's irradiance in a packed field.
+    axes : tuple of str
+        Lengths of the axes after the first: fields of ``GridSizes`` or numbers, and sums of both.
     """
 
     texture: str
     view: View = "lanes"
     from_sky: bool = False
+    axes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -84,6 +88,7 @@ class SolverPass:
 
 
 _ALONG: Final = ("sizes", "tables", "first_point")
+_ROWS: Final = TextureInput("rows", axes=("sun_angles", f"degree + {2 + POLARISED}"))
 
 #: Passes that run once per solve: ray optics and the first order.
 ONCE: Final = (
@@ -97,8 +102,8 @@ ONCE: Final = (
     SolverPass(
         "radiance_once", light.radiance_once, ("radiances", "stokes_qs"), _ALONG,
         (
-            TextureInput("shares"), TextureInput("strengths"), TextureInput("throughs"),
-            TextureInput("depths"),
+            TextureInput("shares"), TextureInput("strengths", axes=("constituents + 1",)),
+            TextureInput("throughs"), TextureInput("depths", axes=("directions",)),
         ),
         spanned=True,
     ),
@@ -140,19 +145,23 @@ PACK: Final = (
 SWEEP: Final = (
     SolverPass(
         "row", light.row, ("rows",), _ALONG,
-        (TextureInput("factors"), TextureInput("packed")), spanned=True,
+        (
+            TextureInput("factors", axes=("terms + 1",)),
+            TextureInput("packed", axes=("sun_angles", "terms + 1")),
+        ),
+        spanned=True,
     ),
     SolverPass(
         "radiance_again", light.radiance_again, ("radiances",), _ALONG,
         (
-            TextureInput("shares"), TextureInput("rows"), TextureInput("bounces"),
-            TextureInput("packed", from_sky=True),
+            TextureInput("shares"), _ROWS, TextureInput("bounces"),
+            TextureInput("packed", from_sky=True, axes=("sun_angles", "2")),
         ),
         spanned=True,
     ),
     SolverPass(
         "polarised_again", light.polarised_again, ("stokes_qs", "stokes_us"), _ALONG,
-        (TextureInput("shares"), TextureInput("rows")), spanned=True,
+        (TextureInput("shares"), _ROWS), spanned=True,
     ),
     SolverPass(
         "azimuthal", light.azimuthal, ("azimuthals",),
@@ -184,7 +193,18 @@ def _input_table(name: str, one: TextureInput) -> TextureTable:
     """Table of a kernel argument in an input texture."""
     start = SOLVE.uniform("received").text if one.from_sky else ""
     spectral = one.view == "lanes"
-    return TextureTable(name, one.texture, 1, spectral, start, by_number=not spectral)
+    axes = tuple(_length(axis) for axis in one.axes)
+    return TextureTable(
+        name, one.texture, 1 + len(axes), spectral, start, by_number=not spectral, axes=axes
+    )
+
+
+def _length(axis: str) -> str:
+    """Length of an axis of ``TextureInput`` as an expression of floats."""
+    terms = axis.split(" + ")
+    return " + ".join(
+        SOLVE.uniform(one).text if one in GridSizes._fields else f"{one}.0" for one in terms
+    )
 
 
 def _weights_reader(dialect: ShaderDialect, spectral: bool) -> str:

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from airlight.gpu.solver.plan import RadiusRange, SolverPlan, row_block
 from airlight.gpu.solver.tables import SOLVE
-from airlight.kernel.lanes import LANES
 from airlight.optics.reflection import NUMBERS
 from airlight.pixels.capacity import check_capacity
 from airlight.pixels.render_tables import WAVELENGTHS
@@ -99,9 +98,9 @@ def plan_for(
     )
 
 
-def _lanes(flat: Float32Array) -> Float32Array:
-    """Elements of eight lanes cut to four, shape (n, 4)."""
-    return flat.reshape(-1, LANES)[:, :WAVELENGTHS]
+def _lanes(values: Float32Array) -> Float32Array:
+    """The first four of eight lanes, shape (..., 4)."""
+    return values[..., :WAVELENGTHS]
 
 
 def _spans(start: NDArray[np.int64], sizes: dict[str, Any]) -> tuple[RadiusRange, ...]:

@@ -12,10 +12,9 @@ import numpy as np
 
 from airlight.geometry.refraction import star_points
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import splat
 from airlight.mappings.transmittance import altitude_coordinate, direction_coordinate
 from airlight.solvers.moments.first_order import ISOTROPIC, SECOND, transmittance_row
-from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED
 from airlight.solvers.moments.ray_optics import sun_index
 from airlight.solvers.moments.source_function import source_at_point
 
@@ -51,7 +50,7 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
         Index of the direction.
     distance : float
         Distance to the top. [m]
-    extinction : array, shape (nc·8,)
+    extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
     constituents : int
     """
@@ -59,7 +58,7 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
     for c in range(constituents):
         scale = ratios[row, place, c, 0] * (1.0 - f) + ratios[row + 1, place, c, 0] * f
         scaled = ratios[row, place, c, 1] * (1.0 - f) + ratios[row + 1, place, c, 1] * f
-        tau = tau + load(extinction, LANES * c) * np.float32(distance * scaled / scale)
+        tau = tau + extinction[c] * np.float32(distance * scaled / scale)
     return tau
 
 
@@ -84,12 +83,10 @@ def fill_phases(moments, nu, degree, constituents, phases):
         total = splat(0.0)
         before, value = 0.0, 1.0
         for l in range(degree + 1):
-            total = total + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
-                (2 * l + 1) * ISOTROPIC * value
-            )
+            total = total + moments[c, l] * np.float32((2 * l + 1) * ISOTROPIC * value)
             following = ((2 * l + 1) * nu * value - l * before) / (l + 1)
             before, value = value, following
-        store(phases, LANES * c, total)
+        phases[c] = total
 
 
 @inlined
@@ -97,7 +94,7 @@ def fill_phase_f12(polarised_moments, nu, constituents, phases):
     """Compute F₁₂ of degree 2 times scattering coefficient of each constituent. [m⁻¹ sr⁻¹]"""
     part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
     for c in range(constituents):
-        store(phases, LANES * c, load(polarised_moments, LANES * ELEMENTS * c) * part)
+        phases[c] = polarised_moments[c, 0] * part
 
 
 @inlined
@@ -114,13 +111,14 @@ def scattered_once(
     first, points : int
         First point of the ray, and number of points.
     strong, deep : int
-        Index of the first point in ``strengths`` and ``depths``.
-    strengths : array, shape (points·(nc + 1)·8,)
-        Result of ``rays.strength`` [m], and ``polarised_transmittance_ratio`` [1].
-    phases, phase_f12 : array, shape (nc·8,)
+        Index of the first of them in ``strengths`` and ``depths``.
+    strengths : lanes, shape (points, nc + 1)
+        Amount of each constituent at a point times the transmittance on the way from it [m], and
+        ``polarised_transmittance_ratio`` on that way [1].
+    phases, phase_f12 : lanes, shape (nc,)
         Arrays from ``fill_phases`` and ``fill_phase_f12``. [m⁻¹ sr⁻¹]
     constituents : int
-    depths : array, shape (points·directions·8,)
+    depths : lanes, shape (points, directions)
         Depths from ``depth_in_row``. [1]
     directions : int
     mu_s, nu : float
@@ -142,14 +140,13 @@ def scattered_once(
             light = light + transmittance_row(depths, deep + k, x, directions)
             light = light * np.float32(0.5)
         source, turned = splat(0.0), splat(0.0)
-        at = LANES * (strong + k) * (constituents + 1)
         for c in range(constituents):
-            amount = load(strengths, at + LANES * c)
-            source = source + load(phases, LANES * c) * amount
-            turned = turned + load(phase_f12, LANES * c) * amount
+            amount = strengths[strong + k, c]
+            source = source + phases[c] * amount
+            turned = turned + phase_f12[c] * amount
         light = np.float32(seen) * light
         radiance = radiance + light * source
-        polarised = polarised + light * turned * load(strengths, at + LANES * constituents)
+        polarised = polarised + light * turned * strengths[strong + k, constituents]
     return radiance, polarised
 
 
@@ -179,7 +176,7 @@ def gathered(
         First point of the ray, and number of points.
     local : int
         Index of the first point in ``rows``.
-    rows : array, shape (points·s·(7 + N)·8,)
+    rows : lanes, shape (points, s, 7 + N)
         For each point and sun the node of ``source_at_point``.
     mu_s, nu : float
         Cosines of the star at the start of the ray. [1]
@@ -190,7 +187,6 @@ def gathered(
     bright, polarised : bool
         Constants: whether I, and whether Q and U are computed; otherwise they are 0.
     """
-    block = (degree + 2 + POLARISED) * LANES
     radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
     for k in range(points):
         mu_sk, nu_k = star_from_point(turn, first + k, mu_s, nu)
@@ -198,10 +194,9 @@ def gathered(
         column = min(int(x), sun_angles - 2)
         step = np.float32(azimuth_cosine(mu_along[first + k], mu_sk, nu_k))
         sine = sqrt(max((np.float32(1.0) - step) * (np.float32(1.0) + step), np.float32(0.0)))
-        low = ((local + k) * sun_angles + column) * block
         light, point_q, point_u = source_at_point(
-            rows, low, low + block, np.float32(x - column), step, sine, degree + 1, degree, bright,
-            polarised, False,
+            rows, local + k, column, np.float32(x - column), step, sine, degree + 1, degree,
+            bright, polarised, False,
         )  # fmt: skip
         radiance, stokes_q, stokes_u = radiance + light, stokes_q + point_q, stokes_u + point_u
     return radiance, stokes_q, stokes_u

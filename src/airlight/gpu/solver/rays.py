@@ -1,12 +1,12 @@
 """Kernels of the solver passes that do not depend on the order of scattering: ray optics.
 
-Each kernel here and in ``light``, ``packing`` and ``mixing`` computes one element of a flat
-texture. It decodes radius, ray, sun angle or moment from the index, and calls functions of
-``solvers.moments`` that are shared with the CPU. Kernels with a result of four wavelengths are
-indexed by texel, those with a scalar result by component. ``LANES`` is 1 on the GPU.
+Each kernel here and in ``light``, ``packing`` and ``mixing`` computes one element of a texture. It
+decodes radius, ray, sun angle or moment from the index, and calls functions of ``solvers.moments``
+that are shared with the CPU. Kernels with a result of four wavelengths are indexed by texel, those
+with a scalar result by component.
 
 ``index`` is that index, ``sizes`` and ``tables`` are those of the module ``tables``,
-``first_point`` is the first point of the current radius range; all other arguments are textures of
+``first_point`` is the first point of the current span of radii; every other argument is a
 earlier passes, see ``passes``.
 """
 
@@ -16,11 +16,10 @@ import numpy as np
 
 from airlight.gpu.solver.ray_sums import depth_in_row
 from airlight.kernel import inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, exponential, load, splat
+from airlight.kernel.lanes import INVERSE_PI, exponential, splat
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import diffuse_reflectance
 from airlight.solvers.moments.harmonics import (
-    ELEMENTS,
     EVEN,
     POLARISED,
     degree_of,
@@ -73,19 +72,18 @@ def factor(index, sizes, tables):
             tables.column, point * sizes.constituents, tables.polarised_moments, sizes.constituents
         )
         return transmittance * strength_of(
-            tables.polarised_moments, tables.amount, point, part - coupled, ELEMENTS - 1,
-            sizes.constituents,
-        )  # fmt: skip
+            tables.polarised_moments, tables.amount, point, part - coupled, sizes.constituents
+        )
     l, m = 2, part - harmonics
     if part < harmonics:
         l = degree_of(part)
         m = part - l * (l + 1) // 2
         transmittance = transmittance * strength_of(
-            tables.moments, tables.amount, point, l, sizes.degree, sizes.constituents
+            tables.moments, tables.amount, point, l, sizes.constituents
         )
     else:
         transmittance = transmittance * strength_of(
-            tables.polarised_moments, tables.amount, point, 0, ELEMENTS - 1, sizes.constituents
+            tables.polarised_moments, tables.amount, point, 0, sizes.constituents
         )
     function = legendre_function(
         tables.mu_along[point], l, m, tables.harmonic, tables.ahead, tables.back
@@ -141,7 +139,7 @@ def bounce(index, sizes, tables, throughs):
     if a >= sizes.angles // 2:
         return splat(0.0)
     factor = diffuse_reflectance(tables.ground, 0, mu_r_at_end(tables.end, i, a, tables.mu[i, a]))
-    return factor * INVERSE_PI * load(throughs, LANES * index)
+    return factor * INVERSE_PI * throughs[index]
 
 
 @inlined

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Annotated, Any, Final, NamedTuple
 
 from airlight.gpu.emit.uniform_struct import UniformStruct
-from airlight.kernel.shader_fields import SPECTRA, scalars
+from airlight.kernel.shader_fields import SPECTRA, scalars, spectra
 from airlight.optics.reflection import Reflection
 
 
@@ -100,8 +100,8 @@ class Tables(NamedTuple):
     refraction_table: Annotated[Any, scalars(3)]
     level: Annotated[Any, scalars()]
     extinction: Annotated[Any, SPECTRA]
-    moments: Annotated[Any, SPECTRA]
-    polarised_moments: Annotated[Any, SPECTRA]
+    moments: Annotated[Any, spectra(2)]
+    polarised_moments: Annotated[Any, spectra(2)]
     ground: Reflection
 
 

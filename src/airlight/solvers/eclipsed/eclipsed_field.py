@@ -23,7 +23,7 @@ from airlight.geometry.quadrature import gauss_legendre
 from airlight.geometry.shell import distance_to_bottom, distance_to_top, horizon_cosine
 from airlight.kernel import compiled_loop, disk
 from airlight.kernel.fingerprints import fingerprint
-from airlight.kernel.lanes import LANES, load, store
+from airlight.kernel.lanes import LANES, lane_view, store
 from airlight.kernel.threads import Cancel, Progress, run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.solvers.eclipsed.eclipsed_march import (
@@ -176,8 +176,8 @@ def _empty(solution: MomentsSolution, star: OccultedStar) -> ShadowTables:
         radii=grid.radii,
         distances=grid.distances,
         angles=grid.turns + 1,
-        field=np.zeros(nodes * (degree + 1) ** 2 * star.lanes, np.float32),
-        sky=np.zeros(nodes // grid.radii * star.lanes, np.float32),
+        field=np.zeros((nodes, (degree + 1) ** 2, star.lanes), np.float32),
+        sky=np.zeros((nodes // grid.radii, star.lanes), np.float32),
     )
 
 
@@ -244,7 +244,9 @@ def _iterate(
     part = _visible_fractions(empty, tables)
     mean = 1.0 / sqrt(4.0 * pi)
     for order in range(2, _MOST_SWEEPS + 2):
-        shadow = empty._replace(field=last.reshape(-1), sky=last_sky.reshape(-1))
+        shadow = empty._replace(
+            field=last.reshape(empty.field.shape), sky=last_sky.reshape(empty.sky.shape)
+        )
         more, more_sky = sweep(shadow, SCATTERING_CORRECTION, order)
         field, sky = field + more, sky + more_sky
         whole = np.maximum(part + field[..., 0, :] * mean, 1e-9)
@@ -320,7 +322,7 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
     tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
     lanes, star = tables.lanes, shadow.star
     up_nodes, up_weights, down_nodes, down_weights, azimuths = directions
-    result = np.empty(2 * lanes, np.float32)
+    result = np.empty((2, lanes), np.float32)
     scale = np.empty(lanes, np.float32)
     terms = (shadow.degree + 1) * (shadow.degree + 1)
     for angle in range(count):
@@ -337,16 +339,13 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
         flat = sqrt(a * a + c * c)
         d, e, f = (c / flat, 0.0, -a / flat) if flat > 1e-3 else (1.0, 0.0, 0.0)
         g, h, i = b * f - c * e, c * d - a * f, a * e - b * d
-        near, block, first, second = field_place(q, 1.0, mu_s, mu_s, tables, work)
+        level, sun, first, second = field_place(q, 1.0, mu_s, mu_s, tables, work)
         p, s = np.float32(first), np.float32(second)
         p0, s0 = np.float32(1.0) - p, np.float32(1.0) - s
-        far = near + tables.sun_angles * block
         for at in range(0, lanes, LANES):
-            low = between(tables.field, near + at, far + at, block, p0 * s0, p0 * s, p * s0, p * s)
-            element = lanes + at
-            mean = between(
-                tables.field, near + element, far + element, block, p0 * s0, p0 * s, p * s0, p * s
-            )
+            before = lane_view(tables.field, at)
+            low = between(before, level, sun, 0, p0 * s0, p0 * s, p * s0, p * s)
+            mean = between(before, level, sun, 1, p0 * s0, p0 * s, p * s0, p * s)
             store(scale, at, mean / low * work.functions[0])
         horizon = horizon_cosine(q, tables.bottom)
         for side in range(2):
@@ -368,27 +367,19 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
                     u, v, w = mu * a + r * d + o * g, mu * b + r * e + o * h, mu * c + r * f + o * i
                     nu = u * star.star_x + v * star.star_y + w * star.star_z
                     half = sqrt(max(0.5 * (1.0 - nu), 0.0))
-                    read_phase(
-                        half,
-                        tables.phase,
-                        tables.phase_nodes,
-                        lanes * tables.constituents,
-                        work.phase,
-                    )
+                    read_phase(half, tables.phase, work.phase)
                     line_eclipsed(
                         x, y, z, u, v, w, half, length, side == 1, kind, work.phase, tables, shadow,
                         work, scratch, result,
                     )  # fmt: skip
                     direction_functions(u, v, w, shadow, scratch)
                     for at in range(0, lanes, LANES):
-                        value = load(result, at) * np.float32(solid)
+                        moments, flux = lane_view(field, at), lane_view(sky, at)
+                        value = lane_view(result, at)[0] * np.float32(solid)
                         for index in range(terms):
-                            store(
-                                field[angle, index], at,
-                                load(field[angle, index], at) + value * scratch.functions[index],
-                            )  # fmt: skip
+                            moments[angle, index] += value * scratch.functions[index]
                         if row == 0 and side == 0:
-                            store(sky[angle], at, load(sky[angle], at) + value * np.float32(mu))
+                            flux[angle] += value * np.float32(mu)
         for at in range(lanes):
             for index in range(terms):
                 over = scale[at]
@@ -396,7 +387,7 @@ def _gather(row, column, count, kind, tables, shadow, work, scratch, directions,
         if row == 0:
             ground_light(mu_s, 2, tables, work)
             for at in range(lanes):
-                over = work.irradiance[lanes + at]
+                over = work.irradiance[1, at]
                 sky[angle, at] = sky[angle, at] / over if over > 0.0 else 0.0
 
 
@@ -408,7 +399,10 @@ def _refined(shadow: ShadowTables, field: Float32Array, sky: Float32Array) -> Sh
     finer = _finer(field.reshape(shadow.radii, *shape), distances, angles)
     finer_sky = _finer(sky.reshape(1, *shape), distances, angles)
     return shadow._replace(
-        distances=distances, angles=angles, field=finer.reshape(-1), sky=finer_sky.reshape(-1)
+        distances=distances,
+        angles=angles,
+        field=finer.reshape(-1, *shadow.field.shape[1:]),
+        sky=finer_sky.reshape(-1, shadow.sky.shape[-1]),
     )
 
 

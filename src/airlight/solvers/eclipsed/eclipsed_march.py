@@ -17,7 +17,7 @@ from airlight.geometry.occulted_star import apparent_discs, table_place, visible
 from airlight.geometry.path import insert_edge
 from airlight.geometry.refraction import refraction_angle
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, load, maximum, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, load, maximum, splat, store
 from airlight.optics.reflection import diffuse_reflectance, direct_reflectance
 from airlight.solvers.eclipsed.shadow_tables import (
     deviation,
@@ -93,13 +93,13 @@ def visible_star_fraction(x, y, z, shadow, scratch):
     shadow, scratch : ShadowTables, ShadowWorkspace
     """
     separation, size = apparent_discs(x, y, z, shadow.star)
-    near, e, f = table_place(separation, size, shadow.star)
+    row, node, e, f = table_place(separation, size, shadow.star)
     for at in range(0, shadow.star.lanes, LANES):
         part = splat(1.0)
-        if near == -2:
+        if row == -2:
             part = splat(0.0)
-        elif near >= 0:
-            part = visible_fractions(near, e, f, shadow.star, at)
+        elif row >= 0:
+            part = visible_fractions(row, node, e, f, shadow.star, at)
         store(scratch.seen, at, part - load(scratch.offset, at))
 
 
@@ -145,14 +145,14 @@ def march_eclipsed(
     kind : int
         ``LOCAL_SHADOW``, ``SCATTERING_CORRECTION`` or ``TOTAL``. For the first, ``scratch.offset``
         is subtracted from the visible fraction of the star.
-    phase : array, shape (nc·w,)
+    phase : array, shape (nc, w)
         Phase functions. [sr⁻¹]
     tables, work : MarchTables, MarchWorkspace
         Tables of the unshadowed solution; workspace, whose totals receive the columns of the
         segment [m].
     shadow, scratch : ShadowTables, ShadowWorkspace
         Shadow, and its workspace.
-    result : array, shape (2·w,)
+    result : array, shape (2, w)
         Receives path radiance [sr⁻¹] and transmittance [1].
     """
     r = sqrt(x * x + y * y + z * z)
@@ -168,7 +168,8 @@ def march_eclipsed(
     for c in range(tables.constituents):
         work.columns_so_far[c] = 0.0
     for at in range(0, tables.lanes, LANES):
-        store(result, at, splat(0.0))
+        found = lane_view(result, at)
+        found[0] = splat(0.0)
     reset_peaks(tables, work)
     for panel in range(count - 1):
         place_panel(r, mu, panel, count, rule, tables, work)
@@ -181,13 +182,12 @@ def march_eclipsed(
     for c in range(tables.constituents):
         work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, tables.lanes, LANES):
-        transmittance = transmittance_columns(
-            work.columns_total, tables.scaled_extinction, tables.constituents, tables.lanes, at
+        found, sums = lane_view(result, at), lane_view(work.peaks, at)
+        found[1] = transmittance_columns(
+            work.columns_total, lane_view(tables.scaled_extinction, at), tables.constituents
         )
-        store(result, tables.lanes + at, transmittance)
         if tables.broadened and kind != SCATTERING_CORRECTION:
-            more = peak_gain(half_sine, tables, work, at)
-            store(result, at, load(result, at) + more * load(work.peaks, at))
+            found[0] += peak_gain(half_sine, tables, work, at) * sums[0]
 
 
 @inlined
@@ -225,49 +225,48 @@ def _add_point(
         seen, spread = star_columns(q, mu_sq, tables, work)
     if kind == SCATTERING_CORRECTION and not inside:
         return
-    near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
+    row, sun, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
     f, e = np.float32(f), np.float32(e)
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
-    far = near + tables.sun_angles * block
     for at in range(0, tables.lanes, LANES):
+        found, extinction = lane_view(result, at), lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(
-            work.depths, tables.scaled_extinction, tables.constituents, tables.lanes, at
+            work.depths, extinction, tables.constituents
         ) * np.float32(work.weight[k])
-        source = splat(0.0)
-        total = load(result, at)
+        source, total = splat(0.0), found[0]
         if kind != SCATTERING_CORRECTION:
             part = load(scratch.seen, at)
-            source = multiple_scattering_at(near, block, f, e, tables, work, at) * part
+            source = multiple_scattering_at(row, sun, f, e, tables, work, at) * part
             if seen > 0.0:
-                arriving = direct_beam(
-                    seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
-                    tables.scaled_extinction, tables.constituents, tables.lanes, at,
+                arriving = transmittance * direct_beam(
+                    seen, work.columns_to_sun_low, work.columns_to_sun_high, spread, extinction,
+                    tables.constituents,
                 )  # fmt: skip
-                arriving = transmittance * arriving
+                phases = lane_view(phase, at)
                 total = total + part * arriving * single_scattering_source(
                     work.point_density,
-                    tables.scattering,
-                    phase,
+                    lane_view(tables.scattering, at),
+                    phases,
                     tables.constituents,
-                    tables.lanes,
-                    at,
                 )
                 if tables.broadened:
-                    add_peaks(arriving, part, spread, phase, tables, work, at)
+                    add_peaks(arriving, part, spread, phases, tables, work, at)
         if inside:
-            element = tables.lanes + at
-            scale = between(tables.field, near + at, far + at, block, g * h, g * e, f * h, f * e)
-            mean = between(
-                tables.field, near + element, far + element, block, g * h, g * e, f * h, f * e
-            )
+            field = lane_view(tables.field, at)
+            scale = between(field, row, sun, 0, g * h, g * e, f * h, f * e)
+            mean = between(field, row, sun, 1, g * h, g * e, f * h, f * e)
             mean = maximum(mean / scale * work.functions[0], splat(0.0))
             source = source + mean * deviation(
-                work.point_density, tables.moments, tables.constituents, tables.degree + 1, shadow,
-                scratch, tables.lanes, at,
-            )  # fmt: skip
+                work.point_density,
+                lane_view(tables.moments, at),
+                tables.constituents,
+                shadow,
+                scratch,
+                at,
+            )
             if kind == TOTAL:
                 source = maximum(source, splat(0.0))
-        store(result, at, total + transmittance * source)
+        found[0] = total + transmittance * source
 
 
 @compiled_loop
@@ -290,16 +289,15 @@ def eclipsed_ground_light(x, y, z, kind, tables, shadow, work, scratch):
         x, y, z, tables.bottom, tables.bottom, tables.top, shadow, scratch
     )
     for at in range(0, tables.lanes, LANES):
-        part = splat(0.0)
+        received, part = lane_view(work.irradiance, at), splat(0.0)
         if kind != SCATTERING_CORRECTION:
             part = load(scratch.seen, at)
-        store(work.irradiance, at, load(work.irradiance, at) * part)
+        received[0] *= part
         if inside:
-            part = part + sky_deviation(shadow, scratch, tables.lanes, at)
+            part = part + sky_deviation(shadow, scratch, at)
             if kind == TOTAL:
                 part = maximum(part, splat(0.0))
-        sky = load(work.irradiance, tables.lanes + at) * part
-        store(work.irradiance, tables.lanes + at, sky)
+        received[1] *= part
 
 
 @inlined
@@ -356,11 +354,7 @@ def line_eclipsed(
         mu_s = (px * star.star_x + py * star.star_y + pz * star.star_z) / tables.bottom
         nu = u * star.star_x + v * star.star_y + w * star.star_z
         for at in range(0, tables.lanes, LANES):
-            direct = load(work.irradiance, at) * direct_reflectance(
-                tables.ground, at, max(mu_s, 0.0), mu_r, nu
-            )
-            sky = load(work.irradiance, tables.lanes + at) * diffuse_reflectance(
-                tables.ground, at, mu_r
-            )
-            behind = load(result, tables.lanes + at) * (direct + sky) * INVERSE_PI
-            store(result, at, load(result, at) + behind)
+            received, found = lane_view(work.irradiance, at), lane_view(result, at)
+            direct = received[0] * direct_reflectance(tables.ground, at, max(mu_s, 0.0), mu_r, nu)
+            sky = received[1] * diffuse_reflectance(tables.ground, at, mu_r)
+            found[0] += found[1] * (direct + sky) * INVERSE_PI

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.occulted_star import OccultedStar
 from airlight.kernel import inlined
-from airlight.kernel.lanes import load, splat
+from airlight.kernel.lanes import lane_view, splat
 from airlight.solvers.moments.harmonics import legendre_functions
 
 FloatArray = NDArray[np.float64]
@@ -56,9 +56,9 @@ class ShadowTables(NamedTuple):
     radii, distances, angles : int
         Numbers of altitudes, of distances from the axis, and of position angles, of which the last
         repeats the first.
-    field : array, shape (radii·distances·angles·K·w,)
+    field : array, shape (radii·distances·angles, K, w)
         Correction d to local shadowing. [sr^½]
-    sky : array, shape (distances·angles·w,)
+    sky : array, shape (distances·angles, w)
         Correction of the diffuse irradiance of the ground, over the unshadowed one. [1]
     """
 
@@ -218,54 +218,50 @@ def place_in_shadow(x, y, z, q, bottom, top, shadow, scratch):
 
 
 @inlined
-def deviation(density, moments, constituents, width, shadow, scratch, lanes, at):
+def deviation(density, moments, constituents, shadow, scratch, at):
     """Correction of the multiple-scattering source along a line, over the mean radiance. [m⁻¹]
 
     Parameters
     ----------
     density : array, shape (nc,)
         Relative densities. [1]
-    moments : array, shape (nc·width·w,)
+    moments : lanes, shape (nc, N + 1)
         Scattering coefficient times Legendre moment. [m⁻¹]
-    constituents, width : int
-        Number of constituents, and of Legendre moments of each.
+    constituents : int
     shadow, scratch : ShadowTables, ShadowWorkspace
         Field, and workspace after ``place_in_shadow`` and ``direction_functions``.
-    lanes, at : int
-        Number of lanes, and index of the first.
+    at : int
+        Index of the first lane.
     """
-    total = splat(0.0)
-    terms = (shadow.degree + 1) * (shadow.degree + 1)
+    field, total = lane_view(shadow.field, at), splat(0.0)
     for l in range(shadow.degree + 1):
         strength = splat(0.0)
         for c in range(constituents):
-            strength = strength + load(moments, lanes * (c * width + l) + at) * density[c]
+            strength = strength + moments[c, l] * density[c]
         part = splat(0.0)
         for index in range(l * l, (l + 1) * (l + 1)):
             value = splat(0.0)
             for k in range(8):
-                value = value + scratch.parts[k] * load(
-                    shadow.field, lanes * (scratch.nodes[k] * terms + index) + at
-                )
+                value = value + scratch.parts[k] * field[scratch.nodes[k], index]
             part = part + scratch.functions[index] * value
         total = total + strength * part
     return total
 
 
 @inlined
-def sky_deviation(shadow, scratch, lanes, at):
+def sky_deviation(shadow, scratch, at):
     """Correction of the diffuse irradiance of the ground, over the unshadowed one. [1]
 
     Parameters
     ----------
-    shadow, scratch, lanes, at :
+    shadow, scratch, at :
         Arguments of ``deviation``, the point on the ground.
     """
-    value = splat(0.0)
+    sky, value = lane_view(shadow.sky, at), splat(0.0)
     for k in range(8):
         node = scratch.nodes[k]
         if node < shadow.distances * shadow.angles:
-            value = value + scratch.parts[k] * load(shadow.sky, lanes * node + at)
+            value = value + scratch.parts[k] * sky[node]
     return value
 
 

@@ -101,7 +101,7 @@ class EclipsedSolution:
         drawn = geometry.optical_lines(lines)
         seen = geometry.apparent_nu(drawn)
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen), 0.0))
-        phase = pack(geometry.medium.phase_function(seen)).reshape(r.size, -1)
+        phase = pack(geometry.medium.phase_function(seen))
         way = np.where(r > solution.medium.top_radius, _way(r, mu, sine, solution), 0.0)
         start = at + way[:, None] * along
         start *= (drawn.r / np.linalg.norm(start, axis=-1))[:, None]
@@ -154,7 +154,7 @@ def _way(r: FloatArray, mu: FloatArray, sine: FloatArray, solution: MomentsSolut
 @compiled_loop
 def _lines(start, along, half_sine, length, to_ground, phase, tables, shadow, work, scratch, out):
     tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
-    result = np.empty(2 * tables.lanes, np.float32)
+    result = np.empty((2, tables.lanes), np.float32)
     for k in range(length.size):
         if length[k] <= 0.0 and not to_ground[k]:
             continue
@@ -163,7 +163,7 @@ def _lines(start, along, half_sine, length, to_ground, phase, tables, shadow, wo
             half_sine[k], length[k], to_ground[k], TOTAL, phase[k], tables, shadow, work, scratch,
             result,
         )  # fmt: skip
-        out[k] = result[: tables.lanes]
+        out[k] = result[0]
 
 
 @compiled_loop
@@ -171,6 +171,4 @@ def _ground(at, tables, shadow, work, scratch, out):
     tables, shadow, work, scratch = without_refcount((tables, shadow, work, scratch))
     for k in range(at.shape[0]):
         eclipsed_ground_light(at[k, 0], at[k, 1], at[k, 2], TOTAL, tables, shadow, work, scratch)
-        for at_lane in range(tables.lanes):
-            out[k, 0, at_lane] = work.irradiance[at_lane]
-            out[k, 1, at_lane] = work.irradiance[tables.lanes + at_lane]
+        out[k] = work.irradiance

@@ -11,7 +11,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel.lanes import LANES
 from airlight.solvers.moments.convergence import DARK
 from airlight.solvers.moments.setup import WavelengthBatch
 
@@ -36,7 +35,7 @@ def active_degrees(batch: WavelengthBatch, field: Float32Array) -> NDArray[np.in
     """
     setup, used = batch.setup, batch.used
     degree = setup.degree
-    kept = batch.air.moments.reshape(-1, degree + 1, LANES)[..., :used]
+    kept = batch.air.moments[..., :used]
     kept = (np.abs(kept) / np.maximum(kept[:, :1], 1e-30)).max(axis=0)
     mean = field[:, :, 0, :used]
     lit = mean > DARK * mean.max(axis=(0, 1))

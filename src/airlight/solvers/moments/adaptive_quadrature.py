@@ -36,7 +36,7 @@ def adaptive_quadrature(rays: Rays, air: ScaledOptics, nodes: int) -> Rays:
     nodes : int
         Number of points of a panel, as given and at most.
     """
-    extinction = air.extinction.astype(float).reshape(-1, LANES)
+    extinction = air.extinction.astype(float)
     constituents = extinction.shape[0]
     per_ray = np.diff(rays.start, axis=1).ravel() // nodes
     owner = np.repeat(np.arange(per_ray.size), per_ray)

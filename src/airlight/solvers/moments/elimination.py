@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import lane_view, splat
 
 Float32Array = NDArray[np.float32]
 
@@ -26,22 +26,23 @@ def factorise(matrix, size):
 
     Parameters
     ----------
-    matrix : array, shape (size·size·8,)
+    matrix : array, shape (size·size, 8)
         Matrix by rows; the eight lanes of an element are adjacent. Overwritten. [1]
     size : int
         Number of rows.
     """
+    element = lane_view(matrix)
     for first in range(0, size, ROWS):
         last = min(first + ROWS, size)
         for k in range(last - 1):
-            above = k * size * LANES
-            pivot = 1.0 / load(matrix, above + k * LANES)
+            above = k * size
+            pivot = 1.0 / element[above + k]
             for i in range(max(first, k + 1), last):
-                row = i * size * LANES
-                factor = load(matrix, row + k * LANES) * pivot
-                store(matrix, row + k * LANES, factor)
-                for j in range((k + 1) * LANES, size * LANES, LANES):
-                    store(matrix, row + j, load(matrix, row + j) - factor * load(matrix, above + j))
+                row = i * size
+                factor = element[row + k] * pivot
+                element[row + k] = factor
+                for j in range(k + 1, size):
+                    element[row + j] -= factor * element[above + j]
 
 
 @compiled_loop
@@ -50,29 +51,27 @@ def substitute(factors, size, values, columns):
 
     Parameters
     ----------
-    factors : array, shape (size·size·8,)
+    factors : array, shape (size·size, 8)
         Triangular factors from ``factorise``. [1]
     size : int
         Number of rows.
-    values : array, shape (size·columns·8,)
+    values : array, shape (size·columns, 8)
         Right-hand sides by rows, overwritten by the solutions.
     columns : int
         Number of right-hand sides.
     """
-    width = columns * LANES
+    element, value = lane_view(factors), lane_view(values)
     for i in range(size):
         for k in range(i):
-            factor = load(factors, (i * size + k) * LANES)
-            for j in range(0, width, LANES):
-                entry = i * width + j
-                store(values, entry, load(values, entry) - factor * load(values, k * width + j))
+            factor = element[i * size + k]
+            for j in range(columns):
+                value[i * columns + j] -= factor * value[k * columns + j]
     for back in range(size):
         i = size - 1 - back
         for k in range(i + 1, size):
-            factor = load(factors, (i * size + k) * LANES)
-            for j in range(0, width, LANES):
-                entry = i * width + j
-                store(values, entry, load(values, entry) - factor * load(values, k * width + j))
-        scale = splat(1.0) / load(factors, (i * size + i) * LANES)
-        for j in range(0, width, LANES):
-            store(values, i * width + j, load(values, i * width + j) * scale)
+            factor = element[i * size + k]
+            for j in range(columns):
+                value[i * columns + j] -= factor * value[k * columns + j]
+        scale = splat(1.0) / element[i * size + i]
+        for j in range(columns):
+            value[i * columns + j] *= scale

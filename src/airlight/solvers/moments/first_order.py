@@ -16,6 +16,7 @@ from airlight.kernel.lanes import (
     LANES,
     exponential,
     folded,
+    lane_view,
     largest,
     load,
     load_two,
@@ -26,7 +27,7 @@ from airlight.kernel.lanes import (
 from airlight.mappings.transmittance import direction_coordinate
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import direct_reflectance
-from airlight.solvers.moments.harmonics import ELEMENTS, POLARISED, legendre_functions
+from airlight.solvers.moments.harmonics import legendre_functions
 from airlight.solvers.moments.ray_optics import (
     mu_r_at_end,
     optical_depth,
@@ -56,9 +57,8 @@ def transmittance_row(depths, local, x, directions):
     """Transmittance of eight wavelengths between the directions of one row. [1]"""
     place = min(int(x), directions - 2)
     f = np.float32(x - place)
-    at = LANES * (local * directions + place)
     return exponential(
-        0.0 - ((np.float32(1.0) - f) * load(depths, at) + f * load(depths, at + LANES))
+        0.0 - ((np.float32(1.0) - f) * depths[local, place] + f * depths[local, place + 1])
     )
 
 
@@ -89,9 +89,9 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
         Fractional row of the point's radius. [1]
     q, bottom, top : float
         Radii of the point, of the ground and of the top. [m]
-    extinction : array, shape (nc·8,)
+    extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
-    workspace : array, shape ((nc + 1)·8,)
+    workspace : array, shape (nc + 1, 8)
     first : int
         Index of the point's first value in ``out``.
     out : array
@@ -106,10 +106,10 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
     shortest = top - q
     longest = sqrt(max((q - bottom) * (q + bottom), 0.0)) + sqrt((top - bottom) * (top + bottom))
     step = (longest - shortest) / (directions - 1)
-    flat = ratios.reshape(-1)
+    flat, columns = ratios.reshape(-1), lane_view(workspace)
     for lane in range(LANES):
-        workspace[constituents * LANES + lane] = np.float32(lane * step)
-    along = load(workspace, constituents * LANES)
+        workspace[constituents, lane] = np.float32(lane * step)
+    along = columns[constituents]
     for start in range(0, directions, LANES):
         d = min(start, directions - LANES)
         distance = along + np.float32(shortest + d * step)
@@ -119,24 +119,24 @@ def fill_depths(ratios, x, q, bottom, top, extinction, workspace, first, out, na
             scale = g * load(flat, low) + f * load(flat, high)
             low, high = low + directions, high + directions
             scaled = g * load(flat, low) + f * load(flat, high)
-            store(workspace, LANES * c, distance * scaled / scale)
+            columns[c] = distance * scaled / scale
         if narrow:
             for lane in range(0, LANES, 2):
                 tau = splat(0.0)
                 for c in range(constituents):
-                    column = pair(workspace[LANES * c + lane], workspace[LANES * c + lane + 1])
-                    tau = tau + load(extinction, LANES * c) * column
+                    column = pair(workspace[c, lane], workspace[c, lane + 1])
+                    tau = tau + extinction[c] * column
                 store(out, first + HALF_LANES * (d + lane), tau)
         else:
             for lane in range(LANES):
                 tau = splat(0.0)
                 for c in range(constituents):
-                    tau = tau + load(extinction, LANES * c) * workspace[LANES * c + lane]
+                    tau = tau + extinction[c] * workspace[c, lane]
                 store(out, first + LANES * (d + lane), tau)
 
 
 @inlined
-def transmittance_tabled(depths, row, places, at, directions, narrow):
+def transmittance_tabled(depths, row, places, lane, directions, narrow):
     """Transmittance to the star at one azimuth, or at two if ``narrow``. [1]
 
     Parameters
@@ -145,18 +145,18 @@ def transmittance_tabled(depths, row, places, at, directions, narrow):
         Rows from ``fill_depths``.
     row : int
         Index of the point's row.
-    places : array
+    places : array, shape (points, 8)
         Fractional indices of directions, from ``place_star_points``.
-    at : int
+    lane : int
         Index of the first azimuth among them.
     directions : int
     narrow : bool
         A constant.
     """
-    x = places[at]
+    x = places[row, lane]
     place = min(int(x), directions - 2)
     if narrow:
-        y = places[at + 1]
+        y = places[row, lane + 1]
         second = min(int(y), directions - 2)
         f = pair(x - np.float32(place), y - np.float32(second))
         one, two = HALF_LANES * (row * directions + place), HALF_LANES * (row * directions + second)
@@ -172,13 +172,12 @@ def transmittance_tabled(depths, row, places, at, directions, narrow):
 def fill_phase_pairs(moments, scatterers, count, nu, degree, phases):
     """``fill_phases`` for scattering constituents, ``nu`` and results in lanes."""
     for c in range(count):
-        store(phases, LANES * c, splat(0.0))
+        phases[c] = splat(0.0)
     before, value = splat(0.0), splat(1.0)
     for l in range(degree + 1):
         weight = value * np.float32((2 * l + 1) * ISOTROPIC)
         for c in range(count):
-            moment = load(moments, LANES * (scatterers[c] * (degree + 1) + l))
-            store(phases, LANES * c, load(phases, LANES * c) + moment * weight)
+            phases[c] += moments[scatterers[c], l] * weight
         inverse = 1.0 / (l + 1)
         following = nu * value * np.float32((2 * l + 1) * inverse)
         following = following - before * np.float32(l * inverse)
@@ -214,7 +213,6 @@ def _first_order(
     degree = multiples.shape[0] - 1
     turns = cosines.size
     harmonics = (degree + 1) * (degree + 2) // 2
-    terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
     most = 1
@@ -224,22 +222,29 @@ def _first_order(
     width = LANES
     if narrow:
         width = HALF_LANES
+    extinction, moments, norm = lane_view(extinction), lane_view(moments), lane_view(norm)
+    polarised_moments, moments_out = lane_view(polarised_moments), lane_view(out)
+    sky_lanes = lane_view(sky_out)
     scatterers = np.empty(constituents, np.int64)
     count = 0
     for c in range(constituents):
-        if largest(load(moments, LANES * c * (degree + 1))) > 0.0:
+        if largest(moments[c, 0]) > 0.0:
             scatterers[count] = c
             count += 1
-    workspace = np.empty((constituents + 1) * LANES, np.float32)
+    workspace = np.empty((constituents + 1, LANES), np.float32)
     sun_depths = np.empty(most * directions * width, np.float32)
-    ground_depths = np.empty(directions * LANES, np.float32)
-    fill_depths(ratios, 0.0, bottom, bottom, top, extinction, workspace, 0, ground_depths, False)
-    strength = np.empty(most * max(count, 1) * LANES, np.float32)
-    phase_f12 = np.empty(most * LANES, np.float32)
-    phase = np.empty(max(count, 1) * LANES, np.float32)
+    ground = np.empty((1, directions, LANES), np.float32)
+    fill_depths(
+        ratios, 0.0, bottom, bottom, top, extinction, workspace, 0, ground.reshape(-1), False
+    )
+    ground_depths = lane_view(ground)
+    strength = lane_view(np.empty((most, max(count, 1), LANES), np.float32))
+    phase_f12 = lane_view(np.empty((most, LANES), np.float32))
+    phase = lane_view(np.empty((max(count, 1), LANES), np.float32))
     functions = np.empty(harmonics)
-    azimuthal = np.empty((degree + 1) * LANES, np.float32)
-    polarised = np.empty(5 * LANES, np.float32)
+    azimuthal = np.empty((degree + 1, LANES), np.float32)
+    polarised = np.empty((5, LANES), np.float32)
+    azimuthal_lanes, polarised_lanes = lane_view(azimuthal), lane_view(polarised)
     turned = np.empty(2 * most, np.float32)
     places = np.empty(7 * most, np.float32)
     columns = max(refraction_table.shape[1], 2)
@@ -250,9 +255,9 @@ def _first_order(
     around = np.empty(groups, np.float32)
     for b in range(groups):
         around[b] = np.float32(cosines[min(b, turns - 1)])
-    seen = np.empty(most * LANES, np.float32)
-    low_at = np.empty(most * LANES, np.float32)
-    high_at = np.empty(most * LANES, np.float32)
+    seen = np.empty((most, LANES), np.float32)
+    low_at = np.empty((most, LANES), np.float32)
+    high_at = np.empty((most, LANES), np.float32)
     kinds = np.empty(most, np.int64)
     size = np.float32(max(star_radius, 1e-9))
     out[:] = 0.0
@@ -276,12 +281,12 @@ def _first_order(
             beta_1 = splat(0.0)
             for c in range(count):
                 amount = transmittance * np.float32(amounts[first + k, scatterers[c]])
-                store(strength, LANES * (k * count + c), amount)
-                beta_1 = beta_1 + load(polarised_moments, LANES * ELEMENTS * scatterers[c]) * amount
+                strength[k, c] = amount
+                beta_1 = beta_1 + polarised_moments[scatterers[c], 0] * amount
             polarised_ratio = polarised_transmittance_ratio(
                 depths[first + k], 0, polarised_moments, constituents
             )
-            store(phase_f12, LANES * k, polarised_ratio * beta_1)
+            phase_f12[k] = polarised_ratio * beta_1
             turned[2 * k] = np.float32(turns_along[first + k, 0] + turns_along[first + k, 1] * mu)
             turned[2 * k + 1] = np.float32(turns_along[first + k, 1] * sine)
             longest = sqrt(max((q - bottom) * (q + bottom), 0.0)) + sqrt(
@@ -301,7 +306,7 @@ def _first_order(
             whole = transmittance_ray(extinction, totals[i, a], 0, constituents) * INVERSE_PI
             mu_r = mu_r_at_end(ends, i, a, mu)
         legendre_functions(mu, expansion, functions)
-        exact = load(norm, LANES * (i * angles + a))
+        exact = norm[i, a]
         step = 1
         if narrow:
             step = 2
@@ -330,23 +335,23 @@ def _first_order(
                     for k in range(points):
                         if kinds[k] == 0:
                             continue
-                        at = LANES * k + lane
-                        light = transmittance_tabled(sun_depths, k, low_at, at, directions, narrow)
+                        light = transmittance_tabled(
+                            sun_depths, k, low_at, lane, directions, narrow
+                        )
                         if kinds[k] == 2:
                             light = light + transmittance_tabled(
-                                sun_depths, k, high_at, at, directions, narrow
+                                sun_depths, k, high_at, lane, directions, narrow
                             )
                             light = light * np.float32(0.5)
                         if narrow:
-                            light = light * pair(seen[at], seen[at + 1])
+                            light = light * pair(seen[k, lane], seen[k, lane + 1])
                         else:
-                            light = light * seen[at]
+                            light = light * seen[k, lane]
                         source = splat(0.0)
                         for c in range(count):
-                            amount = load(strength, LANES * (k * count + c))
-                            source = source + load(phase, LANES * c) * amount
+                            source = source + phase[c] * strength[k, c]
                         radiance = radiance + light * source
-                        scattering_q = scattering_q + light * load(phase_f12, LANES * k)
+                        scattering_q = scattering_q + light * phase_f12[k]
                     radiance = exact * radiance
                     part = np.float32(SECOND * (1.0 - nu) * (1.0 + nu))
                     part_2 = np.float32(SECOND * (1.0 - nu_2) * (1.0 + nu_2))
@@ -378,30 +383,21 @@ def _first_order(
                     stokes_q = pair(stokes_q, scattering_q * np.float32(cosine))
                     stokes_u = pair(stokes_u, scattering_q * np.float32(sine_b))
                 for m in range(degree + 1):
-                    at = LANES * m
-                    weight = pair(multiples[m, b], multiples[m, second])
-                    store(azimuthal, at, load(azimuthal, at) + weight * radiance)
+                    azimuthal_lanes[m] += pair(multiples[m, b], multiples[m, second]) * radiance
                 for m in range(3):
-                    at = LANES * m
-                    weight = pair(multiples[m, b], multiples[m, second])
-                    store(polarised, at, load(polarised, at) + weight * stokes_q)
+                    polarised_lanes[m] += pair(multiples[m, b], multiples[m, second]) * stokes_q
                 for m in range(1, 3):
-                    at = LANES * (2 + m)
-                    weight = pair(sines[m, b], sines[m, second])
-                    store(polarised, at, load(polarised, at) + weight * stokes_u)
+                    polarised_lanes[2 + m] += pair(sines[m, b], sines[m, second]) * stokes_u
             if narrow:
                 for m in range(degree + 1):
-                    store(azimuthal, LANES * m, folded(load(azimuthal, LANES * m)))
+                    azimuthal_lanes[m] = folded(azimuthal_lanes[m])
                 for m in range(5):
-                    store(polarised, LANES * m, folded(load(polarised, LANES * m)))
-            base = j * terms * LANES
-            project(azimuthal, functions, all_weights[i, a], degree, degree + 1, base, out)
-            base = base + harmonics * LANES
-            project_polarised(polarised, mu, all_weights[i, a], base, out)
+                    polarised_lanes[m] = folded(polarised_lanes[m])
+            weight = all_weights[i, a]
+            project(azimuthal_lanes, functions, weight, degree, degree + 1, j, moments_out)
+            project_polarised(polarised_lanes, mu, weight, j, harmonics, moments_out)
             if not below:
-                at = LANES * j
-                flux = np.float32(all_flux[i, a])
-                store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))
+                sky_lanes[j] += np.float32(all_flux[i, a]) * azimuthal_lanes[0]
 
 
 @inlined

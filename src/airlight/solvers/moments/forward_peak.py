@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, load, maximum, splat, store
+from airlight.kernel.lanes import LANES, lane_view, maximum, splat
 from airlight.planets.medium import Medium
 from airlight.solvers.moments.delta_m import MOST_PEAK, NEGLIGIBLE, Optics
 
@@ -54,8 +54,9 @@ _LEAST: Final = 1e-30
 @inlined
 def reset_peaks(tables, work):
     """Reset the sums of ``add_peaks``."""
-    for at in range(0, 3 * tables.lanes, LANES):
-        store(work.peaks, at, splat(0.0))
+    for at in range(0, tables.lanes, LANES):
+        sums = lane_view(work.peaks, at)
+        sums[0], sums[1], sums[2] = splat(0.0), splat(0.0), splat(0.0)
 
 
 @inlined
@@ -71,7 +72,7 @@ def add_peaks(star, dimmed, spread, phase, tables, work, at):
         Factor of single scattering. [1]
     spread : bool
         Whether two points represent the star.
-    phase : array, shape (nc·w,)
+    phase : lanes, shape (nc,)
         Phase functions. [sr⁻¹]
     tables, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace with density and columns of the point, whose peaks receive
@@ -80,22 +81,22 @@ def add_peaks(star, dimmed, spread, phase, tables, work, at):
     at : int
         Index of the first lane.
     """
+    extinction, scaled = lane_view(tables.extinction, at), lane_view(tables.scaled_extinction, at)
+    inverse, sums = lane_view(tables.inverse_peak_fraction, at), lane_view(work.peaks, at)
     peaked, strength, depth = splat(0.0), splat(0.0), splat(0.0)
     for c in range(tables.constituents):
-        element = tables.lanes * c + at
-        part = load(tables.extinction, element) - load(tables.scaled_extinction, element)
+        part = extinction[c] - scaled[c]
         column = work.columns_to_sun_low[c]
         if spread:
             column = 0.5 * (column + work.columns_to_sun_high[c])
         depth = depth + part * np.float32(work.depths[c] + column)
         part = part * work.point_density[c]
         strength = strength + part
-        peaked = peaked + part * load(tables.inverse_peak_fraction, element) * load(phase, element)
+        peaked = peaked + part * inverse[c] * phase[c]
     strength = strength * star
-    count, means = tables.lanes + at, 2 * tables.lanes + at
-    store(work.peaks, at, load(work.peaks, at) + peaked * (star * dimmed))
-    store(work.peaks, count, load(work.peaks, count) + strength)
-    store(work.peaks, means, load(work.peaks, means) + strength * depth)
+    sums[0] += peaked * (star * dimmed)
+    sums[1] += strength
+    sums[2] += strength * depth
 
 
 @inlined
@@ -112,16 +113,15 @@ def peak_gain(half_sine, tables, work, at):
     u = sqrt(sqrt(half_sine)) * (ANGLES - 1)
     node = min(int(u), ANGLES - 2)
     f = np.float32(u - node)
-    strength = maximum(load(work.peaks, tables.lanes + at), _LEAST)
-    depth = load(work.peaks, 2 * tables.lanes + at) / strength
+    sums, broadening = lane_view(work.peaks, at), lane_view(tables.broadening, at)
+    depth = sums[2] / maximum(sums[1], _LEAST)
     place = depth / (depth + np.float32(MIDDLE)) * np.float32(DEPTHS - 1)
     more = splat(0.0)
     for k in range(DEPTHS):
         away = place - np.float32(k)
         weight = maximum(np.float32(1.0) - maximum(away, 0.0 - away), 0.0)
-        first = tables.lanes * (k * ANGLES + node) + at
-        low = load(tables.broadening, first)
-        more = more + weight * (low + f * (load(tables.broadening, first + tables.lanes) - low))
+        low = broadening[k, node]
+        more = more + weight * (low + f * (broadening[k, node + 1] - low))
     return more
 
 
@@ -136,13 +136,13 @@ def peak_fraction(constituent, tables, at):
     tables, at :
         Arguments of ``add_peaks``.
     """
-    element = tables.lanes * constituent + at
-    part = load(tables.extinction, element) - load(tables.scaled_extinction, element)
-    return (
-        part
-        * load(tables.inverse_peak_fraction, element)
-        / maximum(load(tables.scattering, element), _LEAST)
+    extinction, scaled = lane_view(tables.extinction, at), lane_view(tables.scaled_extinction, at)
+    inverse, scattering = (
+        lane_view(tables.inverse_peak_fraction, at),
+        lane_view(tables.scattering, at),
     )
+    c = constituent
+    return (extinction[c] - scaled[c]) * inverse[c] / maximum(scattering[c], _LEAST)
 
 
 def inverse_peak_fraction(optics: Optics) -> FloatArray:

@@ -6,7 +6,7 @@ import numpy as np
 
 from airlight.geometry.refraction import direct_horizontal_weights, star_points
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, lane_view, splat, store
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import diffuse_reflectance, direct_reflectance
 from airlight.solvers.moments.ray_optics import sun_index
@@ -58,12 +58,12 @@ def ground_light(mu_s, orders, tables, work):
         if direct:
             star = direct_horizontal(
                 work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
-                tables.scaled_extinction, tables.constituents, tables.lanes, at,
+                lane_view(tables.scaled_extinction, at), tables.constituents,
             )  # fmt: skip
         if orders != 1:
-            sky = diffuse_horizontal(tables.sky, place, x - place, tables.lanes, at)
-        store(work.irradiance, at, star)
-        store(work.irradiance, tables.lanes + at, sky)
+            sky = diffuse_horizontal(lane_view(tables.sky, at), place, x - place)
+        received = lane_view(work.irradiance, at)
+        received[0], received[1] = star, sky
 
 
 @inlined
@@ -81,17 +81,16 @@ def ground_radiance(mu_s, mu_r, nu, orders, tables, work, out):
     """
     ground_light(mu_s, orders, tables, work)
     for at in range(0, tables.lanes, LANES):
-        star = load(work.irradiance, at) * direct_reflectance(tables.ground, at, mu_s, mu_r, nu)
-        sky = load(work.irradiance, tables.lanes + at) * diffuse_reflectance(
-            tables.ground, at, mu_r
-        )
+        received = lane_view(work.irradiance, at)
+        star = received[0] * direct_reflectance(tables.ground, at, mu_s, mu_r, nu)
+        sky = received[1] * diffuse_reflectance(tables.ground, at, mu_r)
         store(out, at, (star + sky) * INVERSE_PI)
 
 
 @compiled_loop
 def direct_irradiance(r, mu_s, tables, work, out):
     """Direct horizontal irradiance, for arrays of radii and cosines. [1]"""
-    bottom, top, lanes = tables.bottom, tables.top, tables.lanes
+    bottom, top = tables.bottom, tables.top
     for k in range(r.size):
         from_low, from_high, low, high = direct_horizontal_weights(
             r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
@@ -116,10 +115,10 @@ def direct_irradiance(r, mu_s, tables, work, out):
             tables.columns,
             work.columns_to_sun_high,
         )
-        for at in range(0, lanes, LANES):
+        for at in range(0, tables.lanes, LANES):
             star = direct_horizontal(
                 work.columns_to_sun_low, work.columns_to_sun_high, from_low, from_high,
-                tables.scaled_extinction, tables.constituents, lanes, at,
+                lane_view(tables.scaled_extinction, at), tables.constituents,
             )  # fmt: skip
             store(out[k], at, star)
 
@@ -127,7 +126,7 @@ def direct_irradiance(r, mu_s, tables, work, out):
 @compiled_loop
 def direct_normal_irradiance(r, mu_s, tables, work, out):
     """Direct normal irradiance; arguments as in ``direct_irradiance``. [1]"""
-    bottom, top, lanes = tables.bottom, tables.top, tables.lanes
+    bottom, top = tables.bottom, tables.top
     for k in range(r.size):
         seen, low, high = star_points(
             r[k], mu_s[k], bottom, top, tables.star_radius, tables.refraction_table
@@ -152,10 +151,10 @@ def direct_normal_irradiance(r, mu_s, tables, work, out):
             tables.columns,
             work.columns_to_sun_high,
         )
-        for at in range(0, lanes, LANES):
+        for at in range(0, tables.lanes, LANES):
             star = direct_beam(
                 seen, work.columns_to_sun_low, work.columns_to_sun_high, high > low,
-                tables.scaled_extinction, tables.constituents, lanes, at,
+                lane_view(tables.scaled_extinction, at), tables.constituents,
             )  # fmt: skip
             store(out[k], at, star)
 
@@ -166,22 +165,21 @@ def sky_irradiance(r, mu_s, radii, tables, out):
 
     ``radii`` are those of the solution's grid. [m]
     """
-    sun_angles, lanes = tables.sun_angles, tables.lanes
     for k in range(r.size):
         place = node_value(r[k], tables.bottom, tables.top, tables.first_nodes, tables.row)
         row = min(int(place), tables.radii - 2)
         # Linear in altitude: aloft, diffuse irradiance falls exponentially, like the column above.
         f = (r[k] - radii[row]) / (radii[row + 1] - radii[row])
         x = sun_index(mu_s[k], tables.place)
-        sun = min(int(x), sun_angles - 2)
+        sun = min(int(x), tables.sun_angles - 2)
         e = x - sun
-        for at in range(0, lanes, LANES):
+        for at in range(0, tables.lanes, LANES):
+            sky = lane_view(tables.sky, at)
             scale = splat(0.0)
             value = splat(0.0)
             for corner in range(4):
                 up, right = corner // 2, corner % 2
                 weight = np.float32((f if up else 1.0 - f) * (e if right else 1.0 - e))
-                node = ((row + up) * sun_angles + sun + right) * 2 * lanes + at
-                scale = scale + weight * load(tables.sky, node)
-                value = value + weight * load(tables.sky, node + lanes)
+                scale = scale + weight * sky[row + up, sun + right, 0]
+                value = value + weight * sky[row + up, sun + right, 1]
             store(out[k], at, value / scale)

@@ -206,7 +206,7 @@ def gather(
     def radius(i: int) -> None:
         kernel(
             i, setup.grid, batch.rays, batch.norm, setup.azimuths, batch.air, setup.expansion,
-            *light, moments[i].reshape(-1), sky[i].reshape(-1),
+            *light, moments[i], sky[i],
         )  # fmt: skip
 
     run_blocks(radius, radii, cancel=cancel)

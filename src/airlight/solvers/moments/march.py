@@ -16,7 +16,7 @@ import numpy as np
 
 from airlight.geometry.refraction import refraction_angle, star_points, turned
 from airlight.kernel import inlined, kernel
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel.lanes import LANES, lane_view, splat
 from airlight.optics.altitude_nodes import node_value
 from airlight.solvers.moments.forward_peak import (
     add_peaks,
@@ -24,7 +24,7 @@ from airlight.solvers.moments.forward_peak import (
     peak_gain,
     reset_peaks,
 )
-from airlight.solvers.moments.harmonics import POLARISED, directed_functions
+from airlight.solvers.moments.harmonics import directed_functions
 from airlight.solvers.moments.march_panels import (
     is_transparent,
     panel_columns,
@@ -71,12 +71,12 @@ def march(
     air, peaks, polarised : bool
         Whether to compute the path radiance, the single scattering of separated constituents, and Q
         and U. Constants in a shader.
-    phase, phase_f12 : array, shape (nc·w,)
+    phase, phase_f12 : array, shape (nc, w)
         Phase functions, and elements F₁₂ of the phase matrices; 0 for constituents kept separate.
         [sr⁻¹]
     tables, work : MarchTables, MarchWorkspace
         Tables of the solution; workspace, whose totals receive the columns of the segment [m].
-    result : array, shape (4·w,), or (6·w,) if ``polarised``
+    result : array, shape (4, w), or (6, w) if ``polarised``
         Receives path radiance [sr⁻¹], delta-M scaled transmittance [1], single scattering by the
         two separated constituents without their phase functions [1], and Q and U in the frame of
         ``stokes_frame`` [sr⁻¹].
@@ -92,12 +92,10 @@ def march(
         work.columns_so_far[c] = 0.0
     faint = FAINT * min(scatters, 1.0) / (n * (count - 1)) if day else 0.0
     for at in range(0, tables.lanes, LANES):
-        store(result, at, splat(0.0))
-        store(result, 2 * tables.lanes + at, splat(0.0))
-        store(result, 3 * tables.lanes + at, splat(0.0))
+        found = lane_view(result, at)
+        found[0], found[2], found[3] = splat(0.0), splat(0.0), splat(0.0)
         if polarised:
-            store(result, 4 * tables.lanes + at, splat(0.0))
-            store(result, 5 * tables.lanes + at, splat(0.0))
+            found[4], found[5] = splat(0.0), splat(0.0)
     reset_peaks(tables, work)
     for panel in range(count - 1):
         points = n
@@ -113,10 +111,10 @@ def march(
     for c in range(tables.constituents):
         work.columns_total[c] = work.columns_so_far[c]
     for at in range(0, tables.lanes, LANES):
-        transmittance = transmittance_columns(
-            work.columns_total, tables.scaled_extinction, tables.constituents, tables.lanes, at
+        found = lane_view(result, at)
+        found[1] = transmittance_columns(
+            work.columns_total, lane_view(tables.scaled_extinction, at), tables.constituents
         )
-        store(result, tables.lanes + at, transmittance)
     if tables.broadened and orders != 0:
         broaden_peaks(half_sine, air, peaks, tables, work, result)
 
@@ -125,15 +123,14 @@ def march(
 def broaden_peaks(half_sine, air, peaks, tables, work, result):
     """Broaden the forward peaks of single scattering on a line; arguments as in ``march``."""
     for at in range(0, tables.lanes, LANES):
+        found, sums = lane_view(result, at), lane_view(work.peaks, at)
         more = peak_gain(half_sine, tables, work, at)
         if air:
-            store(result, at, load(result, at) + more * load(work.peaks, at))
+            found[0] += more * sums[0]
         if peaks and tables.separated_1 >= 0:
-            factor = np.float32(1.0) + more * peak_fraction(tables.separated_1, tables, at)
-            store(result, 2 * tables.lanes + at, load(result, 2 * tables.lanes + at) * factor)
+            found[2] *= np.float32(1.0) + more * peak_fraction(tables.separated_1, tables, at)
         if peaks and tables.separated_2 >= 0:
-            factor = np.float32(1.0) + more * peak_fraction(tables.separated_2, tables, at)
-            store(result, 3 * tables.lanes + at, load(result, 3 * tables.lanes + at) * factor)
+            found[3] *= np.float32(1.0) + more * peak_fraction(tables.separated_2, tables, at)
 
 
 @inlined
@@ -174,46 +171,40 @@ def add_point(
     if orders != 0:
         seen, spread = star_columns(q, mu_sq, tables, work)
     gathers = air and orders != 1 and scatters * work.weight[k] >= faint
-    near, block, f, e = 0, 0, 0.0, 0.0
+    row, sun, f, e = 0, 0, 0.0, 0.0
     if air and gathers:
-        near, block, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
+        row, sun, f, e = field_place(q, mu_q, mu_sq, nu_q, tables, work)
     for at in range(0, tables.lanes, LANES):
+        found, extinction = lane_view(result, at), lane_view(tables.scaled_extinction, at)
         transmittance = transmittance_columns(
-            work.depths, tables.scaled_extinction, tables.constituents, tables.lanes, at
+            work.depths, extinction, tables.constituents
         ) * np.float32(work.weight[k])
         polarised_ratio = splat(1.0)
         if polarised and orders != 1:
             polarised_ratio = polarised_ratio_columns(
-                work.depths, tables.polarised_moments, tables.constituents, tables.lanes, at
+                work.depths, lane_view(tables.polarised_moments, at), tables.constituents
             )
         if seen > 0.0:
             star = transmittance * direct_beam(
-                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
-                tables.scaled_extinction, tables.constituents, tables.lanes, at,
+                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread, extinction,
+                tables.constituents,
             )  # fmt: skip
-            add_star(star, air, peaks, phase, tables, work, at, result)
+            add_star(star, air, peaks, lane_view(phase, at), tables, work, at, found)
             if tables.broadened:
-                add_peaks(star, np.float32(1.0), spread, phase, tables, work, at)
+                add_peaks(star, np.float32(1.0), spread, lane_view(phase, at), tables, work, at)
             if polarised:
                 add_polarised_star(
-                    polarised_ratio * star,
-                    turn_cosine,
-                    turn_sine,
-                    phase_f12,
-                    tables,
-                    work,
-                    at,
-                    result,
-                )
+                    polarised_ratio * star, turn_cosine, turn_sine, lane_view(phase_f12, at),
+                    tables, work, at, found,
+                )  # fmt: skip
         if air and gathers:
-            source = transmittance * multiple_scattering_at(
-                near, block, np.float32(f), np.float32(e), tables, work, at
+            found[0] += transmittance * multiple_scattering_at(
+                row, sun, np.float32(f), np.float32(e), tables, work, at
             )
-            store(result, at, load(result, at) + source)
             if polarised:
                 add_polarised_light(
-                    polarised_ratio * transmittance, mu_q, near, block, np.float32(f),
-                    np.float32(e), tables, work, at, result,
+                    polarised_ratio * transmittance, mu_q, row, sun, np.float32(f),
+                    np.float32(e), tables, work, at, found,
                 )  # fmt: skip
 
 
@@ -272,38 +263,35 @@ def add_star(star, air, peaks, phase, tables, work, at, result):
         Direct irradiance at the point, times its weight and the transmittance to the start of the
         line. [m]
     air, peaks, phase, tables, work, result :
-        Arguments of ``march``.
+        Arguments of ``march``; phase and result as lanes.
     at : int
         Index of the first lane.
     """
+    scattering = lane_view(tables.scattering, at)
     if air:
-        once = star * single_scattering_source(
-            work.point_density, tables.scattering, phase, tables.constituents, tables.lanes, at
+        result[0] += star * single_scattering_source(
+            work.point_density, scattering, phase, tables.constituents
         )
-        store(result, at, load(result, at) + once)
     if peaks and tables.separated_1 >= 0:
         c = tables.separated_1
-        once = star * load(tables.scattering, tables.lanes * c + at) * work.point_density[c]
-        store(result, 2 * tables.lanes + at, load(result, 2 * tables.lanes + at) + once)
+        result[2] += star * scattering[c] * work.point_density[c]
     if peaks and tables.separated_2 >= 0:
         c = tables.separated_2
-        once = star * load(tables.scattering, tables.lanes * c + at) * work.point_density[c]
-        store(result, 3 * tables.lanes + at, load(result, 3 * tables.lanes + at) + once)
+        result[3] += star * scattering[c] * work.point_density[c]
 
 
 @inlined
 def add_polarised_star(star, turn_cosine, turn_sine, phase_f12, tables, work, at, result):
     """Add Q and U of single scattering at a point; arguments as in ``add_point``."""
     once = star * single_scattering_source(
-        work.point_density, tables.scattering, phase_f12, tables.constituents, tables.lanes, at
+        work.point_density, lane_view(tables.scattering, at), phase_f12, tables.constituents
     )
-    stokes_q, stokes_u = 4 * tables.lanes + at, 5 * tables.lanes + at
-    store(result, stokes_q, load(result, stokes_q) + once * np.float32(turn_cosine))
-    store(result, stokes_u, load(result, stokes_u) + once * np.float32(turn_sine))
+    result[4] += once * np.float32(turn_cosine)
+    result[5] += once * np.float32(turn_sine)
 
 
 @inlined
-def add_polarised_light(transmittance, mu, near, block, f, e, tables, work, at, result):
+def add_polarised_light(transmittance, mu, row, sun, f, e, tables, work, at, result):
     """Add Q and U of multiple scattering at a point.
 
     Parameters
@@ -312,27 +300,19 @@ def add_polarised_light(transmittance, mu, near, block, f, e, tables, work, at, 
         Transmittance from the point times its weight. [m]
     mu : float
         Cosine of the line's zenith angle at the point. [1]
-    near, block, f, e, tables, work, at :
+    row, sun, f, e, tables, work, at :
         Arguments of ``multiple_scattering_at``.
-    result : array, shape (6·w,)
+    result : lanes, shape (6,)
         Result of a march.
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     stokes_q, stokes_u = polarised_scattering_source(
-        work.point_density, tables.polarised_moments, tables.field, mu, work.azimuth[0], near,
-        near + tables.sun_angles * block, block, g * h, g * e, f * h, f * e, tables.degree,
-        tables.constituents, tables.lanes, at,
+        work.point_density, lane_view(tables.polarised_moments, at), lane_view(tables.field, at),
+        mu, work.azimuth[0], row, sun, g * h, g * e, f * h, f * e, tables.degree,
+        tables.constituents,
     )  # fmt: skip
-    store(
-        result,
-        4 * tables.lanes + at,
-        load(result, 4 * tables.lanes + at) + transmittance * stokes_q,
-    )
-    store(
-        result,
-        5 * tables.lanes + at,
-        load(result, 5 * tables.lanes + at) + transmittance * stokes_u,
-    )
+    result[4] += transmittance * stokes_q
+    result[5] += transmittance * stokes_u
 
 
 @kernel
@@ -370,9 +350,8 @@ def field_place(q, mu, mu_s, nu, tables, work):
 
     Returns
     -------
-    near, block : int
-        Index of the first value of the node before the point in the field, and number of values of
-        a node.
+    row, sun : int
+        Indices of the radius and of the sun elevation before the point in the field.
     f, e : float
         Fractions of the steps to the next radius and to the next sun angle. [1]
     """
@@ -387,18 +366,16 @@ def field_place(q, mu, mu_s, nu, tables, work):
     row = min(int(x), tables.radii - 2)
     y = sun_index(mu_s, tables.place)
     sun = min(int(y), tables.sun_angles - 2)
-    # A node holds a factor and the harmonics.
-    block = tables.lanes * (1 + (tables.degree + 1) * (tables.degree + 2) // 2 + POLARISED)
-    return (row * tables.sun_angles + sun) * block, block, x - row, y - sun
+    return row, sun, x - row, y - sun
 
 
 @inlined
-def multiple_scattering_at(near, block, f, e, tables, work, at):
+def multiple_scattering_at(row, sun, f, e, tables, work, at):
     """Multiple-scattering source at a point, from lane ``at`` on. [m⁻¹ sr⁻¹]
 
     Parameters
     ----------
-    near, block, f, e : int, int, float, float
+    row, sun, f, e : int, int, float, float
         Results of ``field_place``; the fractions in single precision.
     tables, work : MarchTables, MarchWorkspace
         Arguments of ``march``, after ``field_place``.
@@ -407,7 +384,7 @@ def multiple_scattering_at(near, block, f, e, tables, work, at):
     """
     g, h = np.float32(1.0) - f, np.float32(1.0) - e
     return multiple_scattering_source(
-        work.point_density, tables.moments, tables.polarised_moments, tables.field, work.functions,
-        near, near + tables.sun_angles * block, block, g * h, g * e, f * h, f * e, tables.degree,
-        tables.constituents, tables.lanes, at,
+        work.point_density, lane_view(tables.moments, at), lane_view(tables.polarised_moments, at),
+        lane_view(tables.field, at), work.functions, row, sun, g * h, g * e, f * h, f * e,
+        tables.degree, tables.constituents,
     )  # fmt: skip

@@ -17,7 +17,7 @@ from airlight.geometry.path import (
 )
 from airlight.geometry.shell import meets_ground, radius_along
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, largest
+from airlight.kernel.lanes import LANES, lane_view, largest
 from airlight.optics.altitude_nodes import altitude_node
 from airlight.solvers.moments.source import transmittance_columns
 from airlight.tables.column_ratios import columns_to_top
@@ -99,7 +99,7 @@ def is_transparent(tables, work):
     most = np.float32(0.0)
     for at in range(0, tables.lanes, LANES):
         transmittance = transmittance_columns(
-            work.columns_so_far, tables.scaled_extinction, tables.constituents, tables.lanes, at
+            work.columns_so_far, lane_view(tables.scaled_extinction, at), tables.constituents
         )
         most = max(most, largest(transmittance))
     return most > MIN_TRANSMITTANCE

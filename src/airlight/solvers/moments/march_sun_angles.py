@@ -16,16 +16,14 @@ from numpy.typing import NDArray
 from airlight.geometry.path import MAX_EDGES
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, load, maximum, splat, store
+from airlight.kernel.lanes import LANES, lane_view, load, maximum, splat, store
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.altitude_nodes import node_value
 from airlight.solvers.lines_of_sight import LinesOfSight
 from airlight.solvers.moments.forward_peak import add_peaks, peak_fraction, peak_gain
 from airlight.solvers.moments.harmonics import (
-    ELEMENTS,
     EVEN,
-    POLARISED,
     legendre_functions,
     moment_count,
 )
@@ -62,16 +60,16 @@ class SunAngleWorkspace(NamedTuple):
         Indices of the sun angles that share a panel.
     transmittance, transmittance_once : array, shape (w,)
         Transmittance to a point times its weight, with and without delta-M scaling. [m]
-    scattering : array, shape (nc·w,)
+    scattering : array, shape (nc, w)
         Scattering coefficients at a point. [m⁻¹]
-    factors : array, shape (k·w,)
+    factors : array, shape (k, w)
         Harmonics of the line at a point times the moments' strengths. [m⁻¹]
-    orders : array, shape (sun_angles·(N + 2)·w,)
+    orders : array, shape (sun_angles, N + 2, w)
         Sums of the field's harmonics at a point over the degrees, by azimuthal order, and the
         field's scale, for each sun angle of the field.
     made : array, shape (sun_angles,)
         Whether these are computed for the point.
-    sums : array, shape (n·(4 + nc)·w,)
+    sums : array, shape (n, 4 + nc, w)
         Sums over the line for each sun angle: path radiance, three of ``add_peaks``, single
         scattering by each constituent.
     """
@@ -104,11 +102,11 @@ def _new_workspace(tables: MarchTables) -> SunAngleWorkspace:
         together=np.empty(_STARS, np.int64),
         transmittance=np.empty(lanes, np.float32),
         transmittance_once=np.empty(lanes, np.float32),
-        scattering=np.empty(count * lanes, np.float32),
-        factors=np.empty(moment_count(tables.degree) * lanes, np.float32),
-        orders=np.empty(tables.sun_angles * (tables.degree + 2) * lanes, np.float32),
+        scattering=np.empty((count, lanes), np.float32),
+        factors=np.empty((moment_count(tables.degree), lanes), np.float32),
+        orders=np.empty((tables.sun_angles, tables.degree + 2, lanes), np.float32),
         made=np.empty(tables.sun_angles, np.bool_),
-        sums=np.empty(_STARS * (4 + count) * lanes, np.float32),
+        sums=np.empty((_STARS, 4 + count, lanes), np.float32),
     )
 
 
@@ -143,16 +141,15 @@ def scattering_by_constituent(
 
     def run(index: int) -> None:
         rows = slice(index * _BLOCK, min((index + 1) * _BLOCK, n))
-        phase = pack(geometry.medium.phase_function(seen[rows])).reshape(seen[rows].size, -1)
+        phase = pack(geometry.medium.phase_function(seen[rows]))
         half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
-        result = np.empty((phase.shape[0], (1 + constituents) * tables.lanes), np.float32)
+        result = np.empty((len(phase), 1 + constituents, tables.lanes), np.float32)
         _march_all(
             lines.r[rows], lines.mu[rows], lines.mu_s[rows], lines.nu[rows], half_sine,
             lines.length[rows], orders, delta_scaled, phase, tables, new_workspace(tables),
             _new_workspace(tables), result,
         )  # fmt: skip
-        parts = result.reshape(-1, 1 + constituents, tables.lanes)[:, :, :count]
-        out[rows], once[rows] = parts[:, 0], parts[:, 1:]
+        out[rows], once[rows] = result[:, 0, :count], result[:, 1:, :count]
 
     run_blocks(run, -(-n // _BLOCK))
     return out, once
@@ -165,8 +162,9 @@ def _march_all(
     tables, work, stars = without_refcount((tables, work, stars))
     has_unscaled = False
     if not delta_scaled:
-        for k in range(tables.scaled_extinction.size):
-            has_unscaled = has_unscaled or tables.scaled_extinction[k] != tables.extinction[k]
+        scaled, extinction = tables.scaled_extinction.reshape(-1), tables.extinction.reshape(-1)
+        for k in range(scaled.size):
+            has_unscaled = has_unscaled or scaled[k] != extinction[k]
     first = 0
     while first < r.size:
         last = first + 1
@@ -191,8 +189,7 @@ def _march_line(
     tables, work, stars, out,
 ):  # fmt: skip
     """March the line for the sun angles ``first`` to ``last``; arguments as in ``_march_all``."""
-    lanes, count = tables.lanes, last - first
-    width = (4 + tables.constituents) * lanes
+    count = last - first
     for index in range(count):
         k = first + index
         edges, rule, day = place_panels(r[k], mu[k], mu_s[k], nu[k], length[k], tables, work)
@@ -205,8 +202,8 @@ def _march_line(
             stars.columns_so_far[index, c] = 0.0
         points = int(tables.rules[rule]) * (edges - 1)
         stars.faint[index] = FAINT * min(scatters, 1.0) / points if day else 0.0
-    for at in range(0, count * width, LANES):
-        store(stars.sums, at, splat(0.0))
+    for index in range(count):
+        stars.sums[index] = 0.0
     members = _next_panel(count, tables, stars)
     while members > 0:
         lead = stars.together[0]
@@ -230,23 +227,23 @@ def _march_line(
                 stars.columns_so_far[index, c] = work.columns_so_far[c]
         members = _next_panel(count, tables, stars)
     for index in range(count):
-        star, sums = first + index, index * width
-        for at in range(0, lanes, LANES):
+        star = first + index
+        for at in range(0, tables.lanes, LANES):
+            sums, peaks = lane_view(stars.sums, at), lane_view(work.peaks, at)
+            result = lane_view(out, at)
             more = splat(0.0)
             if tables.broadened:
                 for part in range(3):
-                    value = load(stars.sums, sums + (1 + part) * lanes + at)
-                    store(work.peaks, part * lanes + at, value)
+                    peaks[part] = sums[index, 1 + part]
                 more = peak_gain(half_sine[star], tables, work, at)
-            found = load(stars.sums, sums + at)
+            result[star, 0] = sums[index, 0]
             if tables.broadened and orders != 0:
-                found = found + more * load(work.peaks, at)
-            store(out[star], at, found)
+                result[star, 0] += more * peaks[0]
             for c in range(tables.constituents):
-                once = load(stars.sums, sums + (4 + c) * lanes + at)
+                once = sums[index, 4 + c]
                 if delta_scaled and tables.broadened:
                     once = once * (np.float32(1.0) + more * peak_fraction(c, tables, at))
-                store(out[star], (1 + c) * lanes + at, once)
+                result[star, 1 + c] = once
 
 
 @inlined
@@ -295,8 +292,7 @@ def _add_point(
     members, first, k, n, r, mu, mu_s, nu, orders, has_unscaled, phase, tables, work, stars
 ):
     """Add the source of point k of a panel, of n points, to the sums of each sun angle."""
-    lanes, constituents = tables.lanes, tables.constituents
-    width = (4 + constituents) * lanes
+    constituents = tables.constituents
     q = min(max(work.radius[k], tables.bottom), tables.top)
     t = work.distance[k]
     mu_q = min(max((r * mu + t) / q, -1.0), 1.0)
@@ -311,35 +307,31 @@ def _add_point(
             r, mu, tables.refraction_strength, work.columns[(constituents - 1) * n + k]
         )
     weight = np.float32(work.weight[k])
-    for at in range(0, lanes, LANES):
-        transmittance = transmittance_columns(
-            work.depths, tables.scaled_extinction, constituents, lanes, at
-        )
+    for at in range(0, tables.lanes, LANES):
+        extinction = lane_view(tables.scaled_extinction, at)
+        transmittance = transmittance_columns(work.depths, extinction, constituents)
         store(stars.transmittance, at, transmittance * weight)
         if has_unscaled:
-            transmittance = transmittance_columns(
-                work.depths, tables.extinction, constituents, lanes, at
-            )
+            extinction = lane_view(tables.extinction, at)
+            transmittance = transmittance_columns(work.depths, extinction, constituents)
             store(stars.transmittance_once, at, transmittance * weight)
+        scattering, element = lane_view(tables.scattering, at), lane_view(stars.scattering, at)
         for c in range(constituents):
-            element = c * lanes + at
-            store(
-                stars.scattering, element, load(tables.scattering, element) * work.point_density[c]
-            )
+            element[c] = scattering[c] * work.point_density[c]
     x = node_value(q, tables.bottom, tables.top, tables.first_nodes, tables.row)
     row = min(int(x), tables.radii - 2)
     f = np.float32(x - row)
     ready = False
     for member in range(members):
         index = stars.together[member]
-        star, sums = first + index, index * width
+        star = first + index
         mu_sq, nu_q = min(max((r * mu_s[star] + t * nu[star]) / q, -1.0), 1.0), nu[star]
         if tables.refraction_strength > 0.0:
             mu_sq, nu_q = turned(mu_q, mu_sq, nu_q, angle)
             mu_sq = min(max(mu_sq, -1.0), 1.0)
         seen, spread = star_columns(q, mu_sq, tables, work)
         if seen > 0.0:
-            _add_star(seen, spread, sums, orders, has_unscaled, phase[star], tables, work, stars)
+            _add_star(seen, spread, index, orders, has_unscaled, phase[star], tables, work, stars)
         gathers = orders != 1 and scatters * work.weight[k] >= stars.faint[index]
         if gathers:
             if not ready:
@@ -350,146 +342,117 @@ def _add_point(
             if not (stars.made[sun] and stars.made[sun + 1]):
                 _add_degrees(row, sun, f, tables, stars)
             _add_multiple_scattering(
-                sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), sums, tables, stars
+                sun, np.float32(y - sun), line_azimuth(mu_q, mu_sq, nu_q), index, tables, stars
             )
 
 
 @inlined
-def _add_star(seen, spread, sums, orders, has_unscaled, phase, tables, work, stars):
-    """Add single scattering at a point to the sums from index ``sums`` on."""
-    lanes, constituents = tables.lanes, tables.constituents
-    for at in range(0, lanes, LANES):
+def _add_star(seen, spread, index, orders, has_unscaled, phase, tables, work, stars):
+    """Add single scattering at a point to the sums of a sun angle."""
+    constituents = tables.constituents
+    for at in range(0, tables.lanes, LANES):
+        sums, peaks = lane_view(stars.sums, at), lane_view(work.peaks, at)
+        scattering, phases = lane_view(stars.scattering, at), lane_view(phase, at)
         star = load(stars.transmittance, at) * direct_beam(
-            seen,
-            work.columns_to_sun_low,
-            work.columns_to_sun_high,
-            spread,
-            tables.scaled_extinction,
-            constituents,
-            lanes,
-            at,
-        )
+            seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
+            lane_view(tables.scaled_extinction, at), constituents,
+        )  # fmt: skip
         if orders != 0:
             source = splat(0.0)
             for c in range(constituents):
-                element = c * lanes + at
-                source = source + load(stars.scattering, element) * load(phase, element)
-            store(stars.sums, sums + at, load(stars.sums, sums + at) + star * source)
+                source = source + scattering[c] * phases[c]
+            sums[index, 0] += star * source
         if tables.broadened:
             for part in range(3):
-                store(
-                    work.peaks, part * lanes + at, load(stars.sums, sums + (1 + part) * lanes + at)
-                )
-            add_peaks(star, np.float32(1.0), spread, phase, tables, work, at)
+                peaks[part] = sums[index, 1 + part]
+            add_peaks(star, np.float32(1.0), spread, phases, tables, work, at)
             for part in range(3):
-                store(
-                    stars.sums, sums + (1 + part) * lanes + at, load(work.peaks, part * lanes + at)
-                )
+                sums[index, 1 + part] = peaks[part]
         if has_unscaled:
             star = load(stars.transmittance_once, at) * direct_beam(
-                seen,
-                work.columns_to_sun_low,
-                work.columns_to_sun_high,
-                spread,
-                tables.extinction,
-                constituents,
-                lanes,
-                at,
-            )
+                seen, work.columns_to_sun_low, work.columns_to_sun_high, spread,
+                lane_view(tables.extinction, at), constituents,
+            )  # fmt: skip
         for c in range(constituents):
-            own = sums + (4 + c) * lanes + at
-            once = star * load(stars.scattering, c * lanes + at)
-            store(stars.sums, own, load(stars.sums, own) + once)
+            sums[index, 4 + c] += star * scattering[c]
 
 
 @inlined
 def _place_direction(mu, tables, work, stars):
     """Harmonics of the line at a point times the moments' strengths, for a new point."""
-    lanes, degree = tables.lanes, tables.degree
+    degree = tables.degree
     terms = (degree, tables.start, tables.ahead, tables.back)
     legendre_functions(mu, terms, work.functions)
     for node in range(tables.sun_angles):
         stars.made[node] = False
-    for at in range(0, lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
+        moments, polarised_moments = (
+            lane_view(tables.moments, at),
+            lane_view(tables.polarised_moments, at),
+        )
+        factors = lane_view(stars.factors, at)
         for l in range(degree + 1):
             strength = splat(0.0)
             for c in range(tables.constituents):
-                moment = load(tables.moments, lanes * (c * (degree + 1) + l) + at)
-                strength = strength + moment * work.point_density[c]
+                strength = strength + moments[c, l] * work.point_density[c]
             for index in range(l * (l + 1) // 2, (l + 1) * (l + 2) // 2):
-                store(stars.factors, index * lanes + at, strength * work.functions[index])
+                factors[index] = strength * work.functions[index]
         beta_1 = splat(0.0)
         for c in range(tables.constituents):
-            beta_1 = (
-                beta_1
-                + load(tables.polarised_moments, lanes * ELEMENTS * c + at) * work.point_density[c]
-            )
+            beta_1 = beta_1 + polarised_moments[c, 0] * work.point_density[c]
         last = (degree + 1) * (degree + 2) // 2
         for m in range(EVEN):
-            factor = beta_1 * work.functions[3 + m]
-            store(stars.factors, (last + m) * lanes + at, factor)
+            factors[last + m] = beta_1 * work.functions[3 + m]
 
 
 @inlined
 def _add_degrees(row, sun, f, tables, stars):
     """Sum the field over degrees at two sun nodes, between two rows; f is the second's weight."""
-    lanes, degree = tables.lanes, tables.degree
+    degree = tables.degree
     last = (degree + 1) * (degree + 2) // 2
-    block = lanes * (1 + last + POLARISED)
-    near = (row * tables.sun_angles + sun) * block
-    far = near + tables.sun_angles * block
     g = np.float32(1.0) - f
-    first = sun * (degree + 2) * lanes
-    second = first + (degree + 2) * lanes
-    for at in range(0, lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
+        factors, orders = lane_view(stars.factors, at), lane_view(stars.orders, at)
+        field = lane_view(tables.field, at)
         for m in range(degree + 1):
             # Four independent sums.
             low, high, next_low, next_high = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
-            index = lanes * (m * (m + 1) // 2 + m) + at
+            index = m * (m + 1) // 2 + m
             for l in range(m, degree + 1):
-                element = lanes + index
-                factor = load(stars.factors, index)
-                low = low + factor * load(tables.field, near + element)
-                high = high + factor * load(tables.field, far + element)
-                next_low = next_low + factor * load(tables.field, near + block + element)
-                next_high = next_high + factor * load(tables.field, far + block + element)
-                index += lanes * (l + 1)
+                factor = factors[index]
+                low = low + factor * field[row, sun, 1 + index]
+                high = high + factor * field[row + 1, sun, 1 + index]
+                next_low = next_low + factor * field[row, sun + 1, 1 + index]
+                next_high = next_high + factor * field[row + 1, sun + 1, 1 + index]
+                index += l + 1
             if m < EVEN:
-                element = lanes * (1 + last + m) + at
-                factor = load(stars.factors, (last + m) * lanes + at)
-                low = low + factor * load(tables.field, near + element)
-                high = high + factor * load(tables.field, far + element)
-                next_low = next_low + factor * load(tables.field, near + block + element)
-                next_high = next_high + factor * load(tables.field, far + block + element)
-            store(stars.orders, first + m * lanes + at, g * low + f * high)
-            store(stars.orders, second + m * lanes + at, g * next_low + f * next_high)
-        element = (degree + 1) * lanes + at
-        low, high = load(tables.field, near + at), load(tables.field, far + at)
-        store(stars.orders, first + element, g * low + f * high)
-        low, high = load(tables.field, near + block + at), load(tables.field, far + block + at)
-        store(stars.orders, second + element, g * low + f * high)
+                factor = factors[last + m]
+                low = low + factor * field[row, sun, 1 + last + m]
+                high = high + factor * field[row + 1, sun, 1 + last + m]
+                next_low = next_low + factor * field[row, sun + 1, 1 + last + m]
+                next_high = next_high + factor * field[row + 1, sun + 1, 1 + last + m]
+            orders[sun, m] = g * low + f * high
+            orders[sun + 1, m] = g * next_low + f * next_high
+        for node in range(sun, sun + 2):
+            orders[node, degree + 1] = g * field[row, node, 0] + f * field[row + 1, node, 0]
     stars.made[sun] = True
     stars.made[sun + 1] = True
 
 
 @inlined
-def _add_multiple_scattering(sun, fraction, cosine, sums, tables, stars):
+def _add_multiple_scattering(sun, fraction, cosine, index, tables, stars):
     """Add multiple scattering at a point, between two sun nodes of the field, to a sum."""
-    lanes, degree = tables.lanes, tables.degree
+    degree = tables.degree
     e = np.float32(fraction)
     h = np.float32(1.0) - e
-    near = sun * (degree + 2) * lanes
-    far = near + (degree + 2) * lanes
-    for at in range(0, lanes, LANES):
+    for at in range(0, tables.lanes, LANES):
+        orders, sums = lane_view(stars.orders, at), lane_view(stars.sums, at)
         source = splat(0.0)
         earlier, multiple = cosine, 1.0  # cos (m - 1)φ and cos mφ
         for m in range(degree + 1):
-            element = m * lanes + at
-            part = h * load(stars.orders, near + element) + e * load(stars.orders, far + element)
+            part = h * orders[sun, m] + e * orders[sun + 1, m]
             source = source + part * np.float32(multiple)
             earlier, multiple = multiple, 2.0 * cosine * multiple - earlier
-        element = (degree + 1) * lanes + at
-        scale = h * load(stars.orders, near + element) + e * load(stars.orders, far + element)
+        scale = h * orders[sun, degree + 1] + e * orders[sun + 1, degree + 1]
         # The truncated expansion may be negative where radiance nearly vanishes.
-        source = maximum(source / scale, 0.0) * load(stars.transmittance, at)
-        store(stars.sums, sums + at, load(stars.sums, sums + at) + source)
+        sums[index, 0] += maximum(source / scale, 0.0) * load(stars.transmittance, at)

@@ -1,7 +1,7 @@
 """Tables of a solution for the ray march, and its workspace, with the same names in all backends.
 
-On the CPU arrays are flat, with spectral ones in groups of eight lanes; on a GPU each table is part
-of a texture, a spectral element is a texel of four wavelengths, and the workspace consists of
+On the CPU the spectral arrays have whole groups of eight lanes on the last axis; on a device
+each table is a part of a texture, a spectral element is a texel of four wavelengths, and the
 arrays of constant size.
 """
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.path import MAX_EDGES
 from airlight.geometry.quadrature import gauss_legendre
-from airlight.kernel.shader_fields import CHOICE, DISC, FIELDS, SPECTRA, Always, scalars
+from airlight.kernel.shader_fields import CHOICE, DISC, FIELDS, SPECTRA, Always, scalars, spectra
 from airlight.optics.reflection import Reflection
 
 FloatArray = NDArray[np.float64]
@@ -69,32 +69,33 @@ class MarchTables(NamedTuple):
         Fields of ``Harmonics``.
     rules : array, flat
         Quadratures of a panel, from ``quadratures``.
-    scaled_extinction : array, shape (nc·w,)
+    scaled_extinction : array, shape (nc, w)
         Delta-M scaled extinction. [m⁻¹]
-    extinction : array, shape (nc·w,)
+    extinction : array, shape (nc, w)
         Unscaled extinction, which attenuates the star's disc. [m⁻¹]
-    scattering : array, shape (nc·w,)
+    scattering : array, shape (nc, w)
         Unscaled scattering coefficients. [m⁻¹]
-    moments : array, shape (nc·(N + 1)·w,)
+    moments : array, shape (nc, N + 1, w)
         Scattering coefficient times Legendre moment, both scaled. [m⁻¹]
-    polarised_moments : array, shape (nc·4·w,)
+    polarised_moments : array, shape (nc, 4, w)
         Scattering coefficient times expansion coefficients of Q and U, see ``ScaledOptics``. [m⁻¹]
-    phase : array, shape (phase_nodes·nc·w,)
+    phase : array, shape (phase_nodes, nc, w)
         Phase functions on even steps of sin(θ/2). [sr⁻¹]
-    phase_f12 : array, shape (phase_nodes·nc·w,)
+    phase_f12 : array, shape (phase_nodes, nc, w)
         Elements F₁₂ of the phase matrices on these steps; 0 in scalar transfer. [sr⁻¹]
-    inverse_peak_fraction : array, shape (nc·w,)
+    inverse_peak_fraction : array, shape (nc, w)
         Reciprocal of the truncated fraction f, from ``forward_peak``. [1]
-    broadening : array, shape (depths·angles·w,)
+    broadening : array, shape (depths, angles, w)
         Forward-peak gain, from ``peak_broadening``; one element if not ``broadened``. [1]
-    darkening : array, shape (6·w,)
+    darkening : array, shape (6, w)
         Radiance of the star's disc over its mean, by powers of the cosine of emergence. [1]
-    basis : array, shape (3·w,)
+    basis : array, shape (3, w)
         Reflectance of a red, a green and a blue ground. [1]
-    field : array, shape (r·s·(1 + k)·w,)
-        Moments of the radiance as (s, M·s) per node; see ``sweep``.
-    sky : array, shape (r·s·2·w,)
-        Diffuse horizontal irradiance as (s, E·s) per node; the first radius is the ground.
+    field : array, shape (r, s, 1 + k, w)
+        Moments of all orders together, as (s, M·s) per node; see ``sweep``.
+    sky : array, shape (r, s, 2, w)
+        Irradiance of a level surface by scattered light, as (s, E·s) per node; the first radius
+        is the ground.
     ground : Reflection
         Reflectance of the ground.
     """
@@ -131,12 +132,12 @@ class MarchTables(NamedTuple):
     scaled_extinction: Annotated[Float32Array, SPECTRA]
     extinction: Annotated[Float32Array, SPECTRA]
     scattering: Annotated[Float32Array, SPECTRA]
-    moments: Annotated[Float32Array, SPECTRA]
-    polarised_moments: Annotated[Float32Array, SPECTRA]
-    phase: Annotated[Float32Array, SPECTRA]
-    phase_f12: Annotated[Float32Array, SPECTRA]
+    moments: Annotated[Float32Array, spectra(2)]
+    polarised_moments: Annotated[Float32Array, spectra(2)]
+    phase: Annotated[Float32Array, spectra(2)]
+    phase_f12: Annotated[Float32Array, spectra(2)]
     inverse_peak_fraction: Annotated[Float32Array, SPECTRA]
-    broadening: Annotated[Float32Array, SPECTRA]
+    broadening: Annotated[Float32Array, spectra(2)]
     darkening: Annotated[Float32Array, DISC]
     basis: Annotated[Float32Array, SPECTRA]
     field: Annotated[Float32Array, FIELDS]
@@ -166,15 +167,15 @@ class MarchWorkspace(NamedTuple):
         Columns from a point towards the two points that represent the star. [m]
     functions : array, shape (k,)
         Harmonics of the line at a point. [1]
-    irradiance : array, shape (2·w,)
+    irradiance : array, shape (2, w)
         Direct and diffuse irradiance of the ground. [1]
     azimuth : array, shape (1,)
         Cosine of the line's azimuth at a point. [1]
-    phase, phase_f12 : array, shape (nc·w,)
+    phase, phase_f12 : array, shape (nc, w)
         Phase functions and elements F₁₂ of a line. [sr⁻¹]
-    peaks : array, shape (3·w,)
+    peaks : array, shape (3, w)
         Sums over a line from ``forward_peak.add_peaks``.
-    radiance : array, shape (7·w,)
+    radiance : array, shape (7, w)
         Result of a march, and radiance of the mirrored sky, at ``MIRRORED``.
     """
 
@@ -258,7 +259,7 @@ def new_workspace(tables: MarchTables) -> MarchWorkspace:
         for name, size in workspace_sizes(count, points, tables.ahead.size).items()
     }
     lanes: dict[str, Any] = {
-        name: np.empty(size * tables.lanes, np.float32)
+        name: np.empty((size, tables.lanes), np.float32)
         for name, size in spectral_sizes(count).items()
     }
     return MarchWorkspace(**arrays, **lanes)

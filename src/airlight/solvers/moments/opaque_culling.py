@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, exponential, load, maximum, minimum, splat, store
+from airlight.kernel.lanes import LANES, exponential, lane_view, maximum, minimum, splat
 from airlight.solvers.moments.ray_optics import ScaledOptics, optical_depth
 from airlight.solvers.moments.rays import Rays
 
@@ -36,11 +36,11 @@ def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
     -------
     rays : Rays
         Rays with fewer points.
-    norm : array, shape (r·a·8,)
+    norm : array, shape (r, a, 8)
         1 - exp(-τ) of the whole ray over the quadrature's sum of exp(-τ) dτ: with this factor the
         sum is exact for a constant source function, and energy is conserved. [1]
     """
-    extinction = air.extinction.astype(float).reshape(-1, LANES)
+    extinction = air.extinction.astype(float)
     constituents = extinction.shape[0]
     before = rays.column[:, :constituents] @ extinction
     seen = before.min(axis=1) < _OPAQUE
@@ -52,7 +52,7 @@ def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
     along = {name: getattr(rays, name)[seen] for name in _ALONG}
     start = np.concatenate([begin, end[:, -1:]], axis=1)
     near = rays._replace(start=start, **along)
-    norm = np.empty(counts.size * LANES, np.float32)
+    norm = np.empty((counts.size, LANES), np.float32)
     norms_into(
         starts,
         np.ascontiguousarray(near.column[:, :constituents]).reshape(-1),
@@ -61,7 +61,7 @@ def cull_opaque(rays: Rays, air: ScaledOptics) -> tuple[Rays, Float32Array]:
         air.extinction,
         norm,
     )
-    return near, norm
+    return near, norm.reshape(*counts.shape, LANES)
 
 
 @inlined
@@ -90,7 +90,7 @@ def ray_norm(first, points, columns, amounts, total, extinction, constituents):
         Amounts as in ``Rays``. [m]
     total : lanes
         Optical depth of the whole ray. [1]
-    extinction : array, shape (nc·8,)
+    extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
     constituents : int
     """
@@ -99,7 +99,7 @@ def ray_norm(first, points, columns, amounts, total, extinction, constituents):
         before = optical_depth(columns, (first + k) * constituents, extinction, constituents)
         step = splat(0.0)
         for c in range(constituents):
-            step = step + load(extinction, LANES * c) * np.float32(amounts[first + k, c])
+            step = step + extinction[c] * np.float32(amounts[first + k, c])
         light = light + exponential(0.0 - before) * step
     norm = emitted(total) / maximum(light, 1e-30)
     return minimum(maximum(norm, 1.0 - MOST), 1.0 + MOST)
@@ -108,17 +108,10 @@ def ray_norm(first, points, columns, amounts, total, extinction, constituents):
 @compiled_loop
 def norms_into(starts, columns, amounts, totals, extinction, out):
     """Fill ``out`` with ``ray_norm`` of all rays."""
-    constituents = extinction.size // LANES
+    extinction, shares = lane_view(extinction), lane_view(out)
+    constituents = extinction.shape[0]
     for ray in range(starts.size - 1):
         first = starts[ray]
         total = optical_depth(totals, ray * constituents, extinction, constituents)
-        norm = ray_norm(
-            first,
-            starts[ray + 1] - first,
-            columns,
-            amounts,
-            total,
-            extinction,
-            constituents,
-        )
-        store(out, LANES * ray, norm)
+        points = starts[ray + 1] - first
+        shares[ray] = ray_norm(first, points, columns, amounts, total, extinction, constituents)

@@ -1,4 +1,4 @@
-"""Packed arrays of the kernels: flat float32, wavelengths in groups of eight lanes."""
+"""Packed arrays of the kernels: float32, wavelengths last, in whole groups of eight lanes."""
 
 from __future__ import annotations
 
@@ -40,18 +40,19 @@ def filled(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def pack(values: FloatArray) -> Float32Array:
-    """Wavelengths on the last axis as flat float32 in groups of eight lanes."""
-    return np.ascontiguousarray(filled(values), dtype=np.float32).reshape(-1)
+    """Pack wavelengths on the last axis as float32 in whole groups of eight lanes."""
+    return np.ascontiguousarray(filled(values), dtype=np.float32)
 
 
 def pack_rational(values: Float32Array, scale_from: Float32Array) -> Float32Array:
     """Values (..., k, 8) packed for rational interpolation: (s, value·s) with s = 1/sqrt(scale).
 
-    See the head of ``sweep``; ``scale_from`` has shape (..., 8) and is positive.
+    Shape (..., 1 + k, 8), see the head of ``sweep``; ``scale_from`` has shape (..., 8) and is
+    positive.
     """
     scale = 1.0 / np.sqrt(scale_from)[..., None, :]
     packed = np.concatenate([scale, values * scale], axis=-2)
-    return np.asarray(packed, np.float32).reshape(-1)
+    return np.asarray(packed, np.float32)
 
 
 @kernel
@@ -121,7 +122,9 @@ def pack_light(
         _pack_sun(field[:, sun], mean[:, sun], level[sun], refinement, order, packed[:, sun])
 
     run_blocks(under, sun_angles)
-    return packed.reshape(-1), pack_rational(received[..., None, :], received)
+    if narrow:
+        packed = packed.reshape(*shape[:2], -1, LANES)
+    return packed, pack_rational(received[..., None, :], received)
 
 
 @compiled_loop

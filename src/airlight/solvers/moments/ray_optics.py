@@ -9,27 +9,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, exponential, load, splat, store
+from airlight.kernel.lanes import exponential, splat
 from airlight.optics.reflection import Reflection
-from airlight.solvers.moments.harmonics import ELEMENTS, polarised_functions
+from airlight.solvers.moments.harmonics import polarised_functions
+from airlight.solvers.moments.source import diffuse_horizontal
 
 Float32Array = NDArray[np.float32]
 
 
 class ScaledOptics(NamedTuple):
-    """Delta-M scaled optics of eight wavelengths, flat, one wavelength per lane.
+    """Delta-M scaled optics of eight wavelengths, in the lanes.
 
     Attributes
     ----------
-    extinction : array, shape (nc·8,)
+    extinction : array, shape (nc, 8)
         Scaled extinction. [m⁻¹]
-    moments : array, shape (nc·(N + 1)·8,)
+    moments : array, shape (nc, N + 1, 8)
         Scattering coefficient times Legendre moment, both scaled. [m⁻¹]
     ground : Reflection
         Reflection by the ground.
     star_radius : float
         Angular radius of the star. [rad]
-    polarised_moments : array, shape (nc·4·8,)
+    polarised_moments : array, shape (nc, 4, 8)
         Scattering coefficient times the coefficients β₁, α₂ and α₃ of degree 2; extinction of I
         less that of Q and U; see ``delta_m.delta_m_scaling``. [m⁻¹]
     """
@@ -72,7 +73,7 @@ def optical_depth(columns, first, extinction, constituents):
     """Optical depth Σ extinction·column of eight wavelengths, from ``columns[first:]``. [1]"""
     tau = splat(0.0)
     for c in range(constituents):
-        tau = tau + load(extinction, LANES * c) * np.float32(columns[first + c])
+        tau = tau + extinction[c] * np.float32(columns[first + c])
     return tau
 
 
@@ -84,20 +85,16 @@ def polarised_transmittance_ratio(columns, first, polarised_moments, constituent
     """
     more = splat(0.0)
     for c in range(constituents):
-        more = more + load(polarised_moments, LANES * (ELEMENTS * c + 3)) * np.float32(
-            columns[first + c]
-        )
+        more = more + polarised_moments[c, 3] * np.float32(columns[first + c])
     return exponential(more)
 
 
 @inlined
-def strength_of(moments, amounts, point, l, degree, constituents):
+def strength_of(moments, amounts, point, l, constituents):
     """Scattering strength of a point in one degree: Σ moments·amount of eight wavelengths. [1]"""
     strength = splat(0.0)
     for c in range(constituents):
-        strength = strength + load(moments, LANES * (c * (degree + 1) + l)) * np.float32(
-            amounts[point, c]
-        )
+        strength = strength + moments[c, l] * np.float32(amounts[point, c])
     return strength
 
 
@@ -127,12 +124,7 @@ def sky_at(ground, mu_s, places, sun_angles):
     """Diffuse irradiance of the ground, interpolated from (s, E·s) per node. [1]"""
     x = sun_index(mu_s, places)
     column = min(int(x), sun_angles - 2)
-    f = np.float32(x - column)
-    g = np.float32(1.0) - f
-    low = column * 2 * LANES
-    return (g * load(ground, low + LANES) + f * load(ground, low + 3 * LANES)) / (
-        g * load(ground, low) + f * load(ground, low + 2 * LANES)
-    )
+    return diffuse_horizontal(ground, column, x - column)
 
 
 @inlined
@@ -143,55 +135,50 @@ def star_from_ray(mu, mu_s, cosine):
 
 
 @inlined
-def project(moments_m, functions, weight, degree, orders, base, out):
-    """Add a ray's azimuth moments, times its Legendre functions, to the moments of a point.
+def project(moments_m, functions, weight, degree, orders, sun, out):
+    """Add a ray's azimuth moments, times its Legendre functions, to the moments of a sun.
 
     The moments are those of the first ``orders`` azimuthal orders; the others vanish.
     """
     for l in range(degree + 1):
         for m in range(min(l + 1, orders)):
             index = l * (l + 1) // 2 + m
-            factor = np.float32(weight * functions[index])
-            at = base + LANES * index
-            store(out, at, load(out, at) + factor * load(moments_m, LANES * m))
+            out[sun, index] += np.float32(weight * functions[index]) * moments_m[m]
 
 
 @inlined
-def project_polarised(azimuthal, mu, weight, base, out):
+def project_polarised(azimuthal, mu, weight, sun, first, out):
     """Add a ray's azimuth moments of Q and U to the polarised moments of a point.
 
     Parameters
     ----------
-    azimuthal : array, shape (5·8,)
+    azimuthal : lanes, shape (5,)
         Of Q with cos 0, cos φ and cos 2φ, of U with sin φ and sin 2φ.
     mu : float
         Cosine of the ray's zenith angle. [1]
     weight : float
         Weight of the ray in ∫ dmu. [1]
-    base : int
-        Index of the first polarised moment in ``out``, in lanes.
+    sun, first : int
+        Index of the sun, and of the first polarised moment.
+    out : lanes, shape (s, k)
+        Moments.
     """
     a0, a1, a2, b1, b2 = polarised_functions(mu)
-    store(out, base, load(out, base) + np.float32(weight * a0) * load(azimuthal, 0))
-    once = np.float32(weight * a1) * load(azimuthal, LANES)
-    once = once + np.float32(weight * b1) * load(azimuthal, 3 * LANES)
-    store(out, base + LANES, load(out, base + LANES) + once)
-    twice = np.float32(weight * a2) * load(azimuthal, 2 * LANES)
-    twice = twice + np.float32(weight * b2) * load(azimuthal, 4 * LANES)
-    store(out, base + 2 * LANES, load(out, base + 2 * LANES) + twice)
-    once = np.float32(weight * b1) * load(azimuthal, LANES)
-    once = once + np.float32(weight * a1) * load(azimuthal, 3 * LANES)
-    store(out, base + 3 * LANES, load(out, base + 3 * LANES) + once)
-    twice = np.float32(weight * b2) * load(azimuthal, 2 * LANES)
-    twice = twice + np.float32(weight * a2) * load(azimuthal, 4 * LANES)
-    store(out, base + 4 * LANES, load(out, base + 4 * LANES) + twice)
+    out[sun, first] += np.float32(weight * a0) * azimuthal[0]
+    once = np.float32(weight * a1) * azimuthal[1]
+    out[sun, first + 1] += once + np.float32(weight * b1) * azimuthal[3]
+    twice = np.float32(weight * a2) * azimuthal[2]
+    out[sun, first + 2] += twice + np.float32(weight * b2) * azimuthal[4]
+    once = np.float32(weight * b1) * azimuthal[1]
+    out[sun, first + 3] += once + np.float32(weight * a1) * azimuthal[3]
+    twice = np.float32(weight * b2) * azimuthal[2]
+    out[sun, first + 4] += twice + np.float32(weight * a2) * azimuthal[4]
 
 
 @inlined
 def add_polarised(azimuthal, multiples, sines, b, stokes_q, stokes_u):
     """Add Q and U of a ray at azimuth ``b`` to its azimuth moments; see ``project_polarised``."""
     for m in range(3):
-        store(azimuthal, LANES * m, load(azimuthal, LANES * m) + multiples[m, b] * stokes_q)
+        azimuthal[m] += multiples[m, b] * stokes_q
     for m in range(1, 3):
-        at = LANES * (2 + m)
-        store(azimuthal, at, load(azimuthal, at) + sines[m, b] * stokes_u)
+        azimuthal[2 + m] += sines[m, b] * stokes_u

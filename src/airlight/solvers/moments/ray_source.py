@@ -10,9 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, exponential, load, pair, splat, store
+from airlight.kernel.lanes import exponential, pair, splat
 from airlight.solvers.moments.harmonics import (
-    ELEMENTS,
     EVEN,
     POLARISED,
     legendre_functions,
@@ -60,7 +59,7 @@ def factor_count(degree, narrow):
 
 @inlined
 def fill_factors(
-    point, rays, air, expansion, degree, highest, functions, first, factors, narrow
+    point, rays, air, expansion, degree, highest, functions, k, factors, narrow
 ):  # fmt: skip
     """Factors of the moments in the source function at a point of a ray.
 
@@ -74,9 +73,9 @@ def fill_factors(
         Highest degree, and highest active degree at this point.
     functions : array
         Workspace for the Legendre functions.
-    first : int
-        Index of the first factor in ``factors``, in lanes.
-    factors : array
+    k : int
+        Index of the point in ``factors``.
+    factors : lanes, shape (points, n)
         Receives strengths times Legendre functions in the order of ``first_register``, and seven
         factors of the moments of degree 2 for each coupled order.
     narrow : bool
@@ -88,39 +87,31 @@ def fill_factors(
     legendre_functions(mu_along[point], expansion, functions)
     transmittance = exponential(0.0 - optical_depth(depths[point], 0, extinction, constituents))
     for l in range(highest + 1):
-        strength = strength_of(moments, amounts, point, l, degree, constituents) * transmittance
+        strength = strength_of(moments, amounts, point, l, constituents) * transmittance
         index = l * (l + 1) // 2
-        at = first + LANES * first_register(l, narrow)
+        at = first_register(l, narrow)
         if narrow:
             for m in range(0, l, 2):
                 both = pair(np.float32(functions[index + m]), np.float32(functions[index + m + 1]))
-                store(factors, at + LANES // 2 * m, strength * both)
+                factors[k, at + m // 2] = strength * both
             if l % 2 == 0:
                 both = pair(np.float32(functions[index + l]), np.float32(0.0))
-                store(factors, at + LANES // 2 * l, strength * both)
+                factors[k, at + l // 2] = strength * both
         else:
             for m in range(l + 1):
-                store(factors, at + LANES * m, strength * np.float32(functions[index + m]))
-    last = ELEMENTS - 1
-    beta_1 = transmittance * strength_of(polarised_moments, amounts, point, 0, last, constituents)
+                factors[k, at + m] = strength * np.float32(functions[index + m])
+    beta_1 = transmittance * strength_of(polarised_moments, amounts, point, 0, constituents)
     polarised_ratio = polarised_transmittance_ratio(
         depths[point], 0, polarised_moments, constituents
     )
-    alpha_2 = (
-        polarised_ratio
-        * transmittance
-        * strength_of(polarised_moments, amounts, point, 1, last, constituents)
-    )
-    alpha_3 = (
-        polarised_ratio
-        * transmittance
-        * strength_of(polarised_moments, amounts, point, 2, last, constituents)
-    )
+    through = polarised_ratio * transmittance
+    alpha_2 = through * strength_of(polarised_moments, amounts, point, 1, constituents)
+    alpha_3 = through * strength_of(polarised_moments, amounts, point, 2, constituents)
     turned = polarised_ratio * beta_1
     # The Legendre functions of degree 2.
     second_0, second_1, second_2 = functions[3], functions[4], functions[5]
     a0, a1, a2, b1, b2 = polarised_functions(mu_along[point])
-    at = first + LANES * first_register(degree + 1, narrow)
+    at = first_register(degree + 1, narrow)
     _, orders, _ = order_registers(degree, narrow)
     for m in range(orders):
         second = pair(np.float32(second_0), np.float32(second_1))
@@ -137,19 +128,19 @@ def fill_factors(
                 second, even, odd = splat(second_1), splat(a1), splat(b1)
             if m == 2:
                 second, even, odd = splat(second_2), splat(a2), splat(b2)
-        store(factors, at, beta_1 * second)
-        store(factors, at + LANES, even * turned)
-        store(factors, at + 2 * LANES, even * alpha_2)
-        store(factors, at + 3 * LANES, odd * alpha_3)
-        store(factors, at + 4 * LANES, odd * turned)
-        store(factors, at + 5 * LANES, odd * alpha_2)
-        store(factors, at + 6 * LANES, even * alpha_3)
-        at = at + _COUPLINGS * LANES
+        factors[k, at] = beta_1 * second
+        factors[k, at + 1] = even * turned
+        factors[k, at + 2] = even * alpha_2
+        factors[k, at + 3] = odd * alpha_3
+        factors[k, at + 4] = odd * turned
+        factors[k, at + 5] = odd * alpha_2
+        factors[k, at + 6] = even * alpha_3
+        at = at + _COUPLINGS
 
 
 @inlined
 def source_four_suns(
-    k, row, f, first, factors, sun_angles, field, start, wide, highest, degree, rows, narrow
+    k, row, f, factors, sun_angles, field, start, wide, highest, degree, rows, narrow
 ):  # fmt: skip
     """Source function at a point of a ray, for four sun angles.
 
@@ -159,13 +150,11 @@ def source_four_suns(
         Index of the point among those of ``rows``.
     row, f : int, float32
         Index of the radius below the point, and the point's fraction of the step above it.
-    first : int
-        Index of its first factor in ``factors``, in lanes.
-    factors : array
+    factors : lanes, shape (points, n)
         Factors from ``fill_factors``.
     sun_angles : int
         Number of sun angles.
-    field : array
+    field : lanes, shape (r, s, 1 + k)
         As in ``sweep_radius``.
     start : int
         Index of the first sun angle; indices beyond the last are clamped.
@@ -173,26 +162,16 @@ def source_four_suns(
         Number of registers of orders m to be computed.
     highest, degree : int
         Highest active degree at this point, and highest degree of the moments.
-    rows : array
+    rows : lanes, shape (points, s, n)
         Receives a node of ``source_at_point`` for each sun angle.
     narrow : bool
         See ``first_register``; a constant.
     """
-    all_wide, orders, sent = order_registers(degree, narrow)
+    all_wide, orders, _ = order_registers(degree, narrow)
     registers = first_register(degree + 1, narrow)
-    terms = registers + POLARISED
-    if narrow:
-        terms = registers + 4
-    block = (1 + all_wide + sent) * LANES
-    node = (1 + terms) * LANES
     g = np.float32(1.0) - f
     last = sun_angles - 1
     second, third, fourth = min(start + 1, last), min(start + 2, last), min(start + 3, last)
-    low = (row * sun_angles + start) * node
-    up = sun_angles * node
-    to_second, to_third = (second - start) * node, (third - start) * node
-    to_fourth = (fourth - start) * node
-    target = (k * sun_angles + start) * block
     for m in range(wide):
         one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
         above_1, above_2, above_3, above_4 = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
@@ -200,50 +179,41 @@ def source_four_suns(
         if narrow:
             lowest = 2 * m
         for l in range(lowest, highest + 1):
-            index = LANES * (first_register(l, narrow) + m)
-            at = low + LANES + index
-            factor = load(factors, first + index)
-            one = one + factor * load(field, at)
-            two = two + factor * load(field, at + to_second)
-            three = three + factor * load(field, at + to_third)
-            four = four + factor * load(field, at + to_fourth)
-            at = at + up
-            above_1 = above_1 + factor * load(field, at)
-            above_2 = above_2 + factor * load(field, at + to_second)
-            above_3 = above_3 + factor * load(field, at + to_third)
-            above_4 = above_4 + factor * load(field, at + to_fourth)
-        at = target + LANES * (1 + m)
-        store(rows, at, g * one + f * above_1)
-        store(rows, at + (second - start) * block, g * two + f * above_2)
-        store(rows, at + (third - start) * block, g * three + f * above_3)
-        store(rows, at + (fourth - start) * block, g * four + f * above_4)
+            index = first_register(l, narrow) + m
+            factor = factors[k, index]
+            one = one + factor * field[row, start, 1 + index]
+            two = two + factor * field[row, second, 1 + index]
+            three = three + factor * field[row, third, 1 + index]
+            four = four + factor * field[row, fourth, 1 + index]
+            above_1 = above_1 + factor * field[row + 1, start, 1 + index]
+            above_2 = above_2 + factor * field[row + 1, second, 1 + index]
+            above_3 = above_3 + factor * field[row + 1, third, 1 + index]
+            above_4 = above_4 + factor * field[row + 1, fourth, 1 + index]
+        rows[k, start, 1 + m] = g * one + f * above_1
+        rows[k, second, 1 + m] = g * two + f * above_2
+        rows[k, third, 1 + m] = g * three + f * above_3
+        rows[k, fourth, 1 + m] = g * four + f * above_4
     for j in range(start, fourth + 1):
-        low = (row * sun_angles + j) * node
-        high = low + up
-        target = (k * sun_angles + j) * block
-        store(rows, target, g * load(field, low) + f * load(field, high))
+        rows[k, j, 0] = g * field[row, j, 0] + f * field[row + 1, j, 0]
         for m in range(orders):
-            moment, coupled = coupled_moments(field, low, high, f, m, degree, narrow)
-            by = first + LANES * (registers + _COUPLINGS * m)
+            moment, coupled = coupled_moments(field, row, j, f, m, degree, narrow)
+            by = registers + _COUPLINGS * m
             if m < wide:
-                at = target + LANES * (1 + m)
-                store(rows, at, load(rows, at) + load(factors, by) * coupled)
-            point_q = load(factors, by + LANES) * moment + load(factors, by + 2 * LANES) * coupled
-            point_u = (
-                load(factors, by + 4 * LANES) * moment + load(factors, by + 5 * LANES) * coupled
-            )
+                rows[k, j, 1 + m] += factors[k, by] * coupled
+            point_q = factors[k, by + 1] * moment + factors[k, by + 2] * coupled
+            point_u = factors[k, by + 4] * moment + factors[k, by + 5] * coupled
             if narrow or m > 0:
-                turned = odd_moment(field, low, high, f, m, degree, narrow)
-                point_q = point_q + load(factors, by + 3 * LANES) * turned
-                point_u = point_u + load(factors, by + 6 * LANES) * turned
-            at = target + LANES * (1 + all_wide)
-            store(rows, at + LANES * m, point_q)
+                turned = odd_moment(field, row, j, f, m, degree, narrow)
+                point_q = point_q + factors[k, by + 3] * turned
+                point_u = point_u + factors[k, by + 6] * turned
+            sent = 1 + all_wide
+            rows[k, j, sent + m] = point_q
             if narrow:  # U_1 in the second half, U_2 in the first
                 if m == 1:
-                    point_u = point_u + load(rows, at + 2 * LANES)
-                store(rows, at + 2 * LANES, point_u)
+                    point_u = point_u + rows[k, j, sent + 2]
+                rows[k, j, sent + 2] = point_u
             elif m > 0:
-                store(rows, at + LANES * (EVEN - 1 + m), point_u)
+                rows[k, j, sent + EVEN - 1 + m] = point_u
 
 
 @inlined

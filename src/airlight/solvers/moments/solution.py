@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from airlight.geometry.refraction import refraction_angle, turned
 from airlight.kernel import compiled_loop
-from airlight.kernel.lanes import LANES, load, store
+from airlight.kernel.lanes import LANES, lane_view, load
 from airlight.kernel.threads import run_blocks
 from airlight.kernel.without_refcount import without_refcount
 from airlight.optics.reflection import cos_reflected
@@ -158,7 +158,7 @@ class MomentsSolution(Solution):
             phase_f12=pack(self._phase_f12(medium)),
             inverse_peak_fraction=pack(inverse_peak_fraction(optics)),
             broadening=pack(
-                np.zeros((1, self.wavelengths.size)) if broadening is None else broadening
+                np.zeros((1, 1, self.wavelengths.size)) if broadening is None else broadening
             ),
             darkening=pack(self.lights[0].darkenings.T),
             basis=pack(medium.map_basis.T),
@@ -302,12 +302,12 @@ class MomentsSolution(Solution):
             if scatterers is not None:
                 silent = [c for c in range(phases.shape[1]) if c not in scatterers]
                 phases[:, silent] = 0.0
-            phase = pack(phases).reshape(phases.shape[0], -1)
+            phase = pack(phases)
             half_sine = np.sqrt(np.maximum(0.5 * (1.0 - seen[rows]), 0.0))
-            phase_f12 = phase[:, :0]
+            phase_f12 = phase
             if stokes:
-                phase_f12 = pack(self.geometry.medium.phase_f12(seen[rows])).reshape(phase.shape)
-            result = np.empty((phase.shape[0], (6 if stokes else 3) * chosen.lanes), np.float32)
+                phase_f12 = pack(self.geometry.medium.phase_f12(seen[rows]))
+            result = np.empty((len(phase), 6 if stokes else 3, chosen.lanes), np.float32)
             _march_all(
                 lines.r[rows],
                 lines.mu[rows],
@@ -324,12 +324,9 @@ class MomentsSolution(Solution):
                 new_workspace(chosen),
                 result,
             )
-            out[rows] = result[:, :count]
-            transmittance[rows] = result[:, chosen.lanes : chosen.lanes + count]
-            air[rows] = result[:, 2 * chosen.lanes : 2 * chosen.lanes + count]
+            out[rows], transmittance[rows], air[rows] = result[:, :3, :count].swapaxes(0, 1)
             if stokes:
-                kept = result.reshape(-1, 6, chosen.lanes)[:, [0, 4, 5], :count]
-                polarised[rows] = kept
+                polarised[rows] = result[:, [0, 4, 5], :count]
 
         run_blocks(run, -(-n // block))
         return out, transmittance, polarised, air
@@ -374,15 +371,15 @@ def _march_all(
     out,
 ):  # fmt: skip
     tables, work = without_refcount((tables, work))
-    lanes, bottom = tables.lanes, tables.bottom
-    found, ground = work.radiance, np.empty(lanes, np.float32)
+    bottom, ground = tables.bottom, np.empty(tables.lanes, np.float32)
     for k in range(r.size):
         march(
             r[k], mu[k], mu_s[k], nu[k], half_sine[k], length[k], orders, True, False, stokes,
-            phase[k], phase_f12[k], tables, work, found,
+            phase[k], phase_f12[k], tables, work, work.radiance,
         )  # fmt: skip
-        for at in range(0, lanes, LANES):  # in the place of the peaks
-            store(found, 2 * lanes + at, load(found, at))
+        for at in range(0, tables.lanes, LANES):  # in the place of the peaks
+            found = lane_view(work.radiance, at)
+            found[2] = found[0]
         if to_ground[k]:
             mu_s_ground = (r[k] * mu_s[k] + length[k] * nu[k]) / bottom
             if tables.refraction_strength > 0.0:
@@ -397,7 +394,7 @@ def _march_all(
             mu_s_ground = min(max(mu_s_ground, -1.0), 1.0)
             mu_r = cos_reflected(r[k], mu[k], bottom)
             ground_radiance(mu_s_ground, mu_r, nu[k], orders, tables, work, ground)
-            for at in range(0, lanes, LANES):
-                behind = load(found, lanes + at) * load(ground, at)
-                store(found, at, load(found, at) + behind)
-        out[k] = found[: out.shape[1]]
+            for at in range(0, tables.lanes, LANES):
+                found = lane_view(work.radiance, at)
+                found[0] += found[1] * load(ground, at)
+        out[k] = work.radiance[: out.shape[1]]

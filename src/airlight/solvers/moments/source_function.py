@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from airlight.kernel import inlined
-from airlight.kernel.lanes import LANES, load, pair, splat
+from airlight.kernel.lanes import pair, splat
 from airlight.solvers.moments.harmonics import EVEN
 
 
@@ -23,20 +23,19 @@ def first_register(l, narrow):
 
 
 @inlined
-def contracted(factors, first, field, low, high, f, m, degree, narrow):
+def contracted(factors, point, field, level, sun, f, m, degree, narrow):
     """Moments of order m times scattering strengths, summed over degrees, between two radii.
 
     Parameters
     ----------
-    factors : array
-        Strength of each degree times Legendre function, in the order of ``first_register`` from
-        ``first`` on.
-    first : int
-        Index of the first factor, in lanes.
-    field : array
+    factors : lanes, shape (points, n)
+        Strength of each degree times Legendre function, in the order of ``first_register``.
+    point : int
+        Index of the point.
+    field : lanes, shape (r, s, 1 + k)
         Field as in ``sweep_radius``.
-    low, high : int
-        Index of the nodes of the lower and the upper radius, in lanes.
+    level, sun : int
+        Indices of the lower radius and of the sun.
     f : float32
         Weight of the upper radius. [1]
     m, degree : int
@@ -50,55 +49,53 @@ def contracted(factors, first, field, low, high, f, m, degree, narrow):
         lowest = 2 * m
     for l in range(lowest, degree + 1):
         index = first_register(l, narrow) + m
-        at = LANES * (1 + index)
-        factor = load(factors, first + LANES * index)
-        below = below + factor * load(field, low + at)
-        above = above + factor * load(field, high + at)
+        factor = factors[point, index]
+        below = below + factor * field[level, sun, 1 + index]
+        above = above + factor * field[level + 1, sun, 1 + index]
     return (np.float32(1.0) - f) * below + f * above
 
 
 @inlined
-def coupled_moments(field, low, high, f, m, degree, narrow):
+def coupled_moments(field, level, sun, f, m, degree, narrow):
     """Coupled moments of degree 2 and order m, times s: of I, and even polarised one.
 
     Arguments as for ``contracted``.
     """
     g = np.float32(1.0) - f
-    bright = LANES * (1 + first_register(2, narrow) + m)
-    at = LANES * (1 + first_register(degree + 1, narrow) + m)
+    bright = 1 + first_register(2, narrow) + m
+    even = 1 + first_register(degree + 1, narrow) + m
     return (
-        g * load(field, low + bright) + f * load(field, high + bright),
-        g * load(field, low + at) + f * load(field, high + at),
+        g * field[level, sun, bright] + f * field[level + 1, sun, bright],
+        g * field[level, sun, even] + f * field[level + 1, sun, even],
     )
 
 
 @inlined
-def odd_moment(field, low, high, f, m, degree, narrow):
+def odd_moment(field, level, sun, f, m, degree, narrow):
     """Odd polarised moment of degree 2 and order m, times s; arguments as for ``contracted``.
 
     m is 1 or 2; if ``narrow``, 0 for order 1, in the second half, and 1 for order 2, in the first.
     """
-    place = first_register(degree + 1, narrow) + EVEN - 1 + m
+    place = first_register(degree + 1, narrow) + EVEN + m
     if narrow:
-        place = first_register(degree + 1, narrow) + 2 + m
-    at = LANES * (1 + place)
-    return (np.float32(1.0) - f) * load(field, low + at) + f * load(field, high + at)
+        place = first_register(degree + 1, narrow) + 3 + m
+    return (np.float32(1.0) - f) * field[level, sun, place] + f * field[level + 1, sun, place]
 
 
 @inlined
 def source_at_point(
-    rows, low, high, f, step, sine, wide, degree, bright, polarised, narrow
+    rows, point, sun, f, step, sine, wide, degree, bright, polarised, narrow
 ):  # fmt: skip
     """Contribution of multiple scattering at a point to I, Q and U of its ray. [1]
 
     Parameters
     ----------
-    rows : array
+    rows : lanes, shape (points, s, n)
         For each node the factor s; then A_m s from ``contracted``, in the order of
         ``first_register``; then the azimuthal components Q_0 s, Q_1 s, Q_2 s, U_1 s and U_2 s; if
         ``narrow`` in three registers: Q_0 and Q_1, Q_2, U_2 and U_1.
-    low, high : int
-        Index of the nodes of the lower and the higher sun angle, in lanes.
+    point, sun : int
+        Indices of the point and of the lower sun.
     f : float32
         Weight of the higher sun angle. [1]
     step, sine : float32
@@ -115,7 +112,8 @@ def source_at_point(
     """
     g = np.float32(1.0) - f
     one, two = np.float32(1.0), np.float32(2.0)
-    scale = splat(1.0) / (g * load(rows, low) + f * load(rows, high))
+    high = sun + 1
+    scale = splat(1.0) / (g * rows[point, sun, 0] + f * rows[point, high, 0])
     radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
     double = two * step * step - one
     last = degree + 1
@@ -127,39 +125,32 @@ def source_at_point(
             # cos mφ and cos (m + 1)φ, by steps of two
             cosines, earlier, by = pair(one, step), pair(double, step), splat(two * double)
             for m in range(wide):
-                at = LANES * (1 + m)
-                below = below + cosines * load(rows, low + at)
-                above = above + cosines * load(rows, high + at)
+                below = below + cosines * rows[point, sun, 1 + m]
+                above = above + cosines * rows[point, high, 1 + m]
                 later = by * cosines - earlier
                 earlier = cosines
                 cosines = later
         else:
-            below, above = load(rows, low + LANES), load(rows, high + LANES)
+            below, above = rows[point, sun, 1], rows[point, high, 1]
             before, multiple = one, step
             for m in range(1, wide):
-                at = LANES * (1 + m)
-                below = below + multiple * load(rows, low + at)
-                above = above + multiple * load(rows, high + at)
+                below = below + multiple * rows[point, sun, 1 + m]
+                above = above + multiple * rows[point, high, 1 + m]
                 following = two * step * multiple - before
                 before = multiple
                 multiple = following
         radiance = (g * below + f * above) * scale
     if polarised:
-        at = LANES * (1 + last)
-        even = g * load(rows, low + at) + f * load(rows, high + at)
-        at = at + LANES
-        once = g * load(rows, low + at) + f * load(rows, high + at)
-        at = at + LANES
-        twice = g * load(rows, low + at) + f * load(rows, high + at)
+        even = g * rows[point, sun, 1 + last] + f * rows[point, high, 1 + last]
+        once = g * rows[point, sun, 2 + last] + f * rows[point, high, 2 + last]
+        twice = g * rows[point, sun, 3 + last] + f * rows[point, high, 3 + last]
         if narrow:
             stokes_q = even * pair(one, step) + once * double
             stokes_u = twice * pair(two * sine * step, sine)
         else:
             stokes_q = even + once * step + twice * double
-            at = at + LANES
-            once = g * load(rows, low + at) + f * load(rows, high + at)
-            at = at + LANES
-            twice = g * load(rows, low + at) + f * load(rows, high + at)
+            once = g * rows[point, sun, 4 + last] + f * rows[point, high, 4 + last]
+            twice = g * rows[point, sun, 5 + last] + f * rows[point, high, 5 + last]
             stokes_u = once * sine + twice * (two * sine * step)
         stokes_q, stokes_u = stokes_q * scale, stokes_u * scale
     return radiance, stokes_q, stokes_u

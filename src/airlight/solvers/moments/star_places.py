@@ -11,8 +11,8 @@ from airlight.geometry.shell import horizon_cosine
 from airlight.geometry.sun_disc import visible_fraction, visible_spread
 from airlight.kernel import inlined
 from airlight.kernel.lanes import (
-    LANES,
     floored,
+    lane_view,
     largest,
     load,
     looked_up,
@@ -20,7 +20,6 @@ from airlight.kernel.lanes import (
     minimum,
     splat,
     square_root,
-    store,
     where_positive,
 )
 from airlight.mappings.transmittance import altitude_coordinate
@@ -55,13 +54,15 @@ def place_stars(
         ``MomentsGrid.place`` in single precision.
     sun_angles : int
         Number of sun elevations.
-    columns, shares, steps, sines : array, shape (points·8,)
+    columns, shares, steps, sines : array, shape (points, 8)
         Receive the index of the lower sun angle, the weight of the higher, and cosine and sine of
         the azimuth between ray and star. [1]
     """
     ahead = load(azimuths, first) * sine_s
     aside = load(azimuths, azimuths.size // 2 + first) * sine_s
     half = np.float32(0.5 * (places.size - 1))
+    nodes, weights = lane_view(columns), lane_view(shares)
+    star_cosines, star_sines = lane_view(steps), lane_view(sines)
     for k in range(points):
         keep, turn = turned[2 * (first_point + k)], turned[2 * (first_point + k) + 1]
         cos_star = ahead * turn + keep * mu_s
@@ -71,11 +72,9 @@ def place_stars(
         low = looked_up(places, node)
         index = low + (looked_up(places, node + np.float32(1.0)) - low) * (x - node)
         node = minimum(floored(index), np.float32(sun_angles - 2))
-        store(columns, LANES * k, node)
-        store(shares, LANES * k, index - node)
+        nodes[k], weights[k] = node, index - node
         scale = splat(1.0) / square_root(along * along + aside * aside + np.float32(1e-30))
-        store(steps, LANES * k, along * scale)
-        store(sines, LANES * k, aside * scale)
+        star_cosines[k], star_sines[k] = along * scale, aside * scale
 
 
 @inlined
@@ -148,9 +147,9 @@ def place_star_points(
         Table from ``fill_disc``.
     directions : int
         Number of tabulated directions.
-    seen : array, shape (points·8,)
+    seen : array, shape (points, 8)
         Receives the visible part of the star. [1]
-    low_at, high_at : array, shape (points·8,)
+    low_at, high_at : array, shape (points, 8)
         Receive the fractional indices of the two directions that represent it. [1]
     kinds : array, shape (points,)
         Receives the number of directions: 0 where the star is hidden, 1 where one suffices, or 2.
@@ -164,6 +163,7 @@ def place_star_points(
     nodes = disc.size // 3
     half = np.float32(0.5 * (nodes - 1))
     last = np.float32(directions - 1)
+    parts, lows, highs = lane_view(seen), lane_view(low_at), lane_view(high_at)
     lit = False
     for k in range(points):
         cos_star = ahead * turned[2 * k + 1] + turned[2 * k] * mu_s
@@ -210,11 +210,11 @@ def place_star_points(
             offset = size * (low + (looked_up(disc, node + one) - low) * e)
             middle = maximum(centre - offset, lowest)
             top_point = minimum(centre + offset, 1.0)
-        store(seen, LANES * k, part)
+        parts[k] = part
         x = (distance_to_top_f32(middle * q, across) - shortest) * scale
-        store(low_at, LANES * k, minimum(maximum(x, 0.0), last))
+        lows[k] = minimum(maximum(x, 0.0), last)
         x = (distance_to_top_f32(top_point * q, across) - shortest) * scale
-        store(high_at, LANES * k, minimum(maximum(x, 0.0), last))
+        highs[k] = minimum(maximum(x, 0.0), last)
     return lit
 
 

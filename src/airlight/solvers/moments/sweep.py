@@ -18,10 +18,10 @@ from math import sqrt
 import numpy as np
 
 from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import INVERSE_PI, LANES, folded, load, splat, store
+from airlight.kernel.lanes import INVERSE_PI, LANES, folded, lane_view, splat
 from airlight.optics.altitude_nodes import node_value
 from airlight.optics.reflection import diffuse_reflectance
-from airlight.solvers.moments.harmonics import POLARISED, legendre_functions
+from airlight.solvers.moments.harmonics import legendre_functions
 from airlight.solvers.moments.ray_optics import (
     add_polarised,
     mu_r_at_end,
@@ -77,11 +77,9 @@ def _sweep(
     degree = multiples.shape[0] - 1
     turns = cosines.size
     harmonics = (degree + 1) * (degree + 2) // 2
-    terms = harmonics + POLARISED
     constituents = totals.shape[2]
     angles = all_mu.shape[1]
     all_wide, _, sent = order_registers(degree, narrow)
-    block = (1 + all_wide + sent) * LANES
     registers = factor_count(degree, narrow)
     together = 1
     if field.size > _CACHED:
@@ -92,8 +90,8 @@ def _sweep(
         most = max(most, starts[i, after] - starts[i, first_ray])
     for a in range(angles):
         longest = max(longest, starts[i, a + 1] - starts[i, a])
-    rows = np.empty(most * sun_angles * block, np.float32)
-    factors = np.empty(most * registers * LANES, np.float32)
+    rows = lane_view(np.empty((most, sun_angles, 1 + all_wide + sent, LANES), np.float32))
+    factors = lane_view(np.empty((most, registers, LANES), np.float32))
     levels = np.empty(most, np.int64)
     fractions = np.empty(most, np.float32)
     degrees_at = np.empty(most, np.int64)
@@ -103,8 +101,9 @@ def _sweep(
     functions = np.empty(harmonics)
     reach = np.empty(degree + 1)
     orders_of = np.empty(angles, np.int64)
-    azimuthal = np.empty((degree + 1) * LANES, np.float32)
-    polarised = np.empty(5 * LANES, np.float32)
+    azimuthal = np.empty((degree + 1, LANES), np.float32)
+    polarised = np.empty((5, LANES), np.float32)
+    azimuthal_lanes, polarised_lanes = lane_view(azimuthal), lane_view(polarised)
     groups = -(-turns // LANES) * LANES
     around = np.empty(2 * groups, np.float32)
     for b in range(groups):
@@ -114,12 +113,15 @@ def _sweep(
     table = np.empty(places.size, np.float32)
     for k in range(places.size):
         table[k] = np.float32(places[k])
-    columns = np.empty(longest * LANES, np.float32)
-    shares = np.empty(longest * LANES, np.float32)
-    star_cosines = np.empty(longest * LANES, np.float32)
-    star_sines = np.empty(longest * LANES, np.float32)
+    columns = np.empty((longest, LANES), np.float32)
+    shares = np.empty((longest, LANES), np.float32)
+    star_cosines = np.empty((longest, LANES), np.float32)
+    star_sines = np.empty((longest, LANES), np.float32)
     along_rays = (mu_along, amounts, depths)
-    optics = (extinction, moments, polarised_moments)
+    extinction = lane_view(extinction)
+    optics = (extinction, lane_view(moments), lane_view(polarised_moments))
+    field, ground, norm = lane_view(field), lane_view(ground), lane_view(norm)
+    moments_out, sky_lanes = lane_view(out), lane_view(sky_out)
     out[:] = 0.0
     sky_out[:] = 0.0
     for a in range(angles):
@@ -138,7 +140,7 @@ def _sweep(
                     degrees_at[k] = max(degrees[row], degrees[row + 1])
                     fill_factors(
                         point, along_rays, optics, expansion, degree, degrees_at[k], functions,
-                        k * registers * LANES, factors, narrow,
+                        k, factors, narrow,
                     )  # fmt: skip
                     for l in range(degree + 1):
                         for m in range(l + 1):
@@ -156,8 +158,8 @@ def _sweep(
                 for index in range(count):
                     k = order[index]
                     source_four_suns(
-                        k, levels[k], fractions[k], k * registers * LANES, factors, sun_angles,
-                        field, start, wide_at[k], degrees_at[k], degree, rows, narrow,
+                        k, levels[k], fractions[k], factors, sun_angles, field, start, wide_at[k],
+                        degrees_at[k], degree, rows, narrow,
                     )  # fmt: skip
         first = starts[i, a] - head
         points = starts[i, a + 1] - starts[i, a]
@@ -172,7 +174,7 @@ def _sweep(
             factor = diffuse_reflectance(surface, 0, mu_r_at_end(ends, i, a, mu))
             reflected = factor * INVERSE_PI * transmittance
         legendre_functions(mu, expansion, functions)
-        exact = load(norm, LANES * (i * angles + a))
+        exact = norm[i, a]
         for j in range(sun_angles):
             mu_s = sun_cosines[j]
             sine_s = np.float32(sqrt((1.0 - mu_s) * (1.0 + mu_s)))
@@ -187,11 +189,10 @@ def _sweep(
                     )  # fmt: skip
                 radiance, stokes_q, stokes_u = splat(0.0), splat(0.0), splat(0.0)
                 for k in range(points):
-                    at = LANES * k + lane
-                    low = ((first + k) * sun_angles + int(columns[at])) * block
                     light, point_q, point_u = source_at_point(
-                        rows, low, low + block, shares[at], star_cosines[at], star_sines[at],
-                        wide_at[first + k], degree, True, True, narrow,
+                        rows, first + k, int(columns[k, lane]), shares[k, lane],
+                        star_cosines[k, lane], star_sines[k, lane], wide_at[first + k], degree,
+                        True, True, narrow,
                     )  # fmt: skip
                     radiance = radiance + light
                     stokes_q = stokes_q + point_q
@@ -203,22 +204,19 @@ def _sweep(
                         folded(stokes_u),
                     )
                 radiance = exact * radiance
-                add_polarised(polarised, multiples, sines, b, exact * stokes_q, exact * stokes_u)
+                stokes_q, stokes_u = exact * stokes_q, exact * stokes_u
+                add_polarised(polarised_lanes, multiples, sines, b, stokes_q, stokes_u)
                 if below:
                     nu = star_from_ray(mu, mu_s, cosines[b])
                     mu_sg = star_at_end(ends, i, a, mu_s, nu)
                     radiance = radiance + reflected * sky_at(ground, mu_sg, places, sun_angles)
                 for m in range(orders):
-                    at = LANES * m
-                    store(azimuthal, at, load(azimuthal, at) + multiples[m, b] * radiance)
-            base = j * terms * LANES
-            project(azimuthal, functions, all_weights[i, a], degree, orders, base, out)
-            base = base + harmonics * LANES
-            project_polarised(polarised, mu, all_weights[i, a], base, out)
+                    azimuthal_lanes[m] += multiples[m, b] * radiance
+            weight = all_weights[i, a]
+            project(azimuthal_lanes, functions, weight, degree, orders, j, moments_out)
+            project_polarised(polarised_lanes, mu, weight, j, harmonics, moments_out)
             if not below:
-                at = LANES * j
-                flux = np.float32(all_flux[i, a])
-                store(sky_out, at, load(sky_out, at) + flux * load(azimuthal, 0))
+                sky_lanes[j] += np.float32(all_flux[i, a]) * azimuthal_lanes[0]
 
 
 @compiled_loop
@@ -233,19 +231,19 @@ def sweep_radius(
         Index of the radius.
     grid, rays, azimuths, air : MomentsGrid, Rays, Azimuths, ScaledOptics
         Shell, its rays, and its optics.
-    norm : array, shape (r·a·8,)
+    norm : array, shape (r, a, 8)
         Normalisation factors from ``cull_opaque``. [1]
     expansion : Harmonics
         Harmonics of the moments.
-    field : array, shape (r·s·(1 + k)·8,)
+    field : array, shape (r, s, 1 + k, 8)
         Moments of the previous orders, as (s, M·s) per node; see the head of this file.
-    ground : array, shape (s·2·8,)
+    ground : array, shape (1, s, 2, 8)
         Diffuse irradiance of the ground by these, as (s, E·s) per node.
     degrees : array, shape (r,)
         Highest active degree at each radius, see ``active_degrees``.
-    out : array, shape (s·k·8,)
+    out : array, shape (s, k, 8)
         Receives the moments at this radius.
-    sky_out : array, shape (s·8,)
+    sky_out : array, shape (s, 8)
         Receives the diffuse horizontal irradiance from above.
     """
     _sweep(

@@ -17,8 +17,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from airlight.kernel import compiled_loop, inlined
-from airlight.kernel.lanes import LANES, load, splat, store
+from airlight.kernel import compiled_loop
+from airlight.kernel.lanes import LANES, lane_view, splat
 from airlight.kernel.threads import Cancel, run_blocks
 from airlight.solvers.moments.elimination import factorise, substitute
 from airlight.solvers.moments.harmonics import Harmonics, legendre_functions
@@ -73,28 +73,26 @@ class SyntheticAcceleration:
         self.accelerated: Light | None = None
 
         def couple(i: int) -> None:
-            weights = np.empty(angles * levels * int(starts[-1]) * LANES, np.float32)
-            bounced = np.empty(angles * LANES, np.float32)
+            weights = np.empty((angles, levels, int(starts[-1]), LANES), np.float32)
+            bounced = np.empty((angles, LANES), np.float32)
             synthetic_rows(
                 i, grid, rays, norm, along, air, expansion, self.degree, self.order,
                 weights, bounced,
             )  # fmt: skip
             seen = weights
             if parts > 1:
-                seen = np.empty(weights.size // levels * self.radii, np.float32)
-                gather_levels(cubics, weights, angles, seen)
+                seen = np.empty((angles, self.radii, *weights.shape[2:]), np.float32)
+                gather_levels(cubics, weights, seen)
             functions = _functions(rays.mu[i], expansion)
             for m, (first, width) in enumerate(zip(starts[:-1], widths, strict=True)):
                 turn = 2.0 * pi if m == 0 else pi
                 project = turn * rays.weight[i] * functions[_indices(m, self.degree)]
                 span = slice(i * width, (i + 1) * width)
-                project_radii(
-                    project, seen, int(first), width, self.radii, self.factors[m][span].reshape(-1)
-                )
+                project_radii(project, seen, int(first), width, self.factors[m][span])
                 if m == 0:
-                    self.factors[0][span, -1] = project @ bounced.reshape(angles, LANES)
+                    self.factors[0][span, -1] = project @ bounced
                     flux = turn * rays.flux[i : i + 1]
-                    project_radii(flux, seen, 0, width, self.radii, self.to_sky[i].reshape(-1))
+                    project_radii(flux, seen, 0, width, self.to_sky[i : i + 1])
 
         run_blocks(couple, self.radii, cancel=cancel)
         self.factors[0][-1, :-1] = self.to_sky[0]
@@ -103,7 +101,7 @@ class SyntheticAcceleration:
             matrix = self.factors[m]
             np.negative(matrix, out=matrix)
             matrix[np.diag_indices(matrix.shape[0])] += 1.0
-            factorise(matrix.reshape(-1), matrix.shape[0])
+            factorise(matrix.reshape(-1, LANES), matrix.shape[0])
 
         run_blocks(invert, self.order + 1, cancel=cancel)
 
@@ -149,11 +147,12 @@ class SyntheticAcceleration:
             before = np.empty((self.sizes[m], width, LANES), np.float32)
             take_terms(field, sky, m, self.degree, first, before)
             after = before.copy()
-            substitute(self.factors[m].reshape(-1), self.sizes[m], after.reshape(-1), width)
+            flat = self.factors[m].reshape(-1, LANES), after.reshape(-1, LANES)
+            substitute(flat[0], self.sizes[m], flat[1], width)
             more[m][:, span] = after - before
             if m == 0:
                 found = np.empty((radii, width, LANES), np.float32)
-                multiply(self.to_sky.reshape(-1), after.reshape(-1), width, found)
+                multiply(self.to_sky, after, found)
                 more_sky[:, span] = found
 
         run_blocks(solve, (self.order + 1) * -(-sun_angles // _SUNS))
@@ -177,10 +176,10 @@ class SyntheticAcceleration:
             for m in range(self.order + 1):
                 # With the star in the zenith or the nadir no light depends on azimuth.
                 width, inner = self.degree + 1 - m, int(m > 0)
-                shares = (more[m][i * width : (i + 1) * width] / mean[i]).reshape(-1)
+                shares = more[m][i * width : (i + 1) * width] / mean[i]
                 terms = _indices(m, self.degree)
                 spread_onto(spread, shares, terms, inner, mean[i], field[i])
-            shares = (more_sky[i] / received[i]).reshape(-1)
+            shares = more_sky[i : i + 1] / received[i]
             spread_onto(spread, shares, _indices(0, 0), 0, received[i], sky[i, :, None])
 
         run_blocks(move, radii)
@@ -203,16 +202,15 @@ def take_terms(field, sky, m, degree, first, out):
         Receives the moments by radius, then degree.
     """
     row, sun_angles = 0, out.shape[1]
-    given, taken = field.reshape(-1), out.reshape(-1)
+    given, received, taken = lane_view(field), lane_view(sky), lane_view(out)
     for i in range(field.shape[0]):
         for l in range(m, degree + 1):
             for s in range(sun_angles):
-                at = (i * field.shape[1] + first + s) * field.shape[2] + l * (l + 1) // 2 + m
-                store(taken, LANES * (row * sun_angles + s), load(given, LANES * at))
+                taken[row, s] = given[i, first + s, l * (l + 1) // 2 + m]
             row += 1
     if m == 0:
         for s in range(sun_angles):
-            store(taken, LANES * (row * sun_angles + s), load(sky.reshape(-1), LANES * (first + s)))
+            taken[row, s] = received[0, first + s]
 
 
 @compiled_loop
@@ -223,7 +221,7 @@ def spread_onto(matrix, values, terms, inner, scale, out):
     ----------
     matrix : array, shape (s, s)
         Matrix from ``lateral_diffusion_matrix``. [1]
-    values : array, shape (n·s·8,)
+    values : array, shape (n, s, 8)
         Values by term and sun angle.
     terms : array, shape (n,)
         Indices of the terms in ``out``.
@@ -235,6 +233,7 @@ def spread_onto(matrix, values, terms, inner, scale, out):
         Receives the sums.
     """
     sun_angles = matrix.shape[0]
+    given, factors, found = lane_view(values), lane_view(scale), lane_view(out)
     for n in range(len(terms)):
         for t in range(inner, sun_angles - inner, 4):
             # Four at a time, so that each value is loaded once.
@@ -242,44 +241,34 @@ def spread_onto(matrix, values, terms, inner, scale, out):
             fourth = min(t + 3, sun_angles - 1)
             one, two, three, four = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
             for s in range(sun_angles):
-                value = load(values, LANES * (n * sun_angles + s))
+                value = given[n, s]
                 one = one + matrix[t, s] * value
                 two = two + matrix[second, s] * value
                 three = three + matrix[third, s] * value
                 four = four + matrix[fourth, s] * value
             last = sun_angles - inner
-            add_at(out, t, terms[n], one * load(scale[t], 0))
+            found[t, terms[n]] += one * factors[t]
             if t + 1 < last:
-                add_at(out, t + 1, terms[n], two * load(scale[t + 1], 0))
+                found[t + 1, terms[n]] += two * factors[t + 1]
             if t + 2 < last:
-                add_at(out, t + 2, terms[n], three * load(scale[t + 2], 0))
+                found[t + 2, terms[n]] += three * factors[t + 2]
             if t + 3 < last:
-                add_at(out, t + 3, terms[n], four * load(scale[t + 3], 0))
-
-
-@inlined
-def add_at(out, sun, term, value):
-    """Add eight lanes to ``out[sun, term]``."""
-    row = out[sun, term]
-    store(row, 0, load(row, 0) + value)
+                found[t + 3, terms[n]] += four * factors[t + 3]
 
 
 @compiled_loop
-def multiply(matrix, values, sun_angles, out):
+def multiply(matrix, values, out):
     """Product of a matrix (r, k, 8) and values (k, s, 8) per wavelength, into ``out`` (r, s, 8).
 
-    Matrix and values are flat; ``sun_angles`` is s. Further values are ignored.
+    Further values are left out.
     """
-    flat = out.reshape(-1)
-    radii = out.shape[0]
-    terms = matrix.size // (radii * LANES)
-    for r in range(radii):
-        for s in range(sun_angles):
+    factors, given, found = lane_view(matrix), lane_view(values), lane_view(out)
+    for r in range(found.shape[0]):
+        for s in range(found.shape[1]):
             total = splat(0.0)
-            for k in range(terms):
-                factor = load(matrix, LANES * (r * terms + k))
-                total = total + factor * load(values, LANES * (k * sun_angles + s))
-            store(flat, LANES * (r * sun_angles + s), total)
+            for k in range(factors.shape[1]):
+                total = total + factors[r, k] * given[k, s]
+            found[r, s] = total
 
 
 def lateral_diffusion_matrix(

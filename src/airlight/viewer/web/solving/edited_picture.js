@@ -29,30 +29,32 @@ export async function editedPicture(plain, { plan, scalars, fixed }, air, light,
   const [scaled_extinction, extinction] = [air.extinction, air.unscaled_extinction];
   const tables = { scaled_extinction, extinction, scattering, moments };
   const spectra = { ...tables, polarised_moments, albedo, basis };
+  const constituents = scattering.length / 4;
+  const shapes = { moments: [constituents, degree + 1], polarised_moments: [constituents, 4] };
   const nodes = levels * sun_angles;
-  uniforms.table_field = [0, nodes * (terms + 1), 0, 0];
-  uniforms.table_sky = [nodes * (terms + 1), 2 * nodes, 0, 0];
+  uniforms.table_field = [0, levels, sun_angles, terms + 1];
+  uniforms.table_sky = [nodes * (terms + 1), levels, sun_angles, 2];
   return {
     ...plain,
     uniforms,
     tables: {
-      scalars: { format: "r32float", data: appended(old.scalars, numbers, 1, uniforms) },
+      scalars: { format: "r32float", data: appended(old.scalars, numbers, 1, uniforms, {}) },
       spectra: {
         format: "rgba32float",
-        data: appended(old.spectra, spectra, 4, uniforms),
+        data: appended(old.spectra, spectra, 4, uniforms, shapes),
       },
       fields: { texture: light },
     },
   };
 }
 
-/** Append tables, in texels of `width` numbers, and set the uniforms of their offsets. */
-function appended(before, tables, width, uniforms) {
+/** Append tables, in texels of `width` numbers, and set the uniforms of their offsets and shapes. */
+function appended(before, tables, width, uniforms, shapes) {
   const all = [before];
   let at = before.length / width;
   for (const [name, table] of Object.entries(tables)) {
     const texels = table.length / width;
-    uniforms[`table_${name}`] = [at, texels, 0, 0];
+    uniforms[`table_${name}`] = [at, ...(shapes[name] ?? [texels]), 0, 0].slice(0, 4);
     all.push(table);
     at += texels;
   }
