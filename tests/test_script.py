@@ -84,7 +84,7 @@ def test_all_checks_run_and_pass(environment: Path) -> None:
         ("mypy *", (), "mypy"),
         ("mypy *", ("--fast",), "mypy"),
         ("mypy *", ("-k", "horizon"), "mypy"),
-        ("lint-imports *", (), "lint-imports (the floors)"),
+        ("lint-imports *", (), "lint-imports (the layers)"),
         ("python -m sphinx*", (), "scripts/docs (the site, without a warning)"),
         ("python -m pytest*", (), "pytest"),
         ("python -m pytest*", ("--fast",), "pytest"),
@@ -108,7 +108,7 @@ def test_a_program_that_is_gone_fails_the_script(environment: Path) -> None:
     (environment / "bin" / "lint-imports").unlink()
     done = run(environment, "none")
     assert done.returncode != 0
-    assert done.stderr.splitlines()[-1] == "scripts/test: failed: lint-imports (the floors)"
+    assert done.stderr.splitlines()[-1] == "scripts/test: failed: lint-imports (the layers)"
     assert "No such file" in done.stdout
 
 

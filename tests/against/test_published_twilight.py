@@ -26,7 +26,7 @@ from airlight.validation.published.twilight import (
 
 NM = tuple(float(nm) for nm in range(400, 721, 40))
 # Luminance hardly counts the band of water at 720 nm: the weight of the eye is 1e-3 of the largest.
-pytestmark = pytest.mark.filterwarnings("ignore:Earth. bands of H2O")
+pytestmark = pytest.mark.filterwarnings("ignore:Earth. absorption bands of H2O")
 
 
 def test_the_sun_outside_the_air_has_its_illuminance_and_magnitude() -> None:

@@ -35,7 +35,7 @@ def test_a_gpu_solves_a_clear_planet(fast):
     assert_allclose(solution.radiance(**lines), other.radiance(**lines), rtol=5e-3)
 
 
-@pytest.mark.filterwarnings("ignore:Titan. bands of CH4")
+@pytest.mark.filterwarnings("ignore:Titan. absorption bands of CH4")
 @pytest.mark.parametrize(
     ("name", "wavelengths"), [("titan", NM), ("earth", np.linspace(400.0, 700.0, 6))]
 )

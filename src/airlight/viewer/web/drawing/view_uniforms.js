@@ -20,8 +20,10 @@ export function observerUniforms(planet, altitude, sun) {
   const outside = altitude >= thickness;
   const r = geometry ? opticalRadius(planet, altitude) : radius + altitude;
   const bottom = geometry ? geometry.bottom : radius;
-  const bent = geometry && !outside;
-  const seen = bent ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table) : sun[2];
+  const refracts = geometry && !outside;
+  const apparentSunMu = refracts
+    ? apparent_sun_cosine(r, sun[2], bottom, geometry.top, geometry.refraction_table)
+    : sun[2];
   const [horizonMu, horizonSine, level, seenLevel, disc] = observer_uniforms(
     r,
     bottom,
