@@ -186,7 +186,7 @@ def test_cancelled_fit_stops(clean: Measurements) -> None:
         (FitSettings(free=["ground.albedo"], priors={"scale": Prior(mean=1, sigma=1)}),
          "one of the free parameters"),
         (FitSettings(free=["ground.albedo"], per_scan=["ground.albedo"]), "each parameter once"),
-        (FitSettings(free=["ground.albedo", "white_balance.red"]), "a photograph's"),
+        (FitSettings(free=["ground.albedo", "white_balance.red"]), "requires a photograph"),
     ],
 )  # fmt: skip
 def test_faults_of_the_request_are_said_in_one_line(

@@ -87,7 +87,7 @@ def test_only_cover_and_albedo_of_clouds_identify_a_solution(draws: Draws) -> No
 
 @pytest.mark.parametrize(
     ("pixels", "said"),
-    [(None, "there is no such picture of clouds"), ((10, 10), "twice as wide as high")],
+    [(None, "does not exist"), ((10, 10), "twice as wide as high")],
 )
 def test_a_file_that_is_no_map_is_one_line(
     draws: Draws, pixels: tuple[int, int] | None, said: str

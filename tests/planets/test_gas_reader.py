@@ -131,9 +131,9 @@ WRONG = [
         "constituents[0].gas.number_density",
         "1e+10 to",
     ),
-    (', gravity = "9.80665 m/s^2"', "", "constituents[0].gas.gravity is missing", "scale height"),
+    (', gravity = "9.80665 m/s^2"', "", "constituents[0].gas.gravity is required", "scale height"),
     ("gravity", "gravty", "constituents[0].gas is 'gravty'", "'gravity'?"),
-    ("gas = {", "gas = { depolarisation = 0.7,", "constituents[0].gas.depolarisation", "rod"),
+    ("gas = {", "gas = { depolarisation = 0.7,", "constituents[0].gas.depolarisation", "linear molecule"),
     (
         "gas = {",
         'scattering = "1e-6 /m"\ngas = {',

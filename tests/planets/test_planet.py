@@ -72,11 +72,11 @@ def test_parameter_objects_are_frozen_and_keyword_only():
         (lambda: Ground(albedo=1.01), "albedo"),
         (lambda: Star(spectrum="astm-g173", irradiance=1.0), "light"),
         (lambda: Star(irradiance=1.0), "angular_radius"),
-        (lambda: Star(temperature=5772.0, radius=7e8), "distance"),
+        (lambda: Star(temperature=5772.0, radius=7e8), "temperature requires distance"),
         (lambda: Star(temperature=5772.0, radius=7e8, distance=8e8), "radius"),
         (lambda: GasScattering(gas="argon", number_density=1e25), "gas"),
         (lambda: GasScattering(gas="air"), "number_density"),
-        (lambda: GasScattering(gas="air", pressure=1e5), "temperature"),
+        (lambda: GasScattering(gas="air", pressure=1e5), "pressure requires temperature"),
         (
             lambda: RefractiveScattering(
                 refractivity=3e-4, number_density=2.8e23, temperature=273.15, pressure=101325.0

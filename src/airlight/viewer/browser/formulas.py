@@ -136,7 +136,7 @@ def _pixel_angle(projection: str) -> str:
 @cache
 def formulas_text() -> str:
     """Text of ``generated/formulas.js``: formulas, and properties of projections."""
-    angles = ", ".join(f"{name}: pixel_angle_{name}" for name in PROJECTIONS)
+    angles = ", ".join(f"{json.dumps(name)}: {_pixel_angle(name)}" for name in PROJECTIONS)
     aspects = {name: form.aspect for name, form in PROJECTIONS.items()}
     connected = [name for name, form in PROJECTIONS.items() if form.connected]
     circular = [name for name, form in PROJECTIONS.items() if form.circular]
