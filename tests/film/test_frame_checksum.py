@@ -162,7 +162,7 @@ def test_a_full_disk_is_one_line_and_frames_are_kept(
              "-o", str(folder)]  # fmt: skip
     assert main(words) == 2
     *_, reported, last = capsys.readouterr().err.splitlines()
-    assert reported == "airlight: 2 frames were rendered; the same command renders the rest"
+    assert reported == "airlight: 2 frames are complete; the same command renders the others"
     assert "rock_00003.png: cannot be written: No space left on device" in last
     assert sorted(contents(folder)) == ["rock_00001.png", "rock_00002.png"]
     left[0] = 100
