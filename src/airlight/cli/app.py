@@ -20,6 +20,7 @@ from airlight.child_processes import SAFE_PATH
 from airlight.cli.console import note, noted_warnings
 from airlight.cli.examples import examples
 from airlight.cli.interrupt import INTERRUPTED, end_when_interrupted, leave, say_cancelled
+from airlight.cli.option_groups import expand_groups
 from airlight.errors import AirlightError, Cancelled
 from airlight.plain_text import brief
 
@@ -82,7 +83,8 @@ class Commands(TyperGroup):
         name = cmd_name.replace("-", "_")
         module = import_module(f"airlight.cli.{name}")
         alone = typer.Typer(**_TYPER)
-        alone.command(cmd_name, cls=Command, epilog=module.EPILOG)(getattr(module, name))
+        command = expand_groups(getattr(module, name))
+        alone.command(cmd_name, cls=Command, epilog=module.EPILOG)(command)
         return typer.main.get_command(alone)
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
