@@ -12,10 +12,10 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.console import note, say
-from airlight.cli.option_groups import option_name
+from airlight.cli.option_groups import named_errors, option_name
 from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import SolveOptions, wavelengths_option
-from airlight.errors import ConflictError, ParameterError
+from airlight.errors import ConflictError
 
 if TYPE_CHECKING:
     from airlight.cli.planet_options import PlanetOptions
@@ -82,12 +82,8 @@ def bake_target(
         solution = solved(
             world, wavelengths=nm, solver=solve.solver, progress=report, **solve.keywords()
         )
-        try:
+        with named_errors(*chosen):
             export = program.write(solution, output, overwrite=overwrite, progress=report, **chosen)
-        except ParameterError as error:
-            if error.field not in chosen:
-                raise
-            raise error.named(option_name(error.field)) from None
     print_export(program, export)
     say()
     say(f"{export.folder}  {time.perf_counter() - started:.1f} s")

@@ -13,7 +13,7 @@ from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.display_options import DisplayOptions
 from airlight.cli.examples import examples
-from airlight.cli.option_groups import option_name
+from airlight.cli.option_groups import named_errors
 from airlight.cli.place_options import PlaceOptions
 from airlight.cli.planet_options import PlanetOptions, Set
 from airlight.cli.progress import shown_progress
@@ -104,13 +104,9 @@ class PassOptions:
 
         passes = read_render_passes(self.color)
         holder = passes if self.depth is None else read_render_passes(self.depth)
-        try:
+        with named_errors("layer", "depth_channel"):
             rgb, alpha = passes.colors(self.layer)
             away, kind = holder.depth(self.depth_kind, self.depth_channel)
-        except ParameterError as error:
-            if error.field not in ("layer", "depth_channel"):
-                raise
-            raise error.named(option_name(error.field)) from None
         return passes, {"rgb": rgb, "alpha": alpha, "depth": away, "depth_kind": kind}
 
     def surfaces(self) -> dict[str, Any]:
@@ -185,12 +181,8 @@ class PlacementOptions(PlaceOptions):
                 given[name] = getattr(placed, name)
             if self.altitude_in_at:
                 given["altitude"] = placed.altitude
-        try:
+        with named_errors(*(name for name, value in given.items() if value is not None)):
             return Placement.from_block(block, **given)
-        except ParameterError as error:
-            if given.get(error.field) is None:
-                raise
-            raise error.named(option_name(error.field)) from None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Iterator
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Annotated, Any
 
 import typer
 
-from airlight.errors import ParameterError
+from airlight.cli.option_groups import named_errors
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,12 +31,6 @@ class DistributionOptions:
         """Keyword arguments of work in parallel."""
         return {"scheduler": self.scheduler, "workers": self.workers}
 
-    @contextlib.contextmanager
-    def named(self) -> Iterator[None]:
+    def named(self) -> AbstractContextManager[None]:
         """Put the option's name into errors about it."""
-        try:
-            yield
-        except ParameterError as error:
-            if error.field not in ("scheduler", "workers"):
-                raise
-            raise error.named(f"--{error.field}") from None
+        return named_errors("scheduler", "workers")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -12,6 +13,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import named_errors
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import NoCache, Quality
@@ -227,7 +229,7 @@ def fit(
         conflict = "or --photo is required" if data is None else "cannot be combined with --photo"
         raise ConflictError("--data", conflict)
     chosen = settings.settings(planet)
-    with shown_progress() as progress, _named_options():
+    with shown_progress() as progress, _named_errors():
         if data is None:
             sky = _photograph(planet.planet, photograph, chosen, progress)
         else:
@@ -247,18 +249,10 @@ def fit(
         say(f"{report}  {report.stat().st_size / 1e3:.0f} kB")
 
 
-class _named_options:
+def _named_errors() -> AbstractContextManager[None]:
     """Errors of the library's settings with the names of the options."""
-
-    def __enter__(self) -> None:
-        return None
-
-    def __exit__(self, kind: object, error: object, trace: object) -> None:
-        names = {"free": "--free", "bounds": "--bounds", "prior": "--prior", "start": "--start",
-                 "loss": "--loss", "per_scan": "--each-scan", "encoding": "--encoding",
-                 "tone_map": "--tone-map", "override": "--set"}  # fmt: skip
-        if isinstance(error, ParameterError) and error.field in names:
-            raise error.named(names[error.field]) from None
+    names = ("free", "bounds", "prior", "start", "loss", "encoding", "tone_map")
+    return named_errors(*names, per_scan="--each-scan", override="--set")
 
 
 def _radiances(

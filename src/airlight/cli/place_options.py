@@ -10,7 +10,7 @@ import typer
 
 from airlight.cli import options
 from airlight.cli.console import note
-from airlight.cli.option_groups import given_options, option_name
+from airlight.cli.option_groups import given_options, named_errors, read_options
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
@@ -101,11 +101,7 @@ class AngleOptions:
         >>> AngleOptions(altitude="35km", sun_azimuth="SE").numbers()
         {'altitude': 35000.0, 'sun_azimuth': 135.0}
         """
-        return {
-            name: read(getattr(self, name), option_name(name))
-            for name, read in _READERS.items()
-            if getattr(self, name) is not None
-        }
+        return read_options(self, _READERS)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -204,14 +200,14 @@ class PlaceOptions(AngleOptions):
         )
         ls = None if self.season is None else options.angle(self.season, "--ls")
         try:
-            moment = read_time(
-                self.time_ or "noon", place, zone=self.zone, season=ls, field="--time"
-            )
+            with named_errors("zone", solar_longitude="--ls"):
+                moment = read_time(
+                    self.time_ or "noon", place, zone=self.zone, season=ls, field="--time"
+                )
         except ParameterError as error:
-            names = {"zone": "--zone", "solar_longitude": "--ls"}
-            if error.field == "body":
-                raise ParameterError("--time", self.time_, error.allowed) from None
-            raise error.named(names.get(error.field, error.field)) from None
+            if error.field != "body":
+                raise
+            raise ParameterError("--time", self.time_, error.allowed) from None
         sun = sun_seen(place, moment)
         return Placed(
             altitude=height,

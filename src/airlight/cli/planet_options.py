@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from airlight.cli.console import note
-from airlight.cli.option_groups import given_options
+from airlight.cli.option_groups import given_options, named_errors, read_options
 from airlight.cli.place_options import Latitude, Longitude, check_coordinates
 from airlight.errors import ConflictError, ParameterError, changed
 
@@ -103,11 +103,9 @@ class LocalGroundOptions(GroundOptions):
         from airlight.cli.options import angle
         from airlight.scene.local_ground import local_ground
 
-        numbers = {option.strip("-"): angle(text, option) for option, text in given.items()}
-        try:
+        numbers = read_options(self, {"latitude": angle, "longitude": angle})
+        with named_errors("latitude", "longitude", "altitude"):
             return local_ground(planet, **numbers, altitude=altitude)
-        except ParameterError as error:
-            raise error.named(f"--{error.field}") from None
 
 
 def load(name: str, changes: list[str] | None = None) -> Planet:

@@ -11,6 +11,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import console, say
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import named_errors, read_options
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import NoCache, NoPolarisation, wavelengths_option
@@ -74,11 +75,10 @@ class ChoiceOptions:
 
     def choices(self, planet: Planet) -> Choices:
         """Values of the options; None for those left out."""
-        sun, altitude, nm = self.sun_zenith, self.altitude, self.wavelengths
+        nm = self.wavelengths
         return Choices(
             wavelengths=None if nm is None else options.wavelengths(nm, planet),
-            sun_zenith=None if sun is None else options.angle(sun, "--sun-zenith"),
-            altitude=None if altitude is None else options.length(altitude, "--altitude"),
+            **read_options(self, {"sun_zenith": options.angle, "altitude": options.length}),
             quality=self.quality,
             polarisation=False if self.no_polarisation else None,
         )
@@ -120,11 +120,9 @@ def plot(
     require_matplotlib()
     world = planet.load()
     choices = chosen.choices(world)
-    try:
+    texts = ("wavelengths", "sun_zenith", "altitude", "quality")
+    with named_errors(*texts, polarisation="--no-polarisation"):
         check_choices(kind, choices)
-    except ParameterError as error:
-        name = "no-polarisation" if error.field == "polarisation" else error.field
-        raise error.named(f"--{name.replace('_', '-')}") from None
     with shown_progress() as report:
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
     with atomic_file(output) as part, part.open("wb") as file:

@@ -12,7 +12,7 @@ from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.distribution_options import DistributionOptions
 from airlight.cli.examples import examples
-from airlight.cli.option_groups import given_options, option_name
+from airlight.cli.option_groups import given_options, named_errors, option_name
 from airlight.cli.place_options import on_floor
 from airlight.cli.planet_options import LocalGroundOptions
 from airlight.cli.progress import shown_progress
@@ -172,10 +172,8 @@ class SolverOptions(SolveOptions):
 
         given = {"relative_error": self.relative_error, "seed": self.seed}
         given = {name: value for name, value in given.items() if value is not None}
-        try:
+        with named_errors(*given):
             return replace(settings_for(self.quality), **given)  # type: ignore[arg-type]
-        except ParameterError as error:
-            raise error.named(option_name(error.field)) from None
 
 
 def radiance(

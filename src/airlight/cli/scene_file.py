@@ -11,7 +11,7 @@ import numpy as np
 
 from airlight.cli import options
 from airlight.cli.camera_options import CameraOptions
-from airlight.cli.option_groups import given_options
+from airlight.cli.option_groups import given_options, named_errors
 from airlight.cli.place_options import PlaceOptions
 from airlight.errors import ConflictError, ParameterError
 
@@ -49,7 +49,7 @@ def load_scene(
     place, camera = place or PlaceOptions(), camera or CameraOptions()
     text, file, folder = system_text(planet.planet)
     tables = nested_tables(text, file)
-    try:
+    with named_errors(**{FIELD: "--set"}):
         last = dict(parsed(one) for one in planet.set_ or [])
         changes = _of_place(place, tables)
         system = changed_system(tables, file, folder, {**changes, **last})
@@ -58,10 +58,6 @@ def load_scene(
             system = changed_system(tables, file, folder, {**changes, **last})
         changes |= _of_camera(camera, tables, system)
         return changed_system(tables, file, folder, {**changes, **last})
-    except ParameterError as error:
-        if error.field != FIELD:
-            raise
-        raise error.named("--set") from None
 
 
 def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
@@ -110,11 +106,8 @@ def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> d
         body=world, latitude=observer.latitude, longitude=observer.longitude,
         altitude=observer.altitude,
     )  # fmt: skip
-    try:
+    with named_errors("zone"):
         return read_time(given.time_, place, zone=given.zone, field="--time")
-    except ParameterError as error:
-        field = "--zone" if error.field == "zone" else error.field
-        raise error.named(field) from None
 
 
 def _of_camera(given: CameraOptions, tables: Mapping[str, Any], system: System) -> dict[str, Any]:

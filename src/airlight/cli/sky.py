@@ -15,7 +15,7 @@ from airlight.cli.console import say
 from airlight.cli.display_options import DisplayOptions
 from airlight.cli.examples import examples
 from airlight.cli.light_options import LightOptions
-from airlight.cli.option_groups import given_options
+from airlight.cli.option_groups import given_options, named_errors
 from airlight.cli.place_options import PlaceOptions, check_coordinates, on_floor
 from airlight.cli.planet_options import GroundOptions
 from airlight.cli.progress import shown_progress
@@ -75,10 +75,8 @@ class ProgramOptions:
         if self.front is not None:
             bearing = options.bearing(self.front, "--front")
         tilt = 0.0 if self.tilt is None else options.angle(self.tilt, "--tilt")
-        try:
+        with named_errors("front", "tilt"):
             return consumer.facing(bearing, tilt)
-        except ParameterError as error:
-            raise error.named(f"--{error.field}") from None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -186,16 +184,12 @@ def sky(
             local=planet.ground_albedo is None, wavelengths=nm, stars=lights.stars,
             progress=report, **solve.keywords(),
         )  # fmt: skip
-    try:
+    with named_errors("scale"):
         written = write_map(
             picture.output, made, precision=picture.precision, compression=picture.compression,
             scale=factor, overwrite=picture.overwrite,
             metadata=made.scene.metadata() | planet.changes(), display=display.keywords(),
         )  # fmt: skip
-    except ParameterError as error:
-        if error.field != "scale":
-            raise
-        raise error.named("--scale") from None
     if placed.time is not None:
         say(place.line(world, placed))
     _report(made, written, picture.precision, time.perf_counter() - started)

@@ -12,11 +12,11 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
-from airlight.cli.option_groups import option_name
+from airlight.cli.option_groups import named_errors, read_options
 from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
 from airlight.cli.solve_options import SolveOptions, wavelengths_option
-from airlight.errors import FileError, ParameterError
+from airlight.errors import FileError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -95,11 +95,7 @@ class ObservableOptions:
             "azimuth": options.angle,
             "radius": options.length,
         }
-        return {
-            name: read(getattr(self, name), option_name(name))
-            for name, read in readers.items()
-            if getattr(self, name) is not None
-        }
+        return read_options(self, readers)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -140,12 +136,8 @@ def spectrum(
 
     with shown_progress() as report:
         solution = solved(world, wavelengths=nm, progress=report, **solve.keywords())
-        try:
+        with named_errors(*given):
             data = observe(solution, observable.of, progress=report, **given)
-        except ParameterError as error:
-            if error.field not in given:
-                raise
-            raise error.named(option_name(error.field)) from None
     for path in files:
         _write(path, data)
         say(f"{path}  {observable.of} of {world.name}  {time.perf_counter() - started:.1f} s")
