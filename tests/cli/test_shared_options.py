@@ -62,7 +62,7 @@ def test_an_option_of_a_name_is_the_same_in_every_command() -> None:
 def test_no_command_has_many_parameters() -> None:
     from importlib import import_module
 
-    for name in typer.main.get_command(app).list_commands(None):  # type: ignore[attr-defined,arg-type]
+    for name in typer.main.get_command(app).list_commands(None):  # type: ignore[attr-defined]
         word = name.replace("-", "_")
         command = getattr(import_module(f"airlight.cli.{word}"), word)
         assert command.__code__.co_argcount + command.__code__.co_kwonlyargcount < 10

@@ -128,8 +128,6 @@ def render(
     # A lens spreads light into a window from outside, and the meter reads the whole picture.
     whole = suffix == ".png" and picture.show is None
     whole = whole and (display.glare > 0.0 or display.ev == "auto")
-    line = None
-    metadata: dict[str, str] = {}
     if is_scene_file(planet.planet):
         refused = {
             **given_options(picture, "show", "stokes", "ground"),
@@ -143,48 +141,62 @@ def render(
         for option in refused:
             raise ConflictError(option, "is not available for scene files")
         frame, window = _scene_frame(planet, place, camera, solve, whole)
+        metadata, line = frame.metadata, None
     else:
-        camera.check_parallel(place)
-        world = planet.load()
-        placed = place.placed(world)
-        lights.check(world, camera.projection)
-        size = options.picture_size(camera.size, camera.projection)
-        window = camera.window(*size)
-        if picture.show is not None and suffix == ".png":
-            _check_legend(size[0] if window is None else window[2])
-        from airlight.scene import Scene
-
-        view = camera.camera(world, placed, size, None if whole else window)
-        on_floor(world, placed.altitude)
-        scene = Scene(
-            camera=view,
-            altitude=0.0 if camera.parallel else placed.altitude,
-            sun_zenith=placed.sun_zenith,
-            latitude=placed.latitude,
-            longitude=placed.longitude,
-            sun_azimuth=placed.sun_azimuth,
-            ground=picture.ground,
-            time=placed.time,
-            secondary_lights=lights.secondary(placed),
-        )
-        scene = scene.north_up() if camera.parallel else scene
-        world = place.lit(world, placed)
+        scene, world, line = _planet_scene(planet, picture, place, camera, lights, whole)
+        window = camera.window(scene.camera.width, scene.camera.height)
         frame = _frame(
             world, scene, solve, camera.samples, stokes=picture.stokes or picture.show is not None,
             stars=lights.stars, local=planet.ground_albedo is None,
         )  # fmt: skip
         metadata = {"planet": world.name, **scene.metadata(), **planet.changes()}
-        line = place.line(world, placed) if placed.time is not None else None
     if picture.show is not None:
         written = _shown(picture.output, frame, picture.show, metadata)
     else:
         written = write_picture(
-            picture.output, frame, metadata or frame.metadata, **display.keywords(),
+            picture.output, frame, metadata, **display.keywords(),
             crop=window if whole else None,
         )  # fmt: skip
     if line is not None:
         say(line)
     _report(written, frame, window, started)
+
+
+def _planet_scene(
+    planet: GroundOptions,
+    picture: PictureOptions,
+    place: PlaceOptions,
+    camera: CameraOptions,
+    lights: LightOptions,
+    whole: bool,
+) -> tuple[Scene, Planet, str | None]:
+    """Scene of a planet, the planet in its light, and the line about place and time."""
+    from airlight.scene import Scene
+
+    camera.check_parallel(place)
+    world = planet.load()
+    placed = place.placed(world)
+    lights.check(world, camera.projection)
+    size = options.picture_size(camera.size, camera.projection)
+    window = camera.window(*size)
+    if picture.show is not None and picture.output.suffix.lower() == ".png":
+        _check_legend(size[0] if window is None else window[2])
+    view = camera.camera(world, placed, size, None if whole else window)
+    on_floor(world, placed.altitude)
+    scene = Scene(
+        camera=view,
+        altitude=0.0 if camera.parallel else placed.altitude,
+        sun_zenith=placed.sun_zenith,
+        latitude=placed.latitude,
+        longitude=placed.longitude,
+        sun_azimuth=placed.sun_azimuth,
+        ground=picture.ground,
+        time=placed.time,
+        secondary_lights=lights.secondary(placed),
+    )
+    world = place.lit(world, placed)
+    line = place.line(world, placed) if placed.time is not None else None
+    return scene.north_up() if camera.parallel else scene, world, line
 
 
 def _scene_frame(
