@@ -178,7 +178,7 @@ def test_ctrl_c_ends_all_processes_in_two_lines(rock: Path, tmp_path: Path) -> N
     # a machine that has measured slow pictures also announces 3000 of them
     lines = [line for line in said.decode().splitlines() if "3000 frames of" not in line]
     assert lines[0].endswith("2 processes")
-    assert lines[1].endswith("the same command renders the rest")
+    assert lines[1].endswith("the same command renders the others")
     assert lines[2:] == ["airlight: cancelled"]
     assert all(name.endswith(".png") for name in contents(folder))
 
