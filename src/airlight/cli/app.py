@@ -53,8 +53,13 @@ COMMANDS: Final = {
 _REGISTRY: Final = re.compile(r"\{([\w.]+):(\w+)\}")
 
 
-def _words(match: re.Match[str]) -> str:
-    return ", ".join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+def with_words(text: str) -> str:
+    """Help text with the words of registries, which are imported for it."""
+
+    def words(match: re.Match[str]) -> str:
+        return ", ".join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+
+    return _REGISTRY.sub(words, text)
 
 
 class Command(TyperCommand):
@@ -65,7 +70,7 @@ class Command(TyperCommand):
         for parameter in self.params:
             text = getattr(parameter, "help", None)
             if text:
-                parameter.help = _REGISTRY.sub(_words, text)  # type: ignore[attr-defined]
+                parameter.help = with_words(text)  # type: ignore[attr-defined]
         super().format_options(ctx, formatter)
 
 
