@@ -67,4 +67,6 @@ def _prose(text: str | None) -> str:
 
 
 def _cell(text: str | None) -> str:
-    return " ".join((text or "").split()).replace("|", "\\|").replace("<", "&lt;")
+    from airlight.cli.app import with_words
+
+    return " ".join(with_words(text or "").split()).replace("|", "\\|").replace("<", "&lt;")

@@ -12,6 +12,7 @@ from numpy.testing import assert_allclose
 
 from airlight.cli.app import main
 from airlight.exports.exr import read_exr
+from airlight.exports.png import read_png_header
 
 SIZE = (16, 24)
 MATRIX = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 30], [0, 0, 0, 1]]
@@ -182,3 +183,33 @@ def test_bad_input_gets_one_clear_line(
     error = capsys.readouterr().err.strip().splitlines()[-1]
     assert line in error
     assert not (tmp_path / "out.exr").exists()
+
+
+def test_a_composition_has_the_display_and_the_sun_of_a_picture(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    color, file = one_part(tmp_path / "render.exr", passes()), str(camera(tmp_path))
+    words = ["compose", str(color), "--camera", file, *QUICK]
+    shown = [
+        *words,
+        "--exposure=-9",
+        "--bits=16",
+        "--primaries=display-p3",
+        "--encoding=gamma",
+        "--glare=2",
+    ]
+    assert main([*shown, "-o", str(tmp_path / "a.png")]) == 0
+    texts = read_png_header(tmp_path / "a.png")
+    assert (tmp_path / "a.png").read_bytes()[24] == 16  # bit depth of the IHDR
+    assert float(texts["airlight.exposure"].split()[0]) == -9.0
+    capsys.readouterr()
+    assert main([*words, "--glare=2", "-o", str(tmp_path / "a.exr")]) == 2
+    assert "--glare does not apply to .exr files" in capsys.readouterr().err
+    # perihelion: the star is at 0.9833 au (almanacs), and linear light follows 1/d²
+    when = ["--at=10S,0E", "--time=2026-01-03T12:00Z", "--white=radiance"]
+    light = []
+    for distance in ("true", "file"):
+        out = tmp_path / f"{distance}.exr"
+        assert main([*words, *when, f"--sun-distance={distance}", "-o", str(out)]) == 0
+        light.append(read_exr(out)[0][2, 2])
+    assert_allclose(light[0] / light[1], 0.98329**-2, rtol=2e-3)

@@ -9,6 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from airlight.cli import options
+from airlight.cli.display_options import ToneOptions
+from airlight.cli.planet_options import LocalGroundOptions, load, with_ground_albedo
 from airlight.color.exposure import camera_exposure
 from airlight.errors import ParameterError
 
@@ -101,15 +103,16 @@ def test_exposure_is_a_number_or_auto() -> None:
     assert options.exposure("-2.5") == -2.5
     assert options.exposure("+1 EV") == 1.0
     assert options.exposure("AUTO") == "auto"
-    assert options.camera(None, None, None, None) == "auto"
-    assert options.camera("-2.5", None, None, None) == -2.5
+    assert ToneOptions().ev == "auto"
+    assert ToneOptions(exposure="-2.5").ev == -2.5
 
 
 def test_exposure_is_a_camera_s_too() -> None:
     wanted = camera_exposure(iso=100.0, aperture=8.0, shutter=1.0 / 250.0)
     for aperture in ("8", "f/8", "F/8"):
         for shutter in ("1/250", "1/250s", "4ms", "0.004 s"):
-            assert options.camera(None, 100.0, aperture, shutter) == pytest.approx(wanted)
+            snap = ToneOptions(iso=100.0, aperture=aperture, shutter=shutter)
+            assert snap.ev == pytest.approx(wanted)
 
 
 @pytest.mark.parametrize(
@@ -123,13 +126,14 @@ def test_exposure_is_a_camera_s_too() -> None:
     ],
 )
 def test_a_camera_that_cannot_be_is_refused(arguments: tuple[Any, ...], field: str) -> None:
+    names = ("exposure", "iso", "aperture", "shutter")
     with pytest.raises(ParameterError) as refusal:
-        options.camera(*arguments)
+        _ = ToneOptions(**dict(zip(names, arguments, strict=True))).ev
     assert str(refusal.value).startswith(field)
 
 
 def test_keys_of_a_planet_file_are_set_from_their_text() -> None:
-    planet = options.planet("earth", ["ground.albedo=0.3", "ground.map=", "air.name=gas"])
+    planet = load("earth", ["ground.albedo=0.3", "ground.map=", "air.name=gas"])
     assert planet.ground.albedo == 0.3
     assert planet.ground.map is None
     assert planet.constituents[0].name == "gas"
@@ -138,17 +142,17 @@ def test_keys_of_a_planet_file_are_set_from_their_text() -> None:
 @pytest.mark.parametrize("text", ["grond.albedo=0.3", "ground.albedo"])
 def test_a_key_that_is_none_is_blamed_on_the_option(text: str) -> None:
     with pytest.raises(ParameterError, match="--set is"):
-        options.planet("earth", [text])
+        load("earth", [text])
 
 
 def test_the_albedo_of_the_solved_ground_is_a_number_pairs_or_a_table() -> None:
-    earth = options.planet("earth")
+    earth = load("earth")
     for text, albedos in (
         ("0.3", [0.3, 0.3]),
         (" 440:0.2,680:0.3 ", [0.2, 0.3]),
         ("earth-albedo", earth.ground.albedos([440.0, 680.0])),
     ):
-        given = options.with_ground_albedo(earth, text)
+        given = with_ground_albedo(earth, text)
         assert_allclose(given.ground.albedos([440.0, 680.0]), albedos)
         assert given.ground.map == "earth"
 
@@ -156,7 +160,7 @@ def test_the_albedo_of_the_solved_ground_is_a_number_pairs_or_a_table() -> None:
 @pytest.mark.parametrize("text", ["1.2", "-0.1", "grass", "440:0.2,680", "440:2", "0,3", "nan", ""])
 def test_an_albedo_that_is_none_is_refused(text: str) -> None:
     with pytest.raises(ParameterError, match=r"^--ground-albedo is "):
-        options.with_ground_albedo(options.planet("earth"), text)
+        with_ground_albedo(load("earth"), text)
 
 
 @pytest.mark.parametrize(
@@ -171,6 +175,10 @@ def test_an_albedo_that_is_none_is_refused(text: str) -> None:
 def test_the_solved_ground_is_asked_for_in_one_way(
     words: tuple[str | None, ...], error: str
 ) -> None:
+    albedo, latitude, longitude = words
+    options = LocalGroundOptions(
+        planet="earth", ground_albedo=albedo, latitude=latitude, longitude=longitude
+    )
     with pytest.raises(ParameterError) as refusal:
-        options.with_solved_ground(options.planet("earth"), *words)
+        options.local(options.load())
     assert str(refusal.value).startswith(error)

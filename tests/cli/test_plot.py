@@ -40,10 +40,13 @@ def test_list_and_help_say_every_kind_with_its_sentence(capsys: pytest.CaptureFi
         (["density", "-o", "no/such/a.png"], "there is no folder"),
         (["density"], "--output"),
         (["density", "-o", "a.png", "--dpi", "5"], "--dpi is 5.0; allowed: 20 to 1200"),
-        (["density", "-o", "a.png", "--sun-zenith", "4"], "--sun-zenith is 4.0; allowed: none"),
+        (
+            ["density", "-o", "a.png", "--sun-zenith", "4"],
+            "--sun-zenith does not apply to density, which takes nothing",
+        ),
         (
             ["limb", "-o", "a.png", "--altitude", "4m"],
-            "limb takes wavelengths, sun-zenith, quality",
+            "limb, which takes wavelengths, sun-zenith, quality",
         ),
         (["phase", "-o", "a.png", "--wavelengths", "9000"], "wavelengths is 9000.0"),
         (["sky-profile", "-o", "a.png", "--sun-zenith", "200"], "0 to 180 deg"),

@@ -185,4 +185,4 @@ def test_observers_of_one_basin_are_a_table_and_those_of_several_are_refused(
     alone = capsys.readouterr().out.split()[2]
     assert rows[1] == f"-400,60,30,0,{alone}"
     assert main([*words, "60", "--altitude=-400m,0m"]) == 2
-    assert "allowed: one altitude, where it is below 0" in capsys.readouterr().err
+    assert "allowed: a single altitude if below 0" in capsys.readouterr().err

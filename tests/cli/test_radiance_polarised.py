@@ -69,7 +69,7 @@ def test_scalar_transfer_is_a_choice_and_another_radiance(
 @pytest.mark.parametrize(
     ("words", "part"),
     [
-        (["--solver", "direct"], "--stokes is True; allowed: with --solver moments or montecarlo"),
+        (["--solver", "direct"], "--stokes requires --solver moments or montecarlo"),
         (["--no-polarisation"], "--stokes cannot be combined with --no-polarisation"),
     ],
 )

@@ -48,7 +48,7 @@ def test_without_wavelengths_the_gpu_takes_the_four_with_fitted_weights(
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["--wavelengths", "5"], "--wavelengths is 5; allowed: at most 4 on the GPU"),
+        (["--wavelengths", "5"], "wavelengths is 5; allowed: at most 4 on the GPU"),
         (["--wavelengths", "rgb"], "no GPU: it is switched off (AIRLIGHT_GPU=off)"),
     ],
 )

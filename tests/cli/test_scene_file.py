@@ -10,7 +10,10 @@ import pytest
 from PIL import Image
 
 from airlight.cli import main
-from airlight.cli.scene_file import SceneOptions, changed
+from airlight.cli.camera_options import CameraOptions
+from airlight.cli.place_options import PlaceOptions
+from airlight.cli.planet_options import PlanetOptions
+from airlight.cli.scene_file import load_scene
 from airlight.planets.reading.reader import file_text, nested_tables
 from airlight.system.reading import changed_system
 
@@ -29,6 +32,8 @@ position = ["0 km", "0 km", "0 km"]
 look_at = "rock"
 field_of_view = "20 deg"
 """
+
+ECLIPSE = PlanetOptions(planet="solar-eclipse-2017")
 
 
 @pytest.fixture
@@ -84,8 +89,9 @@ def test_what_options_change_is_what_films_change(scene: Path, tmp_path: Path) -
         {"camera.look_at": "sun", "camera.field_of_view": "3 deg", "camera.roll": "10 deg",
          "rock.radius": "2 km"},
     )  # fmt: skip
-    given = SceneOptions(look_at="sun", fov="3", roll="10deg", changes=["rock.radius=2 km"])
-    assert changed(str(scene), given) == by_paths
+    planet = PlanetOptions(planet=str(scene), set_=["rock.radius=2 km"])
+    camera = CameraOptions(look_at="sun", fov="3", roll="10deg")
+    assert load_scene(planet, camera=camera) == by_paths
     assert by_paths.body("rock").radius == 2e3
     assert by_paths.view.look_at == "sun"
 
@@ -93,10 +99,8 @@ def test_what_options_change_is_what_films_change(scene: Path, tmp_path: Path) -
 def test_a_preset_is_seen_from_another_place_and_time() -> None:
     # 12 August 2026 from Burgos: totality at 18:29 UT (IMCCE), 8° high in the west; the Moon then
     # covers the sun, seen from the scene's observer too, on its spherical Earth
-    given = SceneOptions(
-        at="42.35N,3.7W,900m", time="2026-08-12T18:29:20Z", look_at="sun", fov="2deg"
-    )
-    scene = changed("solar-eclipse-2017", given)
+    place = PlaceOptions(at="42.35N,3.7W,900m", time_="2026-08-12T18:29:20Z")
+    scene = load_scene(ECLIPSE, place, CameraOptions(look_at="sun", fov="2deg"))
     assert scene.observer.altitude == 900.0
     assert scene.time == datetime(2026, 8, 12, 18, 29, 20, tzinfo=UTC)
     sun = scene.lights[0].towards(scene.eye)
@@ -105,7 +109,7 @@ def test_a_preset_is_seen_from_another_place_and_time() -> None:
     radius = np.degrees(np.arcsin(scene.body("moon").radius / np.linalg.norm(moon)))
     assert apart < radius - scene.lights[0].star_at(scene.eye).angular_radius_degrees + 0.01
     # a word of the day, at the new place: sunset, 0.83° below the horizontal (almanacs)
-    scene = changed("solar-eclipse-2017", SceneOptions(at="0N,10E", time="2026-03-21 sunset"))
+    scene = load_scene(ECLIPSE, PlaceOptions(at="0N,10E", time_="2026-03-21 sunset"))
     up = scene.eye / np.linalg.norm(scene.eye)
     altitude = np.degrees(np.arcsin(scene.lights[0].towards(scene.eye) @ up))
     assert altitude == pytest.approx(-0.83, abs=0.05)
@@ -119,7 +123,7 @@ def test_a_scene_s_camera_looks_to_bearings(
     word: str, zenith: float, bearing: float | None
 ) -> None:
     # bearings by definition, whatever the sun's
-    view = changed("solar-eclipse-2017", SceneOptions(look_at=word)).view
+    view = load_scene(ECLIPSE, camera=CameraOptions(look_at=word)).view
     assert view.look_zenith == pytest.approx(zenith, abs=0.05)
     if bearing is not None:
         assert view.look_bearing == pytest.approx(bearing, abs=1e-9)

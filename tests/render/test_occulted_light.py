@@ -10,7 +10,10 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from airlight import Camera, MoonLight, Scene, StarLight, load_planet, render
-from airlight.cli.scene_file import SceneOptions, changed
+from airlight.cli.camera_options import CameraOptions
+from airlight.cli.place_options import PlaceOptions
+from airlight.cli.planet_options import PlanetOptions
+from airlight.cli.scene_file import load_scene
 from airlight.color.xyz import luminance
 from airlight.geometry.disc_overlap import visible_light
 from airlight.paint.render_scene import render_scene
@@ -140,8 +143,11 @@ def test_the_eclipse_over_london_is_that_of_the_scene() -> None:
     size = {"width": 60, "height": 60}
     planet = load_planet("earth")
     for look, wide in (("sun", 1.2), ("S/35", 90.0)):
-        given = SceneOptions(at="51.5,-0.1", time=time, look_at=look, fov=f"{wide}")
-        system = changed("solar-eclipse-2017", given)
+        system = load_scene(
+            PlanetOptions(planet="solar-eclipse-2017"),
+            PlaceOptions(at="51.5,-0.1", time_=time),
+            CameraOptions(look_at=look, fov=f"{wide}"),
+        )
         wanted = luminance(render_system(system, **size, wavelengths=NM, quality="preview").rgb)
         camera = Camera(**size, field_of_view=wide)
         scene = Scene.at(planet, **place, time=time, look_at=look, camera=camera)

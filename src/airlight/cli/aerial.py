@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from airlight.cli import options, time_and_place
+from airlight.cli import options
 from airlight.cli.console import say
 from airlight.cli.examples import examples
+from airlight.cli.place_options import PlaceOptions
+from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import SolveOptions
 
 if TYPE_CHECKING:
     from airlight.composition.aerial_perspective import AerialPerspective
@@ -24,46 +27,22 @@ EPILOG = examples(
 
 
 def aerial(
-    planet: options.Planet_,
+    planet: PlanetOptions,
     output: Annotated[
         Path,
         typer.Option(
             "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of such tables."
         ),
     ],
-    altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground (2m).")
-    ] = None,
-    sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer (60deg).")
-    ] = None,
-    at: time_and_place.At = None,
-    time_: time_and_place.Time = None,
-    zone: time_and_place.Zone = None,
-    season: time_and_place.Season = None,
-    latitude: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Observer latitude, for the ground map (0deg)."),
-    ] = None,
-    longitude: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Observer longitude, for the ground map (0deg)."),
-    ] = None,
+    place: PlaceOptions,
+    solve: SolveOptions,
     nearest: Annotated[
         str, typer.Option(metavar="LENGTH", help="Smallest distance in the tables.")
     ] = "10m",
     farthest: Annotated[
         str, typer.Option(metavar="LENGTH", help="Largest distance in the tables.")
     ] = "200km",
-    wavelengths: Annotated[
-        str | None,
-        typer.Option(metavar="rgb|N|LIST", help="Wavelengths, as for render (16)."),
-    ] = None,
-    quality: options.Quality = "default",
-    no_polarisation: options.NoPolarisation = False,
-    set_: options.Set = None,
     overwrite: options.Overwrite = False,
-    no_cache: options.NoCache = False,
 ) -> None:
     """Bake aerial perspective around an observer to textures and shader functions.
 
@@ -80,35 +59,26 @@ def aerial(
 
     check_folder(output, FORMAT, FILES, overwrite=overwrite)
     between = options.length(nearest, "--nearest"), options.length(farthest, "--farthest")
-    world = options.planet(planet, set_)
-    angles = {
-        "--sun-zenith": sun_zenith, "--latitude": latitude, "--longitude": longitude
-    }  # fmt: skip
-    placed = time_and_place.given(world, at, time_, zone, season, angles, altitude)
-    if placed is not None:
-        world = time_and_place.lit(world, placed, "true")
-    else:
-        placed = time_and_place.by_angles(sun_zenith, None, latitude, longitude, altitude)
-    nm = None if wavelengths is None else options.wavelengths(wavelengths, world)
+    world = planet.load()
+    placed = place.placed(world)
+    world = place.lit(world, placed)
+    nm = solve.nm(world)
     world = local_ground(
         world, latitude=placed.latitude, longitude=placed.longitude, altitude=placed.altitude
     )
     scene = Scene(
         altitude=placed.altitude, sun_zenith=placed.sun_zenith,
-        latitude=placed.latitude, longitude=placed.longitude,
+        sun_azimuth=placed.sun_azimuth, latitude=placed.latitude, longitude=placed.longitude,
     )  # fmt: skip
     check_request(world.thickness, scene, *between)
     with shown_progress() as report:
-        solution = solve_planet(
-            world, nm, quality, polarisation=not no_polarisation, cache=not no_cache,
-            progress=report,
-        )  # fmt: skip
+        solution = solve_planet(world, nm, progress=report, **solve.keywords())
         made = AerialPerspective.fill(
             solution, scene, nearest=between[0], farthest=between[1], progress=report
         )
-    about = {"planet": world.name, "changes": "; ".join(set_ or [])}
-    texts = {key: text for key, text in about.items() if text}
-    manifest = write_aerial(output, made, texts, overwrite=overwrite)
+    manifest = write_aerial(
+        output, made, {"planet": world.name, **planet.changes()}, overwrite=overwrite
+    )
     say(f"{manifest}  {time.perf_counter() - started:.1f} s  {_errors(made)}")
 
 

@@ -4,19 +4,27 @@ from __future__ import annotations
 
 import re
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from airlight.cli import distribution_options, options
+from airlight.cli import options
+from airlight.cli.camera_options import Samples, Size
 from airlight.cli.console import note, say
+from airlight.cli.display_options import DisplayOptions
+from airlight.cli.distribution_options import DistributionOptions
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import given_options
+from airlight.cli.place_options import Zone
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import AccuracyOptions, Exact
 from airlight.errors import ConflictError, FileError, ParameterError, WorkerError
 
 if TYPE_CHECKING:
-    from airlight.film import Animated
+    from airlight.film import Animated, Film
+    from airlight.film import Quality as Accuracy
 
 EPILOG = examples(
     "airlight animate earth --frames 90 --key 'view.sun_zenith=84deg,97deg' -o frames/ "
@@ -30,6 +38,110 @@ EPILOG = examples(
     "--size 800x600 -o eclipse/",
     "airlight animate my-film.toml --scheduler tcp://host:8786 -o frames/",
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanOptions:
+    """Options of what changes from frame to frame."""
+
+    frames: Annotated[int | None, typer.Option(metavar="N", help="Number of frames (120).")] = None
+    rate: Annotated[
+        float | None, typer.Option(metavar="N", help="Frames per second of the MP4 (30).")
+    ] = None
+    start: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TIME", help="Time of the first frame, as --time of render; requires --end."
+        ),
+    ] = None
+    end: Annotated[str | None, typer.Option(metavar="TIME", help="Time of the last frame.")] = None
+    zone: Zone = None
+    key: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="PATH=A,B[,C …] [LAW]",
+            help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
+            "{film.laws:LAWS}. May be repeated.",
+        ),
+    ] = None
+    set_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="PATH=VALUE",
+            help="Override a key: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.",
+        ),
+    ] = None
+
+    def changes(self) -> dict[str, Any]:
+        """Overrides of the film's keys, but for key frames."""
+        from airlight.planets.reading.overrides import parsed
+
+        try:
+            changes: dict[str, Any] = dict(parsed(change) for change in self.set_ or [])
+        except ParameterError as error:
+            raise error.named("--set") from None
+        names = ("frames", "rate", "start", "end", "zone")
+        given = {f"film.{name}": getattr(self, name) for name in names}
+        return changes | {path: value for path, value in given.items() if value is not None}
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrameOptions(DisplayOptions):
+    """Options of the files of the frames and of their display."""
+
+    size: Size = None
+    format_: Annotated[
+        Literal["png", "exr"],
+        typer.Option("--format", help="File format of the frames; EXR is linear."),
+    ] = "png"
+    name: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Prefix of NAME_00001.png (the film's name).")
+    ] = None
+    exposure: Annotated[
+        str | None,
+        typer.Option(
+            metavar="EV|auto|locked",
+            help="Exposure compensation, a power of 2; default auto, smoothly adapting; or locked, "
+            "that of the first frame.",
+        ),
+    ] = None
+
+    def _compensation(self, text: str) -> Any:
+        if text.strip().lower() == "locked":
+            return "locked"
+        try:
+            return options.exposure(text)
+        except ParameterError as error:
+            raise ParameterError("--exposure", text, "auto, locked, or -100 to 100 EV") from error
+
+    def check_movie(self, movie: Path) -> None:
+        """Refuse frames that an MP4 cannot have, and a file that cannot be written."""
+        from airlight.film.movie import check_movie
+
+        plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
+        for option in given_options(self, "format_", "bits", "encoding", "primaries"):
+            raise ConflictError(option, f"must be {plain[option]} for an MP4")
+        check_movie(movie, "--output")
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmAccuracyOptions(AccuracyOptions):
+    """Options of the accuracy of the frames."""
+
+    exact: Exact = False
+    samples: Samples = None
+
+    def accuracy(self, film: Film) -> Accuracy:
+        """Settings of the film's frames."""
+        from airlight.film import Quality
+
+        if self.wavelengths is not None and not film.planets:
+            raise ConflictError("--wavelengths", "does not apply to a scene without air")
+        return Quality(
+            wavelengths=self.picture_nm(film.planets[0]) if film.planets else None,
+            quality=self.quality, exact=self.exact, samples=self.samples,
+        )  # fmt: skip
 
 
 def animate(
@@ -46,77 +158,10 @@ def animate(
             help="Folder of the frames; repeated, also an MP4.",
         ),
     ],
-    frames: Annotated[int | None, typer.Option(metavar="N", help="Number of frames (120).")] = None,
-    rate: Annotated[
-        float | None, typer.Option(metavar="N", help="Frames per second of the MP4 (30).")
-    ] = None,
-    start: Annotated[
-        str | None,
-        typer.Option(
-            metavar="TIME", help="Time of the first frame, as --time of render; requires --end."
-        ),
-    ] = None,
-    end: Annotated[str | None, typer.Option(metavar="TIME", help="Time of the last frame.")] = None,
-    zone: Annotated[
-        str | None,
-        typer.Option(metavar="ZONE", help="Time zone of --start and --end: Europe/Stockholm."),
-    ] = None,
-    key: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="PATH=A,B[,C …] [LAW]",
-            help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
-            "{film.laws:LAWS}. May be repeated.",
-        ),
-    ] = None,
-    set_: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--set",
-            metavar="PATH=VALUE",
-            help="Override a key: view.look_at=W, observer.altitude=2m, ground.albedo=0.3.",
-        ),
-    ] = None,
-    size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="Frame size: 1280x720, or one number.")
-    ] = None,
-    format_: Annotated[
-        Literal["png", "exr"],
-        typer.Option("--format", help="File format of the frames; EXR is linear."),
-    ] = "png",
-    bits: Annotated[int, typer.Option(metavar="8|16", help="Bits per channel of a PNG.")] = 8,
-    name: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Prefix of NAME_00001.png (the film's name).")
-    ] = None,
-    exposure: Annotated[
-        str,
-        typer.Option(
-            metavar="EV|auto|locked",
-            help="Exposure: auto (smoothly adapting), locked (that of the first frame), or EV.",
-        ),
-    ] = "auto",
-    tone_map: Annotated[
-        str, typer.Option(metavar="NAME", help="Tone map: {color.tone_maps:TONE_MAPS}.")
-    ] = "natural",
-    encoding: Annotated[
-        Literal["srgb", "gamma"], typer.Option(help="Transfer function of the frames.")
-    ] = "srgb",
-    primaries: Annotated[
-        Literal["srgb", "display-p3"], typer.Option(help="Primaries of the frames.")
-    ] = "srgb",
-    glare: options.Glare = 1.0,
-    wavelengths: Annotated[
-        str | None, typer.Option(metavar="rgb|N|LIST", help="Wavelengths, as for render.")
-    ] = None,
-    quality: options.Quality = "default",
-    exact: Annotated[
-        bool, typer.Option("--exact", help="Ray-march every pixel; planets only.")
-    ] = False,
-    samples: Annotated[
-        int | None, typer.Option(metavar="N", help="Samples per side of each pixel, up to 16.")
-    ] = None,
-    scheduler: distribution_options.Scheduler = None,
-    workers: distribution_options.Workers = None,
+    plan: PlanOptions,
+    frame: FrameOptions,
+    accuracy: FilmAccuracyOptions,
+    distribution: DistributionOptions,
 ) -> None:
     """Render the missing or changed frames of a film.
 
@@ -125,41 +170,19 @@ def animate(
     """
     started = time.perf_counter()
     folder, movie = _outputs(output)
-    if bits not in (8, 16):
-        raise ParameterError("--bits", bits, "8 or 16")
-    if movie is not None:
-        display = {"--format": format_, "--bits": bits, "--encoding": encoding,
-                   "--primaries": primaries}  # fmt: skip
-        plain = {"--format": "png", "--bits": 8, "--encoding": "srgb", "--primaries": "srgb"}
-        for option, value in display.items():
-            if value != plain[option]:
-                raise ConflictError(option, f"must be {plain[option]} for an MP4")
-    level = _exposure(exposure)
-    changes: dict[str, Any] = _changes(set_)
-    plan = {"frames": frames, "rate": rate, "start": start, "end": end, "zone": zone}
-    changes |= {f"film.{field}": value for field, value in plan.items() if value is not None}
-    from airlight.cli.render import check_glare, check_tone_map
-    from airlight.film import Finish, Quality, load_film
+    from airlight.film import Finish, load_film
     from airlight.film import animate as rendered
-    from airlight.film.movie import check_movie
 
-    check_tone_map(tone_map)
-    check_glare(glare)
+    frame.check(f".{frame.format_}")
     if movie is not None:
-        check_movie(movie, "--output")
-    made = load_film(film, {**changes, **_keys(film, key, changes)})
-    columns, rows = options.picture_size(size, made.projection)
-    nm = None
-    if wavelengths is not None:
-        if not made.planets:
-            raise ConflictError("--wavelengths", "does not apply to a scene without air")
-        nm = options.wavelengths(wavelengths, made.planets[0])
-        if len(nm) < 3:
-            allowed = "rgb, 3 to 99, or three or more wavelengths: a picture has colours"
-            raise ParameterError("--wavelengths", wavelengths, allowed)
+        frame.check_movie(movie)
+    changes = plan.changes()
+    made = load_film(film, {**changes, **_keys(film, plan.key, changes)})
+    columns, rows = options.picture_size(frame.size, made.projection)
+    how = accuracy.accuracy(made)
     count = [0]
     try:
-        with shown_progress() as report, distribution_options.named():
+        with shown_progress() as report, distribution.named():
 
             def counted(done: int, total: int, message: str) -> None:
                 if message == "frames":
@@ -167,13 +190,10 @@ def animate(
                 report(done, total, message)
 
             result = rendered(
-                made, folder, width=columns, height=rows,
-                how=Quality(wavelengths=nm, quality=quality, exact=exact, samples=samples),
-                finish=Finish(suffix=f".{format_}", tone_map=tone_map, encoding=encoding,
-                              primaries=primaries, bits=bits, glare=glare),
-                exposure=level, movie=movie, name=name, scheduler=scheduler, workers=workers,
-                on_message=note,
-                progress=counted,
+                made, folder, width=columns, height=rows, how=how,
+                finish=Finish(suffix=f".{frame.format_}", **frame.finish()), exposure=frame.ev,
+                movie=movie, name=frame.name, on_message=note, progress=counted,
+                **distribution.keywords(),
             )  # fmt: skip
     except (KeyboardInterrupt, WorkerError, FileError):
         if count[0]:
@@ -202,24 +222,6 @@ def _outputs(paths: list[Path]) -> tuple[Path, Path | None]:
     if folders[0].suffix:
         raise ParameterError("--output", str(folders[0]), "a folder without a suffix, or an .mp4")
     return folders[0], movies[0] if movies else None
-
-
-def _exposure(text: str) -> Any:
-    if text.strip().lower() == "locked":
-        return "locked"
-    try:
-        return options.exposure(text)
-    except ParameterError as error:
-        raise ParameterError("--exposure", text, "auto, locked, or -100 to 100 EV") from error
-
-
-def _changes(set_: list[str] | None) -> dict[str, Any]:
-    from airlight.planets.reading.overrides import parsed
-
-    try:
-        return dict(parsed(change) for change in set_ or [])
-    except ParameterError as error:
-        raise error.named("--set") from None
 
 
 _KEY = re.compile(r"\s*([^=]+?)\s*=\s*(.*?)\s*(?:\s([a-z]+(?:-[a-z]+)*))?\s*", re.DOTALL)

@@ -20,6 +20,7 @@ from airlight.child_processes import SAFE_PATH
 from airlight.cli.console import note, noted_warnings
 from airlight.cli.examples import examples
 from airlight.cli.interrupt import INTERRUPTED, end_when_interrupted, leave, say_cancelled
+from airlight.cli.option_groups import expand_groups
 from airlight.errors import AirlightError, Cancelled
 from airlight.plain_text import brief
 
@@ -52,8 +53,13 @@ COMMANDS: Final = {
 _REGISTRY: Final = re.compile(r"\{([\w.]+):(\w+)\}")
 
 
-def _words(match: re.Match[str]) -> str:
-    return ", ".join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+def with_words(text: str) -> str:
+    """Help text with the words of registries, which are imported for it."""
+
+    def words(match: re.Match[str]) -> str:
+        return ", ".join(getattr(import_module(f"airlight.{match[1]}"), match[2]))
+
+    return _REGISTRY.sub(words, text)
 
 
 class Command(TyperCommand):
@@ -64,7 +70,7 @@ class Command(TyperCommand):
         for parameter in self.params:
             text = getattr(parameter, "help", None)
             if text:
-                parameter.help = _REGISTRY.sub(_words, text)  # type: ignore[attr-defined]
+                parameter.help = with_words(text)  # type: ignore[attr-defined]
         super().format_options(ctx, formatter)
 
 
@@ -82,7 +88,8 @@ class Commands(TyperGroup):
         name = cmd_name.replace("-", "_")
         module = import_module(f"airlight.cli.{name}")
         alone = typer.Typer(**_TYPER)
-        alone.command(cmd_name, cls=Command, epilog=module.EPILOG)(getattr(module, name))
+        command = expand_groups(getattr(module, name))
+        alone.command(cmd_name, cls=Command, epilog=module.EPILOG)(command)
         return typer.main.get_command(alone)
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:

@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 import re
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from airlight.cli import options
-from airlight.cli.bake_target import bake_target, check_options
+from airlight.cli.bake_target import BakeSolveOptions, bake_target, check_options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import given_options
+from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
 from airlight.errors import ConflictError, ParameterError
 from airlight.targets import MODULES
@@ -32,8 +35,131 @@ EPILOG = examples(
 )
 
 
+@dataclass(frozen=True, kw_only=True)
+class TableOptions:
+    """Options of the tables."""
+
+    mapping: Annotated[
+        Literal["linear", "power", "weighted-power"] | None,
+        typer.Option(help="Atmosphere-plus: mapping of the axes (weighted-power)."),
+    ] = None
+    packing: Annotated[
+        Literal["rgba", "separate", "phase-included"] | None,
+        typer.Option(
+            help="Atmosphere-plus: rgba (phase functions at look-up, particles in alpha, grey), "
+            "separate (a table of the particles), phase-included (radiance at --azimuth)."
+        ),
+    ] = None
+    azimuth: Annotated[
+        str | None,
+        typer.Option(metavar="ANGLE", help="Phase-included: azimuth from the sun (0deg)."),
+    ] = None
+    mie: Annotated[
+        Literal["separate", "combined"] | None,
+        typer.Option(
+            help="Bruneton: single scattering of particles in a separate table, or in alpha with "
+            "colours restored at look-up."
+        ),
+    ] = None
+    size: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NxNxN",
+            help="Table size: altitude x view x sun x angle (32x128x32x8), or altitude x view x "
+            "sun (32x256x32).",
+        ),
+    ] = None
+    lowest_sun: Annotated[
+        str | None,
+        typer.Option(
+            "--lowest-sun",
+            metavar="ANGLE",
+            help="Bruneton: largest sun zenith angle in the tables, 90deg to 180deg (the end of "
+            "twilight).",
+        ),
+    ] = None
+    smooth_phase: Annotated[
+        Literal["own", "rayleigh"] | None,
+        typer.Option(
+            help="Bruneton: phase function that divides all but the particles' single scattering: "
+            "own (fitted, in phase-functions.npz), or rayleigh (for shaders with Bruneton's "
+            "look-up, worse in dusty air) (own)."
+        ),
+    ] = None
+    precision: Annotated[
+        Literal["half", "single"], typer.Option(help="Number format; half is scaled.")
+    ] = "single"
+    order: Annotated[
+        str,
+        typer.Option(
+            metavar="K|all", help="Scattering order K only, reflections included; or all."
+        ),
+    ] = "all"
+    cumulative: Annotated[
+        bool, typer.Option("--cumulative", help="Scattering orders up to K of --order.")
+    ] = False
+
+    def check(self, layout: str) -> None:
+        """Refuse options of other layouts."""
+        other = "bruneton" if layout != "bruneton" else "atmosphere-plus"
+        foreign = {
+            "bruneton": ("mie", "smooth_phase", "lowest_sun"),
+            "atmosphere-plus": ("packing", "mapping"),
+        }
+        for option in given_options(self, *foreign[other]):
+            raise ConflictError(option, f"requires --layout {other}")
+        if self.azimuth is not None and self.packed(layout) != "phase-included":
+            raise ConflictError("--azimuth", "requires --packing phase-included")
+
+    def given(self) -> dict[str, Any]:
+        """Texts of the options that are given, by their names in Python."""
+        return {option[2:].replace("-", "_"): v for option, v in given_options(self).items()}
+
+    def chosen(self) -> dict[str, Any]:
+        """Options that are given, by their names in Python, for the files of a program."""
+        given = self.given()
+        if self.size is not None:
+            given["size"] = self.texels("bruneton")
+        if self.lowest_sun is not None:
+            given["lowest_sun"] = options.angle(self.lowest_sun, "--lowest-sun")
+        return given
+
+    def packed(self, layout: str) -> str:
+        """Name of the packing."""
+        return self.mie or "separate" if layout == "bruneton" else self.packing or "rgba"
+
+    def mu_s_min(self) -> float | None:
+        """Cosine of ``--lowest-sun``, at most 0. [1]"""
+        if self.lowest_sun is None:
+            return None
+        zenith = options.angle(self.lowest_sun, "--lowest-sun")
+        if not 90.0 <= zenith <= 180.0:
+            raise ParameterError("--lowest-sun", self.lowest_sun, "90deg to 180deg")
+        return min(math.cos(math.radians(zenith)), 0.0)
+
+    def texels(self, layout: str) -> tuple[int, ...] | None:
+        """Numbers of texels along the axes."""
+        if self.size is None:
+            return None
+        count, example = (4, "32x128x32x8") if layout == "bruneton" else (3, "32x256x32")
+        parts = re.split(r"[xX×]", self.size.replace(" ", ""))
+        if len(parts) != count or not all(part.isdecimal() and len(part) < 7 for part in parts):
+            raise ParameterError("--size", self.size, f"{count} whole numbers such as {example}")
+        return tuple(int(part) for part in parts)
+
+    def scattering_order(self) -> int | None:
+        """Scattering order; None for all."""
+        if self.order.strip().lower() == "all":
+            if self.cumulative:
+                raise ConflictError("--cumulative", "requires --order K")
+            return None
+        if not self.order.strip().isdecimal() or len(self.order) > 6 or int(self.order) < 1:
+            raise ParameterError("--order", self.order, "all, or 1, 2, 3 …")
+        return int(self.order)
+
+
 def bake(
-    planet: options.Planet_,
+    planet: PlanetOptions,
     layout: Annotated[
         str,
         typer.Option(
@@ -48,80 +174,9 @@ def bake(
             "--output", "-o", metavar="DIR", help="Output folder: new, empty, or of tables."
         ),
     ],
-    mapping: Annotated[
-        Literal["linear", "power", "weighted-power"] | None,
-        typer.Option(help="Atmosphere-plus: mapping of the axes (weighted-power)."),
-    ] = None,
-    packing: Annotated[
-        Literal["rgba", "separate", "phase-included"] | None,
-        typer.Option(
-            help="Atmosphere-plus: rgba (phase functions at look-up, particles in alpha, grey), "
-            "separate (a table of the particles), phase-included (radiance at --azimuth)."
-        ),
-    ] = None,
-    azimuth: Annotated[
-        str | None,
-        typer.Option(metavar="ANGLE", help="Phase-included: azimuth from the sun (0deg)."),
-    ] = None,
-    mie: Annotated[
-        Literal["separate", "combined"] | None,
-        typer.Option(
-            help="Bruneton: single scattering of particles in a separate table, or in alpha with "
-            "colours restored at look-up."
-        ),
-    ] = None,
-    size: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NxNxN",
-            help="Table size: altitude x view x sun x angle (32x128x32x8), or altitude x view x "
-            "sun (32x256x32).",
-        ),
-    ] = None,
-    lowest_sun: Annotated[
-        str | None,
-        typer.Option(
-            "--lowest-sun",
-            metavar="ANGLE",
-            help="Bruneton: largest sun zenith angle in the tables, 90deg to 180deg (the end of "
-            "twilight).",
-        ),
-    ] = None,
-    smooth_phase: Annotated[
-        Literal["own", "rayleigh"] | None,
-        typer.Option(
-            help="Bruneton: phase function that divides all but the particles' single scattering: "
-            "own (fitted, in phase-functions.npz), or rayleigh (for shaders with Bruneton's "
-            "look-up, worse in dusty air) (own)."
-        ),
-    ] = None,
-    precision: Annotated[
-        Literal["half", "single"], typer.Option(help="Number format; half is scaled.")
-    ] = "single",
-    order: Annotated[
-        str,
-        typer.Option(
-            metavar="K|all", help="Scattering order K only, reflections included; or all."
-        ),
-    ] = "all",
-    cumulative: Annotated[
-        bool, typer.Option("--cumulative", help="Scattering orders up to K of --order.")
-    ] = False,
-    wavelengths: Annotated[
-        str,
-        typer.Option(
-            metavar="rgb|N|LIST",
-            help="Wavelengths: rgb (680, 550, 440 nm), a number over the visible, or a list in nm.",
-        ),
-    ] = "rgb",
-    solver: Annotated[
-        Literal["moments", "direct", "montecarlo"], typer.Option(help="Solver.")
-    ] = "moments",
-    quality: options.Quality = "default",
-    no_polarisation: options.NoPolarisation = False,
-    set_: options.Set = None,
+    tables: TableOptions,
+    solve: BakeSolveOptions,
     overwrite: options.Overwrite = False,
-    no_cache: options.NoCache = False,
 ) -> None:
     """Bake a planet's radiation to look-up tables: NPZ, EXR and a JSON manifest.
 
@@ -131,37 +186,8 @@ def bake(
     if layout not in LAYOUTS:
         raise ParameterError("--layout", layout, ", ".join(LAYOUTS))
     if layout in MODULES:
-        given: dict[str, Any] = {
-            "mapping": mapping,
-            "packing": packing,
-            "azimuth": azimuth,
-            "mie": mie,
-            "size": size,
-            "lowest_sun": lowest_sun,
-            "smooth_phase": smooth_phase,
-            "precision": None if precision == "single" else precision,
-            "order": None if order == "all" else order,
-            "cumulative": cumulative or None,
-        }
-        chosen = {name: value for name, value in given.items() if value is not None}
-        check_options(layout, chosen)
-        if size is not None:
-            chosen["size"] = _size(size, "bruneton")
-        if lowest_sun is not None:
-            chosen["lowest_sun"] = options.angle(lowest_sun, "--lowest-sun")
-        bake_target(
-            layout,
-            planet,
-            output,
-            chosen=chosen,
-            wavelengths=None if wavelengths == "rgb" else wavelengths,
-            solver=solver,
-            quality=quality,
-            polarisation=not no_polarisation,
-            set_=set_,
-            cache=not no_cache,
-            overwrite=overwrite,
-        )
+        check_options(layout, tables.given())
+        bake_target(layout, planet, output, tables.chosen(), solve, overwrite=overwrite)
         return
     started = time.perf_counter()
     from airlight.exports.atomic_folder import check_folder
@@ -169,92 +195,39 @@ def bake(
     from airlight.exports.table_files import FILES, FORMAT, write_tables
     from airlight.planets import replace
 
-    packed = _packing(layout, packing, mie)
-    if mapping is not None and layout == "bruneton":
-        raise ConflictError("--mapping", "requires --layout atmosphere-plus")
-    if smooth_phase is not None and layout != "bruneton":
-        raise ConflictError("--smooth-phase", "requires --layout bruneton")
-    if azimuth is not None and packed != "phase-included":
-        raise ConflictError("--azimuth", "requires --packing phase-included")
-    mu_s_min = _lowest(lowest_sun, layout)
-    texels = None if size is None else _size(size, layout)
-    number = _order(order, cumulative)
+    tables.check(layout)
+    mu_s_min, texels, number = tables.mu_s_min(), tables.texels(layout), tables.scattering_order()
     check_folder(output, FORMAT, FILES, overwrite=overwrite)
-    world = options.planet(planet, set_)
+    world = planet.load()
     if world.refraction != "none":
         note("tables ignore refraction")
         world = replace(world, refraction="none")
-    nm = options.wavelengths(wavelengths, world)
+    nm = options.wavelengths(solve.wavelengths, world)
 
-    from airlight.solvers import solve
+    from airlight.solvers import solve as solved
 
     with shown_progress() as report:
-        solution = solve(
-            world,
-            wavelengths=nm,
-            quality=quality,
-            solver=solver,
-            polarisation=not no_polarisation,
-            cache=not no_cache,
-            progress=report,
+        solution = solved(
+            world, wavelengths=nm, solver=solve.solver, progress=report, **solve.keywords()
         )
         baked = fill(
             solution,
             layout,
-            mapping=mapping or "weighted-power",
-            packing=packed,
-            azimuth=0.0 if azimuth is None else options.angle(azimuth, "--azimuth"),
+            mapping=tables.mapping or "weighted-power",
+            packing=tables.packed(layout),
+            azimuth=0.0 if tables.azimuth is None else options.angle(tables.azimuth, "--azimuth"),
             size=texels,
-            precision=precision,
+            precision=tables.precision,
             order=number,
-            cumulative=cumulative,
+            cumulative=tables.cumulative,
             mu_s_min=mu_s_min,
-            smooth_phase=smooth_phase or "own",
+            smooth_phase=tables.smooth_phase or "own",
             progress=report,
         )
         manifest = write_tables(output, baked, overwrite=overwrite)
     _print(manifest, baked)
     say()
     say(f"{manifest}  {time.perf_counter() - started:.1f} s")
-
-
-def _packing(layout: str, packing: str | None, mie: str | None) -> str:
-    if layout == "bruneton":
-        if packing is not None:
-            raise ConflictError("--packing", "requires --layout atmosphere-plus")
-        return mie or "separate"
-    if mie is not None:
-        raise ConflictError("--mie", "requires --layout bruneton")
-    return packing or "rgba"
-
-
-def _lowest(text: str | None, layout: str) -> float | None:
-    if text is None:
-        return None
-    if layout != "bruneton":
-        raise ConflictError("--lowest-sun", "requires --layout bruneton")
-    zenith = options.angle(text, "--lowest-sun")
-    if not 90.0 <= zenith <= 180.0:
-        raise ParameterError("--lowest-sun", text, "90deg to 180deg")
-    return min(math.cos(math.radians(zenith)), 0.0)
-
-
-def _size(text: str, layout: str) -> tuple[int, ...]:
-    count, example = (4, "32x128x32x8") if layout == "bruneton" else (3, "32x256x32")
-    parts = re.split(r"[xX×]", text.replace(" ", ""))
-    if len(parts) != count or not all(part.isdecimal() and len(part) < 7 for part in parts):
-        raise ParameterError("--size", text, f"{count} whole numbers such as {example}")
-    return tuple(int(part) for part in parts)
-
-
-def _order(text: str, cumulative: bool) -> int | None:
-    if text.strip().lower() == "all":
-        if cumulative:
-            raise ConflictError("--cumulative", "requires --order K")
-        return None
-    if not text.strip().isdecimal() or len(text) > 6 or int(text) < 1:
-        raise ParameterError("--order", text, "all, or 1, 2, 3 …")
-    return int(text)
 
 
 def _print(manifest: Path, baked: Baked) -> None:

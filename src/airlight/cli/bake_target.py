@@ -4,30 +4,41 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
 
 from airlight.cli import options
 from airlight.cli.console import note, say
+from airlight.cli.option_groups import named_errors, option_name
 from airlight.cli.progress import shown_progress
-from airlight.errors import ConflictError, ParameterError
+from airlight.cli.solve_options import SolveOptions, wavelengths_option
+from airlight.errors import ConflictError
 
 if TYPE_CHECKING:
+    from airlight.cli.planet_options import PlanetOptions
     from airlight.targets.target import ErrorRow, Export, Target
+
+
+@dataclass(frozen=True, kw_only=True)
+class BakeSolveOptions(SolveOptions):
+    """Options of the solution of tables."""
+
+    wavelengths: Annotated[str, wavelengths_option()] = "rgb"
+    solver: Annotated[Literal["moments", "direct", "montecarlo"], typer.Option(help="Solver.")] = (
+        "moments"
+    )
 
 
 def bake_target(
     name: str,
-    planet: str,
+    planet: PlanetOptions,
     output: Path,
-    *,
     chosen: Mapping[str, Any],
-    wavelengths: str | None,
-    solver: str,
-    quality: str,
-    polarisation: bool,
-    set_: list[str] | None,
-    cache: bool,
+    solve: BakeSolveOptions,
+    *,
     overwrite: bool,
 ) -> None:
     """Solve a planet and write it for a program.
@@ -36,16 +47,11 @@ def bake_target(
     ----------
     name : str
         Name of the layout.
-    planet, output, solver, quality, set_
-        Arguments of the command.
+    planet, output, solve, overwrite
+        Options of the command.
     chosen : mapping
         Options of tables that were given, by their names in Python: ``size`` as numbers of texels,
         ``lowest_sun`` in degrees, others as texts.
-    wavelengths : str, optional
-        Text of ``--wavelengths``, if it was given.
-    polarisation, cache, overwrite : bool
-        Whether light is polarised; whether solutions are read from disk and kept there; whether
-        files that are not airlight's may be replaced.
 
     Raises
     ------
@@ -58,30 +64,26 @@ def bake_target(
     from airlight.targets import target_of
 
     program = target_of(name)
+    wavelengths = None if solve.wavelengths == "rgb" else solve.wavelengths
     if wavelengths is not None and program.wavelengths is not None:
         fixed = ", ".join(f"{one:g}" for one in program.wavelengths)
         raise ConflictError(f"--layout {name}", f"takes no --wavelengths: they are {fixed} nm")
     check_folder(output, program.form, program.files, overwrite=overwrite)
-    world = options.planet(planet, set_)
+    world = planet.load()
     if world.refraction != "none" and not program.bends_light:
         note(f"{program.program} ignores refraction")
         world = replace(world, refraction="none")
     text = wavelengths or program.default_wavelengths
     nm = program.wavelengths or options.wavelengths(text, world)
 
-    from airlight.solvers import solve
+    from airlight.solvers import solve as solved
 
     with shown_progress() as report:
-        solution = solve(
-            world, wavelengths=nm, quality=quality, solver=solver, polarisation=polarisation,
-            cache=cache, progress=report,
-        )  # fmt: skip
-        try:
+        solution = solved(
+            world, wavelengths=nm, solver=solve.solver, progress=report, **solve.keywords()
+        )
+        with named_errors(*chosen):
             export = program.write(solution, output, overwrite=overwrite, progress=report, **chosen)
-        except ParameterError as error:
-            if error.field not in chosen:
-                raise
-            raise error.named("--" + error.field.replace("_", "-")) from None
     print_export(program, export)
     say()
     say(f"{export.folder}  {time.perf_counter() - started:.1f} s")
@@ -94,8 +96,7 @@ def check_options(name: str, chosen: Mapping[str, Any]) -> None:
     try:
         target_of(name).check_options(chosen)
     except ConflictError as error:
-        option = "--" + error.field.replace("_", "-")
-        raise ConflictError(f"--layout {name}", f"takes no {option}") from None
+        raise ConflictError(f"--layout {name}", f"takes no {option_name(error.field)}") from None
 
 
 def print_export(program: Target, export: Export) -> None:

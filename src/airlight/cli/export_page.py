@@ -8,10 +8,11 @@ from typing import Annotated, Literal
 
 import typer
 
-from airlight.cli import options
 from airlight.cli.console import say
 from airlight.cli.examples import examples
+from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ParameterError
 
 EPILOG = examples(
@@ -22,7 +23,7 @@ EPILOG = examples(
 
 
 def export_page(
-    planet: options.Planet_,
+    planet: PlanetOptions,
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="FILE", help="Output page, .html.")
     ],
@@ -39,9 +40,8 @@ def export_page(
         Literal["three", "four"],
         typer.Option(help="Number of wavelengths; four have better colours."),
     ] = "four",
-    quality: options.Quality = "default",
-    set_: options.Set = None,
-    no_cache: options.NoCache = False,
+    quality: Quality = "default",
+    no_cache: NoCache = False,
 ) -> None:
     """Write an interactive page of a planet: a single HTML file, below 5 MB.
 
@@ -54,10 +54,10 @@ def export_page(
     if output.suffix.lower() not in (".html", ".htm"):
         raise ParameterError("--output", str(output), "a name that ends with .html")
     values = dict(_view_value(text) for text in view or [])
-    changes = dict(parsed(text) for text in set_ or [])
+    changes = dict(parsed(text) for text in planet.set_ or [])
     with shown_progress() as report:
         page = export(
-            planet,
+            planet.planet,
             output,
             changes=changes,
             view=values,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,13 +13,17 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import named_errors
+from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import NoCache, Quality
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
     from airlight.fit.fit_sky import FitSettings, SkyFit
     from airlight.fit.measurements import Measurements
     from airlight.fit.parameter import Prior
+    from airlight.fit.photograph import Shot
 
 EPILOG = examples(
     'airlight fit earth --data radiances.csv --free "aerosol.optical_depth, aerosol.angstrom, '
@@ -34,8 +40,10 @@ _PRIOR = re.compile(rf"({_NUMBER})\s*(?:±|\+-|\+/-)\s*({_NUMBER})")
 _BOUNDS = re.compile(rf"({_NUMBER})\s*\.\.\s*({_NUMBER})")
 
 
-def fit(
-    planet: options.Planet_,
+@dataclass(frozen=True, kw_only=True)
+class FitOptions:
+    """Options of the fit."""
+
     free: Annotated[
         str,
         typer.Option(
@@ -44,7 +52,152 @@ def fit(
             "or the path of a number of the planet's file; of the instrument scale, "
             "pointing.azimuth, pointing.zenith, and white_balance.red, .blue of a photograph.",
         ),
-    ],
+    ]
+    each_scan: Annotated[
+        str,
+        typer.Option(metavar="LIST", help="Instrument parameters fitted per scan."),
+    ] = ""
+    bounds: Annotated[
+        str, typer.Option(metavar="LIST", help="Bounds of parameters, e.g. ground.albedo=0..0.4.")
+    ] = ""
+    prior: Annotated[
+        str,
+        typer.Option(
+            metavar="LIST", help="Prior values with standard deviations, e.g. ozone.column=320±20."
+        ),
+    ] = ""
+    start: Annotated[
+        str, typer.Option(metavar="LIST", help="Starting values (those of the planet).")
+    ] = ""
+    uncertainty: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FRACTION",
+            help="Relative standard deviation of the data, e.g. 3% (that of the file, or estimated "
+            "from the residuals).",
+        ),
+    ] = None
+    loss: Annotated[
+        str,
+        typer.Option(metavar="linear|soft_l1|huber|cauchy", help="Loss function of the residuals."),
+    ] = "linear"
+    quality: Quality = "default"
+    no_cache: NoCache = False
+
+    def settings(self, planet: PlanetOptions) -> FitSettings:
+        """Settings of the fit."""
+        from airlight.fit.fit_sky import FitSettings
+        from airlight.fit.loss import LOSSES
+        from airlight.planets.reading.overrides import parsed
+        from airlight.units import quantity
+
+        if self.loss not in LOSSES:
+            raise ParameterError("--loss", self.loss, ", ".join(LOSSES))
+        names = _listed(self.free)
+        if not names:
+            allowed = "a list such as aerosol.optical_depth, ground.albedo"
+            raise ParameterError("--free", self.free, allowed)
+        share = None
+        if self.uncertainty is not None:
+            share = quantity(self.uncertainty, "1", "--uncertainty")
+            if not 0.0 < share < 10.0:
+                allowed = "a fraction such as 3% or 0.03"
+                raise ParameterError("--uncertainty", self.uncertainty, allowed)
+        return FitSettings(
+            free=names,
+            per_scan=_listed(self.each_scan),
+            bounds={name: _bound(name, text) for name, text in _pairs(self.bounds, "--bounds")},
+            priors={name: _prior(name, text) for name, text in _pairs(self.prior, "--prior")},
+            starts={
+                name: quantity(text, "1", f"--start {name}")
+                for name, text in _pairs(self.start, "--start")
+            },
+            uncertainty=share,
+            loss=self.loss,
+            quality=self.quality,
+            overrides=dict(parsed(change) for change in planet.set_ or []),
+            keep=not self.no_cache,
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class PhotographOptions:
+    """Options of a photograph: its camera, its sun and its encoding."""
+
+    photo: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Photograph, instead of --data: PNG, JPEG, or linear EXR."
+        ),
+    ] = None
+    exclude_sun: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLE",
+            help="Exclude directions closer to the sun (photograph: 15deg).",
+        ),
+    ] = None
+    sun_zenith: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Photograph: sun zenith angle.")
+    ] = None
+    altitude: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Photograph: altitude of the camera.")
+    ] = "0m"
+    projection: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME", help="Photograph: projection: {scene.projections:PROJECTIONS}."
+        ),
+    ] = "fisheye"
+    fov: Annotated[str | None, typer.Option(metavar="ANGLE", help="Photograph: field of view.")] = (
+        None
+    )
+    look: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ZENITH,AZIMUTH", help="Photograph: camera direction; azimuth from the sun."
+        ),
+    ] = None
+    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Photograph: camera roll.")] = "0deg"
+    encoding: Annotated[
+        str, typer.Option(metavar="srgb|gamma|linear", help="Photograph: encoding, unless EXR.")
+    ] = "srgb"
+    tone_map: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Photograph: tone map to invert."),
+    ] = None
+    above: Annotated[
+        str, typer.Option(metavar="ANGLE", help="Photograph: lowest elevation angle used.")
+    ] = "5"
+
+    def shot(self) -> Shot:
+        """Camera, sun and encoding of the photograph."""
+        from airlight.fit.photograph import Shot
+        from airlight.scene.limits import within
+
+        if self.sun_zenith is None:
+            raise ConflictError("--photo", "requires --sun-zenith, such as 55deg")
+        sun = options.angle(self.sun_zenith, "--sun-zenith")
+        look = (None, 0.0) if self.look is None else options.direction(self.look, "--look")
+        return Shot(
+            projection=options.projection(self.projection),
+            field_of_view=None if self.fov is None else options.angle(self.fov, "--fov"),
+            look_zenith=look[0],
+            look_azimuth=look[1],
+            roll=options.angle(self.roll, "--roll"),
+            sun_zenith=within("--sun-zenith", sun, 0.0, 180.0, "deg"),
+            altitude=options.length(self.altitude, "--altitude"),
+            encoding=self.encoding,
+            tone_map=self.tone_map,
+            above=options.angle(self.above, "--above"),
+            exclude_sun=options.angle(self.exclude_sun or "15", "--exclude-sun"),
+        )
+
+
+def fit(
+    planet: PlanetOptions,
+    settings: FitOptions,
+    photograph: PhotographOptions,
     output: Annotated[
         Path,
         typer.Option(
@@ -55,87 +208,11 @@ def fit(
         Path | None,
         typer.Option(metavar="FILE", help="Measured radiances: a CSV, or scans of a day as .npz."),
     ] = None,
-    photo: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Photograph, instead of --data: PNG, JPEG, or linear EXR."
-        ),
-    ] = None,
     report: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Report: .html, or .md with a folder of pictures."),
     ] = None,
-    each_scan: Annotated[
-        str,
-        typer.Option(metavar="LIST", help="Instrument parameters fitted per scan."),
-    ] = "",
-    bounds: Annotated[
-        str, typer.Option(metavar="LIST", help="Bounds of parameters, e.g. ground.albedo=0..0.4.")
-    ] = "",
-    prior: Annotated[
-        str,
-        typer.Option(
-            metavar="LIST", help="Prior values with standard deviations, e.g. ozone.column=320±20."
-        ),
-    ] = "",
-    start: Annotated[
-        str, typer.Option(metavar="LIST", help="Starting values (those of the planet).")
-    ] = "",
-    uncertainty: Annotated[
-        str | None,
-        typer.Option(
-            metavar="FRACTION",
-            help="Relative standard deviation of the data, e.g. 3% (that of the file, or estimated "
-            "from the residuals).",
-        ),
-    ] = None,
-    loss: Annotated[
-        str,
-        typer.Option(metavar="linear|soft_l1|huber|cauchy", help="Loss function of the residuals."),
-    ] = "linear",
-    exclude_sun: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ANGLE",
-            help="Exclude directions closer to the sun (photograph: 15deg).",
-        ),
-    ] = None,
-    sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Photograph: sun zenith angle.")
-    ] = None,
-    altitude: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Photograph: altitude of the camera.")
-    ] = "0m",
-    projection: Annotated[
-        str,
-        typer.Option(
-            metavar="NAME", help="Photograph: projection: {scene.projections:PROJECTIONS}."
-        ),
-    ] = "fisheye",
-    fov: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Photograph: field of view.")
-    ] = None,
-    look: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ZENITH,AZIMUTH", help="Photograph: camera direction; azimuth from the sun."
-        ),
-    ] = None,
-    roll: Annotated[str, typer.Option(metavar="ANGLE", help="Photograph: camera roll.")] = "0",
-    encoding: Annotated[
-        str, typer.Option(metavar="srgb|gamma|linear", help="Photograph: encoding, unless EXR.")
-    ] = "srgb",
-    tone_map: Annotated[
-        str | None,
-        typer.Option(metavar="NAME", help="Photograph: tone map to invert."),
-    ] = None,
-    above: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Photograph: lowest elevation angle used.")
-    ] = "5",
-    quality: options.Quality = "default",
-    set_: options.Set = None,
     overwrite: options.Overwrite = False,
-    no_cache: options.NoCache = False,
 ) -> None:
     """Fit parameters of a planet to measured radiances, or to a photograph of its sky.
 
@@ -148,24 +225,15 @@ def fit(
         raise ParameterError("--output", str(output), "a planet file that ends in .toml")
     if report is not None:
         _check_report(report, overwrite)
-    if (data is None) == (photo is None):
+    if (data is None) == (photograph.photo is None):
         conflict = "or --photo is required" if data is None else "cannot be combined with --photo"
         raise ConflictError("--data", conflict)
-    settings = _settings(
-        free, each_scan, bounds, prior, start, uncertainty, loss, quality, set_, not no_cache
-    )
-    shot: dict[str, str | None] = {
-        "sun_zenith": sun_zenith, "altitude": altitude, "fov": fov, "look": look, "roll": roll,
-        "above": above, "exclude_sun": exclude_sun,
-    }  # fmt: skip
-    with shown_progress() as progress, _named_options():
-        if photo is not None:
-            sky = _photograph(
-                planet, photo, shot, projection, encoding, tone_map, settings, progress
-            )
+    chosen = settings.settings(planet)
+    with shown_progress() as progress, _named_errors():
+        if data is None:
+            sky = _photograph(planet.planet, photograph, chosen, progress)
         else:
-            assert data is not None
-            sky = _radiances(planet, data, exclude_sun, settings, progress)
+            sky = _radiances(planet.planet, data, photograph.exclude_sun, chosen, progress)
     from airlight.fit.fitted_file import fitted_file
     from airlight.fit.report import result_lines, warnings_of
 
@@ -181,18 +249,10 @@ def fit(
         say(f"{report}  {report.stat().st_size / 1e3:.0f} kB")
 
 
-class _named_options:
+def _named_errors() -> AbstractContextManager[None]:
     """Errors of the library's settings with the names of the options."""
-
-    def __enter__(self) -> None:
-        return None
-
-    def __exit__(self, kind: object, error: object, trace: object) -> None:
-        names = {"free": "--free", "bounds": "--bounds", "prior": "--prior", "start": "--start",
-                 "loss": "--loss", "per_scan": "--each-scan", "encoding": "--encoding",
-                 "tone_map": "--tone-map", "override": "--set"}  # fmt: skip
-        if isinstance(error, ParameterError) and error.field in names:
-            raise error.named(names[error.field]) from None
+    names = ("free", "bounds", "prior", "start", "loss", "encoding", "tone_map")
+    return named_errors(*names, per_scan="--each-scan", override="--set")
 
 
 def _radiances(
@@ -219,65 +279,15 @@ def _measurements(file: Path) -> Measurements:
 
 
 def _photograph(
-    planet: str, file: Path, shot: dict[str, str | None], projection: str, encoding: str,
-    tone_map: str | None, settings: FitSettings, progress: Any,
-) -> SkyFit:  # fmt: skip
+    planet: str, photograph: PhotographOptions, settings: FitSettings, progress: Any
+) -> SkyFit:
     from airlight.fit.fit_sky import fit_photograph
-    from airlight.fit.photograph import Shot, read_photograph
-    from airlight.scene.limits import within
+    from airlight.fit.photograph import read_photograph
 
-    sun = shot["sun_zenith"]
-    if sun is None:
-        raise ConflictError("--photo", "requires --sun-zenith, such as 55deg")
-    look = (None, 0.0) if shot["look"] is None else options.direction(shot["look"], "--look")
-    given = Shot(
-        projection=options.projection(projection),
-        field_of_view=None if shot["fov"] is None else options.angle(shot["fov"], "--fov"),
-        look_zenith=look[0],
-        look_azimuth=look[1],
-        roll=options.angle(shot["roll"] or "0", "--roll"),
-        sun_zenith=within("--sun-zenith", options.angle(sun, "--sun-zenith"), 0.0, 180.0, "deg"),
-        altitude=options.length(shot["altitude"] or "0m", "--altitude"),
-        encoding=encoding,
-        tone_map=tone_map,
-        above=options.angle(shot["above"] or "5", "--above"),
-        exclude_sun=options.angle(shot["exclude_sun"] or "15", "--exclude-sun"),
-    )
-    return fit_photograph(planet, read_photograph(file, given), settings, progress=progress)
-
-
-def _settings(
-    free: str, each_scan: str, bounds: str, prior: str, start: str, uncertainty: str | None,
-    loss: str, quality: str, set_: list[str] | None, keep: bool,
-) -> FitSettings:  # fmt: skip
-    from airlight.fit.fit_sky import FitSettings
-    from airlight.fit.loss import LOSSES
-    from airlight.planets.reading.overrides import parsed
-    from airlight.units import quantity
-
-    if loss not in LOSSES:
-        raise ParameterError("--loss", loss, ", ".join(LOSSES))
-    names = _listed(free)
-    if not names:
-        raise ParameterError("--free", free, "a list such as aerosol.optical_depth, ground.albedo")
-    share = None
-    if uncertainty is not None:
-        share = quantity(uncertainty, "1", "--uncertainty")
-        if not 0.0 < share < 10.0:
-            raise ParameterError("--uncertainty", uncertainty, "a fraction such as 3% or 0.03")
-    return FitSettings(
-        free=names,
-        per_scan=_listed(each_scan),
-        bounds={name: _bound(name, text) for name, text in _pairs(bounds, "--bounds")},
-        priors={name: _prior(name, text) for name, text in _pairs(prior, "--prior")},
-        starts={
-            name: quantity(text, "1", f"--start {name}") for name, text in _pairs(start, "--start")
-        },
-        uncertainty=share,
-        loss=loss,
-        quality=quality,
-        overrides=dict(parsed(change) for change in set_ or []),
-        keep=keep,
+    shot = photograph.shot()
+    assert photograph.photo is not None
+    return fit_photograph(
+        planet, read_photograph(photograph.photo, shot), settings, progress=progress
     )
 
 

@@ -6,11 +6,14 @@ their names, defaults and help.
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import functools
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, get_type_hints
+
+from airlight.errors import ParameterError
 
 
 def expand_groups(command: Callable[..., None]) -> Callable[..., None]:
@@ -108,3 +111,48 @@ def given_options(group: Any, *fields: str) -> dict[str, Any]:
     defaults: Mapping[str, Any] = {one.name: one.default for one in dataclasses.fields(group)}
     values = {name: getattr(group, name) for name in fields or defaults}
     return {option_name(name): v for name, v in values.items() if v != defaults[name]}
+
+
+def read_options(group: Any, readers: Mapping[str, Callable[[str, str], Any]]) -> dict[str, Any]:
+    """Values of the texts of a group that are not None, by field.
+
+    Parameters
+    ----------
+    group : dataclass
+        Options of a command.
+    readers : mapping
+        Functions of text and name of the option, by field.
+    """
+    texts = {name: getattr(group, name) for name in readers}
+    return {
+        name: readers[name](text, option_name(name))
+        for name, text in texts.items()
+        if text is not None
+    }
+
+
+@contextlib.contextmanager
+def named_errors(*fields: str, **options: str) -> Iterator[None]:
+    """Put names of options into errors about fields.
+
+    Parameters
+    ----------
+    *fields : str
+        Fields whose option has their name.
+    **options : str
+        Options of fields of another name.
+
+    Examples
+    --------
+    >>> with named_errors("zone", free="--free"):
+    ...     raise ParameterError("zone", "x", "UTC")
+    Traceback (most recent call last):
+    airlight.errors.ParameterError: --zone is 'x'; allowed: UTC
+    """
+    names = {field: option_name(field) for field in fields} | options
+    try:
+        yield
+    except ParameterError as error:
+        if error.field not in names:
+            raise
+        raise error.named(names[error.field]) from None

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from airlight.cli import options
 from airlight.cli.console import console, say
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import named_errors, read_options
+from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import NoCache, NoPolarisation, wavelengths_option
 from airlight.errors import FileError, ParameterError
 from airlight.plots.catalogue import KINDS, Choices, Work, check_choices, draw, kind_named
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
 
 _KINDS = [f"{name}: {kind.sentence}" for name, kind in KINDS.items()]
 EPILOG = "\n\n".join(
@@ -49,31 +56,43 @@ def _print_kinds(asked: bool) -> None:
     raise typer.Exit
 
 
+@dataclass(frozen=True, kw_only=True)
+class ChoiceOptions:
+    """Options of a figure that some kinds use."""
+
+    wavelengths: Annotated[str | None, wavelengths_option("those of the kind")] = None
+    sun_zenith: Annotated[str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle.")] = (
+        None
+    )
+    altitude: Annotated[
+        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground.")
+    ] = None
+    quality: Annotated[
+        Literal["preview", "default", "fine"] | None,
+        typer.Option(help="Solver accuracy (that of the kind)."),
+    ] = None
+    no_polarisation: NoPolarisation = False
+
+    def choices(self, planet: Planet) -> Choices:
+        """Values of the options; None for those left out."""
+        nm = self.wavelengths
+        return Choices(
+            wavelengths=None if nm is None else options.wavelengths(nm, planet),
+            **read_options(self, {"sun_zenith": options.angle, "altitude": options.length}),
+            quality=self.quality,
+            polarisation=False if self.no_polarisation else None,
+        )
+
+
 def plot(
-    planet: options.Planet_,
+    planet: PlanetOptions,
     kind: Annotated[str, typer.Argument(metavar="KIND", help="Kind of figure; see --list.")],
     output: Annotated[
         Path,
         typer.Option("--output", "-o", metavar="FILE", help="Output figure: .png, .svg or .pdf."),
     ],
-    wavelengths: Annotated[
-        str | None,
-        typer.Option(
-            metavar="rgb|N|LIST",
-            help="Wavelengths: rgb (680, 550, 440 nm), a number over the visible, or a list in nm.",
-        ),
-    ] = None,
-    sun_zenith: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle.")
-    ] = None,
-    altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground.")
-    ] = None,
-    quality: Annotated[
-        Literal["preview", "default", "fine"] | None,
-        typer.Option(help="Solver accuracy."),
-    ] = None,
-    no_polarisation: options.NoPolarisation = False,
+    chosen: ChoiceOptions,
+    no_cache: NoCache = False,
     dpi: Annotated[
         float,
         typer.Option(
@@ -83,8 +102,6 @@ def plot(
     list_: Annotated[
         bool, typer.Option("--list", callback=_print_kinds, is_eager=True, help="List all kinds.")
     ] = False,
-    set_: options.Set = None,
-    no_cache: options.NoCache = False,
 ) -> None:
     """Plot a figure of a planet: star, atmosphere, radiation or tables.
 
@@ -101,19 +118,11 @@ def plot(
     if not _DPI[0] <= dpi <= _DPI[1]:
         raise ParameterError("--dpi", dpi, f"{_DPI[0]:g} to {_DPI[1]:g}")
     require_matplotlib()
-    world = options.planet(planet, set_)
-    choices = Choices(
-        wavelengths=None if wavelengths is None else options.wavelengths(wavelengths, world),
-        sun_zenith=None if sun_zenith is None else options.angle(sun_zenith, "--sun-zenith"),
-        altitude=None if altitude is None else options.length(altitude, "--altitude"),
-        quality=quality,
-        polarisation=False if no_polarisation else None,
-    )
-    try:
+    world = planet.load()
+    choices = chosen.choices(world)
+    texts = ("wavelengths", "sun_zenith", "altitude", "quality")
+    with named_errors(*texts, polarisation="--no-polarisation"):
         check_choices(kind, choices)
-    except ParameterError as error:
-        name = "no-polarisation" if error.field == "polarisation" else error.field
-        raise error.named(f"--{name.replace('_', '-')}") from None
     with shown_progress() as report:
         figure = draw(world, kind, choices, Work(cache=not no_cache, progress=report))
     with atomic_file(output) as part, part.open("wb") as file:

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli import distribution_options, options, time_and_place
+from airlight.cli import options
 from airlight.cli.console import note, say
+from airlight.cli.distribution_options import DistributionOptions
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import given_options, named_errors, option_name
+from airlight.cli.place_options import on_floor
+from airlight.cli.planet_options import LocalGroundOptions
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import SolveOptions, wavelengths_option
 from airlight.errors import ConflictError, ParameterError
 from airlight.input_files import LARGEST_CASES, check_input
 
@@ -40,8 +46,10 @@ SOLVERS = ("moments", "direct", "montecarlo")
 BLOCK = 4096
 
 
-def radiance(
-    planet: options.Planet_,
+@dataclass(frozen=True, kw_only=True)
+class ObserverOptions:
+    """Options of the observers: one, a table by lists and ranges, or a file."""
+
     altitude: Annotated[
         str | None,
         typer.Option(
@@ -49,18 +57,18 @@ def radiance(
             help="Observer altitude above ground (0m). Lists (0m,2km) and ranges (0:10:2km), here "
             "and below, print a table.",
         ),
-    ] = None,
+    ] = None
     sun_zenith: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Sun zenith angle at the observer.")
-    ] = None,
+    ] = None
     view_zenith: Annotated[
         str | None,
         typer.Option(metavar="ANGLE", help="View zenith angle at the observer."),
-    ] = None,
+    ] = None
     azimuth: Annotated[
         str | None,
         typer.Option(metavar="ANGLE", help="Azimuth between view and sun (0deg)."),
-    ] = None,
+    ] = None
     input_: Annotated[
         str | None,
         typer.Option(
@@ -69,7 +77,7 @@ def radiance(
             help="Input CSV with altitude_m, sun_zenith_deg, view_zenith_deg, azimuth_deg; - is "
             "standard input.",
         ),
-    ] = None,
+    ] = None
     output: Annotated[
         str,
         typer.Option(
@@ -79,7 +87,47 @@ def radiance(
             help="Output, with --input: .csv (the input with radiance_<nm>nm appended) or .nc "
             "(netCDF); - is standard output. An interrupted .csv is continued.",
         ),
-    ] = "-",
+    ] = "-"
+
+    @property
+    def labelled(self) -> bool:
+        """Whether the output is a netCDF file."""
+        return self.output.lower().endswith(".nc")
+
+    @property
+    def from_file(self) -> bool:
+        """Whether the observers are those of a file on disk."""
+        return self.input_ not in (None, "-")
+
+    def _texts(self) -> dict[str, str | None]:
+        names = ("altitude", "sun_zenith", "view_zenith", "azimuth")
+        return {option_name(name): getattr(self, name) for name in names}
+
+    def check_file(self, planet: LocalGroundOptions) -> None:
+        """Refuse options of one observer with a file of observers, and an unwritable target."""
+        from airlight.sweep.cases import check_table
+
+        where = given_options(planet, "latitude", "longitude")
+        for option, text in {**self._texts(), **where}.items():
+            if text is not None:
+                raise ConflictError(option, "cannot be combined with --input")
+        check_table(self.output)
+
+    def cases(self, planet: LocalGroundOptions) -> Cases:
+        """Observers of the file, or of the options."""
+        if self.input_ is None:
+            return _observers(self._texts(), self.output)
+        from airlight.sweep.cases import read_cases
+
+        self.check_file(planet)
+        return read_cases(self.input_)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SolverOptions(SolveOptions):
+    """Options of the solution and of the solver."""
+
+    wavelengths: Annotated[str | None, wavelengths_option("those of the planet")] = None
     stokes: Annotated[
         bool,
         typer.Option(
@@ -87,22 +135,14 @@ def radiance(
             help="Stokes parameters I, Q and U, degree (dolp) and angle of linear polarisation "
             "(aolp, from the meridian plane, counterclockwise, in degrees).",
         ),
-    ] = False,
-    wavelengths: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LIST", help="Wavelengths in nm, e.g. 680,550,440 (the planet's default)."
-        ),
-    ] = None,
-    quality: options.Quality = "default",
-    no_polarisation: options.NoPolarisation = False,
+    ] = False
     solver: Annotated[
         str,
         typer.Option(
             metavar="|".join(SOLVERS),
             help="Solver; montecarlo traces every radiance and adds its standard error.",
         ),
-    ] = "moments",
+    ] = "moments"
     relative_error: Annotated[
         float | None,
         typer.Option(
@@ -110,75 +150,60 @@ def radiance(
             help="Monte Carlo: target relative standard error (preview 0.03, default 0.005, fine "
             "0.001).",
         ),
-    ] = None,
+    ] = None
     seed: Annotated[
         int | None,
         typer.Option(metavar="NUMBER", help="Monte Carlo: seed of the random numbers (1)."),
-    ] = None,
-    latitude: options.Latitude = None,
-    longitude: options.Longitude = None,
-    ground_albedo: options.GroundAlbedo = None,
-    set_: options.Set = None,
-    no_cache: options.NoCache = False,
-    scheduler: distribution_options.Scheduler = None,
-    workers: distribution_options.Workers = None,
+    ] = None
+
+    def settings(self) -> Any:
+        """Name of the quality, or Monte Carlo settings made from it."""
+        if self.solver not in SOLVERS:
+            raise ParameterError("--solver", self.solver, ", ".join(SOLVERS))
+        if self.stokes and self.solver == "direct":
+            raise ConflictError("--stokes", "requires --solver moments or montecarlo")
+        if self.stokes and self.no_polarisation:
+            raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
+        if self.solver != "montecarlo":
+            for option in given_options(self, "relative_error", "seed"):
+                raise ConflictError(option, "requires --solver montecarlo")
+            return self.quality
+        from airlight.solvers.montecarlo.settings import settings_for
+
+        given = {"relative_error": self.relative_error, "seed": self.seed}
+        given = {name: value for name, value in given.items() if value is not None}
+        with named_errors(*given):
+            return replace(settings_for(self.quality), **given)  # type: ignore[arg-type]
+
+
+def radiance(
+    planet: LocalGroundOptions,
+    observers: ObserverOptions,
+    solve: SolverOptions,
+    distribution: DistributionOptions,
 ) -> None:
     """Compute spectral radiance along a line of sight, in W m⁻² sr⁻¹ nm⁻¹.
 
     The observer may be on the ground, in the air or outside it.
     """
-    settings = _settings(solver, quality, relative_error, seed)
-    if stokes and solver == "direct":
-        raise ConflictError("--stokes", "requires --solver moments or montecarlo")
-    if stokes and no_polarisation:
-        raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
-    single = {
-        "--altitude": altitude,
-        "--sun-zenith": sun_zenith,
-        "--view-zenith": view_zenith,
-        "--azimuth": azimuth,
-    }
-    labelled = output.lower().endswith(".nc")
-    if input_ not in (None, "-"):
-        check_input(input_, LARGEST_CASES)
-    long = input_ not in (None, "-") and solver == "moments" and not labelled
-    if not long and (scheduler is not None or workers is not None):
-        option = "--workers" if scheduler is None else "--scheduler"
+    settings = solve.settings()
+    if observers.from_file:
+        check_input(str(observers.input_), LARGEST_CASES)
+    long = observers.from_file and solve.solver == "moments" and not observers.labelled
+    for option in () if long else given_options(distribution):
         raise ConflictError(option, "requires --input FILE, a .csv output and --solver moments")
     if long:
-        assert input_ is not None
-        _check_many({**single, "--latitude": latitude, "--longitude": longitude}, output)
-        world = options.planet(planet, set_)
-        world = options.with_solved_ground(world, ground_albedo, None, None)
-        nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
-        _long_table(
-            world, input_, output, nm, stokes=stokes, quality=quality,
-            polarisation=not no_polarisation, cache=not no_cache, scheduler=scheduler,
-            workers=workers,
-        )  # fmt: skip
+        observers.check_file(planet)
+        world = planet.load()
+        _long_table(world, observers, solve.nm(world) or world.wavelengths, solve, distribution)
         return
-    if input_ is None:
-        cases = _observers(single, output)
-    else:
-        where = {"--latitude": latitude, "--longitude": longitude}
-        cases = _many_cases(input_, {**single, **where}, output)
-    world = options.planet(planet, set_)
-    if input_ is None:
-        height = float(cases.values[0, 0])
-        several = bool((cases.values[:, 0] != height).any())
-        if latitude is not None and several:
-            raise ConflictError("--latitude", "requires a single --altitude")
-        if several and cases.values[:, 0].min() < 0.0:
-            raise ParameterError("--altitude", altitude, "a single altitude if below 0")
-        world, above = time_and_place.on_floor(world, height)
-        if above != height:
-            height = cases.values[:, 0] = above
-        world = options.with_solved_ground(world, ground_albedo, latitude, longitude, height)
-    else:
-        world = options.with_solved_ground(world, ground_albedo, None, None)
-    nm = world.wavelengths if wavelengths is None else options.wavelengths(wavelengths, world)
-    sampled = solver == "montecarlo"
-    from airlight.solvers import solve
+    cases = observers.cases(planet)
+    world = planet.load()
+    if observers.input_ is None:
+        world = _ground_of(world, planet, observers, cases)
+    nm = solve.nm(world) or world.wavelengths
+    sampled, stokes = solve.solver == "montecarlo", solve.stokes
+    from airlight.solvers import solve as solved
     from airlight.sweep.cases import error_columns, radiance_columns, write_cases
 
     columns = radiance_columns(nm, stokes=stokes)
@@ -188,28 +213,23 @@ def radiance(
     errors: NDArray[np.float64] | None = None
     histories: NDArray[np.int64] | None = None
     with shown_progress() as report:
-        solution: Any = solve(
-            world,
-            wavelengths=nm,
-            quality=settings,
-            solver=solver,
-            polarisation=not no_polarisation,
-            cache=not no_cache,
-            progress=report,
-        )
+        solution: Any = solved(
+            world, wavelengths=nm, solver=solve.solver, progress=report,
+            **{**solve.keywords(), "quality": settings},
+        )  # fmt: skip
         if sampled:
             values, errors, histories = _estimates(solution, cases, stokes)
         else:
             values = _answers(solution, cases, len(columns), stokes, report)
-    if labelled:
+    if observers.labelled:
         from airlight.sweep.case_dataset import case_dataset, write_dataset
 
         data = case_dataset(
             cases, nm, values, errors, stokes=stokes, attributes=solution.provenance
         )
-        write_dataset(output, data)
+        write_dataset(observers.output, data)
     elif cases.header:
-        write_cases(output, cases, nm, values, errors, stokes=stokes)
+        write_cases(observers.output, cases, nm, values, errors, stokes=stokes)
     elif stokes:
         _print_stokes(nm, values[0], None if errors is None else errors[0], histories)
     else:
@@ -221,6 +241,22 @@ def radiance(
         note(solution.report.ground)
     if sampled and solution.report.unreached:
         note(solution.report)
+
+
+def _ground_of(
+    world: Planet, planet: LocalGroundOptions, observers: ObserverOptions, cases: Cases
+) -> Planet:
+    """Planet with the ground below the observers, whose altitudes become those above it."""
+    height = float(cases.values[0, 0])
+    several = bool((cases.values[:, 0] != height).any())
+    if planet.latitude is not None and several:
+        raise ConflictError("--latitude", "requires a single --altitude")
+    if several and cases.values[:, 0].min() < 0.0:
+        raise ParameterError("--altitude", observers.altitude, "a single altitude if below 0")
+    world, above = on_floor(world, height)
+    if above != height:
+        height = cases.values[:, 0] = above
+    return planet.local(world, height)
 
 
 def _print(
@@ -259,49 +295,28 @@ def _print_stokes(
 
 def _long_table(
     planet: Planet,
-    source: str,
-    target: str,
+    observers: ObserverOptions,
     nm: Sequence[float],
-    *,
-    stokes: bool,
-    quality: str,
-    polarisation: bool,
-    cache: bool,
-    scheduler: str | None,
-    workers: int | None,
+    solve: SolverOptions,
+    distribution: DistributionOptions,
 ) -> None:
     """Answer the rows of a file block by block."""
     from airlight.sweep.cases import case_blocks, radiance_columns
     from airlight.sweep.rows import answer_rows
 
-    with case_blocks(source, 1) as (head, _):
-        _warn_of_repeated(radiance_columns(nm, stokes=stokes), head.header)
-    alone = 1 if workers is None and scheduler is None else workers
-    with shown_progress() as report, distribution_options.named():
+    assert observers.input_ is not None
+    with case_blocks(observers.input_, 1) as (head, _):
+        _warn_of_repeated(radiance_columns(nm, stokes=solve.stokes), head.header)
+    parallel = distribution.keywords()
+    if not given_options(distribution):
+        parallel["workers"] = 1
+    with shown_progress() as report, distribution.named():
         kept = answer_rows(
-            planet, source, target, wavelengths=nm, quality=quality, polarisation=polarisation,
-            stokes=stokes, cache=cache, scheduler=scheduler, workers=alone, progress=report,
+            planet, observers.input_, observers.output, wavelengths=nm, stokes=solve.stokes,
+            progress=report, **solve.keywords(), **parallel,
         )  # fmt: skip
     if kept:
         note(f"{kept} rows had been computed before")
-
-
-def _many_cases(path: str, single: dict[str, str | None], output: str) -> Cases:
-    """Read the observers of a file; refuse other observers."""
-    from airlight.sweep.cases import read_cases
-
-    _check_many(single, output)
-    return read_cases(path)
-
-
-def _check_many(single: dict[str, str | None], output: str) -> None:
-    """Refuse options of one observer with a file of observers, and an unwritable target."""
-    from airlight.sweep.cases import check_table
-
-    for option, text in single.items():
-        if text is not None:
-            raise ConflictError(option, "cannot be combined with --input")
-    check_table(output)
 
 
 def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
@@ -311,28 +326,6 @@ def _warn_of_repeated(columns: Sequence[str], header: Sequence[str]) -> None:
         note(
             f"the input already has {', '.join(repeated)}; computed values are in the last columns"
         )
-
-
-def _settings(solver: str, quality: str, relative_error: float | None, seed: int | None) -> Any:
-    """Name of the quality, or Monte Carlo settings made from it."""
-    if solver not in SOLVERS:
-        raise ParameterError("--solver", solver, ", ".join(SOLVERS))
-    given = {"relative_error": relative_error, "seed": seed}
-    given = {name: value for name, value in given.items() if value is not None}
-    if solver != "montecarlo":
-        for name in given:
-            option = "--" + name.replace("_", "-")
-            raise ConflictError(option, "requires --solver montecarlo")
-        return quality
-    from dataclasses import replace
-
-    from airlight.solvers.montecarlo.settings import settings_for
-
-    try:
-        return replace(settings_for(quality), **given)  # type: ignore[arg-type]
-    except ParameterError as error:
-        option = "--" + error.field.replace("_", "-")
-        raise error.named(option) from None
 
 
 def _observers(texts: dict[str, str | None], output: str) -> Cases:

@@ -1,119 +1,41 @@
-"""Scene files on the command line: rendering, and overrides by options."""
+"""Scene files on the command line: overrides by options."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from airlight.cli import options
-from airlight.cli.progress import shown_progress
+from airlight.cli.camera_options import CameraOptions
+from airlight.cli.option_groups import given_options, named_errors
+from airlight.cli.place_options import PlaceOptions
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
-    from airlight.scene.frame import Frame
+    from airlight.cli.planet_options import PlanetOptions
     from airlight.system import System
 
 #: Keys of a camera that say where it looks.
 _LOOKS = ("look_at", "look_zenith", "look_bearing", "direction")
 
 
-@dataclass(frozen=True, kw_only=True)
-class SceneOptions:
-    """Texts of the options of ``airlight render`` that change a scene; None if left out.
-
-    Attributes
-    ----------
-    at, time, zone, altitude, latitude, longitude :
-        Place of the observer above the scene's own body, and time.
-    look_at, fov, roll, projection, polariser :
-        Camera.
-    changes : sequence of str or None
-        Arguments of ``--set``, which count last.
-    """
-
-    at: str | None = None
-    time: str | None = None
-    zone: str | None = None
-    altitude: str | None = None
-    latitude: str | None = None
-    longitude: str | None = None
-    look_at: str | None = None
-    fov: str | None = None
-    roll: str | None = None
-    projection: str | None = None
-    polariser: str | None = None
-    changes: list[str] | None = None
-
-
-def rendered(
-    name: str,
-    given: SceneOptions,
-    size: str | None,
-    crop: str | None,
-    wavelengths: str | None,
-    quality: str,
-    samples: int | None,
-    *,
-    whole: bool,
-    cache: bool,
-    excluded: Mapping[str, object],
-) -> tuple[Frame, tuple[int, int, int, int] | None]:
-    """Render a scene, with progress on the standard error stream; and its window.
-
-    Parameters
-    ----------
-    name : str
-        Preset or scene file.
-    given : SceneOptions
-        Overrides.
-    size, crop, wavelengths, quality, samples, cache :
-        Options of ``airlight render``.
-    whole : bool
-        Whether the whole picture is rendered, also of a window.
-    excluded : mapping
-        Options that are not available for scene files.
-
-    Raises
-    ------
-    ParameterError
-        If one of them is given, or a change is not possible.
-    """
-    from airlight.paint.render_system import render_system
-
-    for option, value in excluded.items():
-        if value:
-            raise ConflictError(option, "is not available for scene files")
-    system = changed(name, given)
-    columns, rows = options.picture_size(size, system.view.projection)
-    window = options.crop(crop, columns, rows)
-    first = next(iter(system.planets.values()), None)
-    nm = None
-    if wavelengths is not None:
-        if first is None:
-            raise ConflictError("--wavelengths", "does not apply to a scene without air")
-        nm = options.wavelengths(wavelengths, first)
-    with shown_progress() as report:
-        frame = render_system(
-            system, width=columns, height=rows, wavelengths=nm, quality=quality,
-            samples=samples, crop=None if whole else window, cache=cache, progress=report,
-        )  # fmt: skip
-    return frame, window
-
-
-def changed(name: str, given: SceneOptions) -> System:
+def load_scene(
+    planet: PlanetOptions, place: PlaceOptions | None = None, camera: CameraOptions | None = None
+) -> System:
     """Load a scene with the changes of the options.
 
     Parameters
     ----------
-    name : str
-        Preset or scene file.
-    given : SceneOptions
-        Overrides.
+    planet : PlanetOptions
+        Preset or scene file, and arguments of ``--set``, which count last.
+    place : PlaceOptions, optional
+        Place of the observer above the scene's own body, and time.
+    camera : CameraOptions, optional
+        Camera; fields that differ from their defaults replace those of the scene.
 
     Raises
     ------
@@ -124,28 +46,23 @@ def changed(name: str, given: SceneOptions) -> System:
     from airlight.planets.reading.reader import nested_tables
     from airlight.system.reading import changed_system, system_text
 
-    text, file, folder = system_text(name)
+    place, camera = place or PlaceOptions(), camera or CameraOptions()
+    text, file, folder = system_text(planet.planet)
     tables = nested_tables(text, file)
-    try:
-        last = dict(parsed(one) for one in given.changes or [])
-        changes = _of_place(given, tables)
+    with named_errors(**{FIELD: "--set"}):
+        last = dict(parsed(one) for one in planet.set_ or [])
+        changes = _of_place(place, tables)
         system = changed_system(tables, file, folder, {**changes, **last})
-        if given.time is not None:
-            changes["time"] = _moment(given, tables, system).isoformat()
+        if place.time_ is not None:
+            changes["time"] = _moment(place, tables, system).isoformat()
             system = changed_system(tables, file, folder, {**changes, **last})
-        changes |= _of_camera(given, tables, system)
+        changes |= _of_camera(camera, tables, system)
         return changed_system(tables, file, folder, {**changes, **last})
-    except ParameterError as error:
-        if error.field != FIELD:
-            raise
-        raise error.named("--set") from None
 
 
-def _of_place(given: SceneOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
+def _of_place(given: PlaceOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
     """Changes of the observer's place."""
-    named = {"--at": given.at, "--latitude": given.latitude, "--longitude": given.longitude,
-             "--altitude": given.altitude}  # fmt: skip
-    there = [option for option, text in named.items() if text is not None]
+    there = list(given_options(given, "at", "latitude", "longitude", "altitude"))
     if not there:
         return {}
     if "body" not in tables.get("observer", {}):
@@ -164,21 +81,21 @@ def _of_place(given: SceneOptions, tables: Mapping[str, Any]) -> dict[str, Any]:
         height = above if height is None else height
         changes = {"observer.latitude": f"{latitude!r} deg",
                    "observer.longitude": f"{longitude!r} deg"}  # fmt: skip
-    for option, text in (("--latitude", given.latitude), ("--longitude", given.longitude)):
-        if text is not None:
-            changes[f"observer.{option[2:]}"] = f"{options.angle(text, option)!r} deg"
+    for name in ("latitude", "longitude"):
+        if name in given.numbers():
+            changes[f"observer.{name}"] = f"{given.numbers()[name]!r} deg"
     if height is not None:
         option = "--at" if given.altitude is None else "--altitude"
         changes["observer.altitude"] = f"{options.length(height, option)!r} m"
     return changes
 
 
-def _moment(given: SceneOptions, tables: Mapping[str, Any], system: System) -> datetime:
+def _moment(given: PlaceOptions, tables: Mapping[str, Any], system: System) -> datetime:
     """Time of the scene."""
     from airlight.ephemeris.sky import Place
     from airlight.ephemeris.time_text import read_time
 
-    assert given.time is not None
+    assert given.time_ is not None
     parts = [*tables.get("bodies", []), *tables.get("lights", [])]
     if not any("ephemeris" in one for one in parts if isinstance(one, dict)):
         raise ConflictError("--time", "requires a scene with an ephemeris")
@@ -189,24 +106,18 @@ def _moment(given: SceneOptions, tables: Mapping[str, Any], system: System) -> d
         body=world, latitude=observer.latitude, longitude=observer.longitude,
         altitude=observer.altitude,
     )  # fmt: skip
-    try:
-        return read_time(given.time, place, zone=given.zone, field="--time")
-    except ParameterError as error:
-        field = "--zone" if error.field == "zone" else error.field
-        raise error.named(field) from None
+    with named_errors("zone"):
+        return read_time(given.time_, place, zone=given.zone, field="--time")
 
 
-def _of_camera(
-    given: SceneOptions, tables: Mapping[str, Any], system: System
-) -> dict[str, Any]:  # fmt: skip
+def _of_camera(given: CameraOptions, tables: Mapping[str, Any], system: System) -> dict[str, Any]:
     """Changes of the camera."""
     changes: dict[str, Any] = {}
-    for option, key, text in (("--fov", "field_of_view", given.fov), ("--roll", "roll", given.roll),
-                              ("--polariser", "polariser", given.polariser)):  # fmt: skip
-        if text is not None:
-            changes[f"camera.{key}"] = f"{options.angle(text, option)!r} deg"
-    if given.projection is not None:
-        changes["camera.projection"] = given.projection
+    keys = {"--fov": "field_of_view", "--roll": "roll", "--polariser": "polariser"}
+    for option, text in given_options(given, "fov", "roll", "polariser").items():
+        changes[f"camera.{keys[option]}"] = f"{options.angle(text, option)!r} deg"
+    for name in given_options(given, "projection").values():
+        changes["camera.projection"] = name
     if given.look_at is None:
         return changes
     camera = tables.get("camera", {})

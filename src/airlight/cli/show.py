@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from airlight.cli import options, scene_file
 from airlight.cli.comparison import print_comparison
 from airlight.cli.console import console
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import given_options
+from airlight.cli.planet_options import LocalGroundOptions, load
 from airlight.cli.scene_description import print_scene
+from airlight.cli.scene_file import load_scene
+from airlight.cli.solve_options import NoCache
 from airlight.errors import ConflictError, ParameterError
 
 if TYPE_CHECKING:
@@ -35,7 +38,7 @@ _SHORTEST, _LONGEST = 780.0, 20_000.0
 
 
 def show(
-    planet: options.Planet_,
+    planet: LocalGroundOptions,
     compare: Annotated[
         str | None,
         typer.Option(
@@ -43,11 +46,7 @@ def show(
             help="Planet to compare with: show the differences instead.",
         ),
     ] = None,
-    latitude: options.Latitude = None,
-    longitude: options.Longitude = None,
-    ground_albedo: options.GroundAlbedo = None,
-    set_: options.Set = None,
-    no_cache: options.NoCache = False,
+    no_cache: NoCache = False,
 ) -> None:
     """Show a planet: parameters, optical depths, phase functions, sky colour; or a scene.
 
@@ -57,22 +56,19 @@ def show(
     from airlight.planets.parameter_values import composition_of
     from airlight.system import is_scene_file
 
-    if is_scene_file(planet):
-        given = {"--compare": compare, "--latitude": latitude, "--longitude": longitude,
-                 "--ground-albedo": ground_albedo}  # fmt: skip
-        for option, value in given.items():
-            if value is not None:
-                raise ConflictError(option, "is not available for scene files")
-        print_scene(scene_file.changed(planet, scene_file.SceneOptions(changes=set_)))
+    if is_scene_file(planet.planet):
+        given = {} if compare is None else {"--compare": compare}
+        for option in given | given_options(planet, "latitude", "longitude", "ground_albedo"):
+            raise ConflictError(option, "is not available for scene files")
+        print_scene(load_scene(planet))
         return
-    world = options.planet(planet, set_)
-    world = options.with_solved_ground(world, ground_albedo, latitude, longitude)
+    world = planet.local(planet.load())
     if compare is not None:
-        print_comparison(world, options.planet(compare), cache=not no_cache)
+        print_comparison(world, load(compare), cache=not no_cache)
         return
     medium = Medium.from_planet(world, world.wavelengths)
     out = console()
-    out.print(_overview(world, medium, given=ground_albedo is not None), end="\n\n")
+    out.print(_overview(world, medium, given=planet.ground_albedo is not None), end="\n\n")
     out.print(_constituents(world), end="\n\n")
     if any(composition_of(one) for one in world.constituents):
         out.print(_composition(world), end="\n\n")

@@ -4,16 +4,24 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from airlight.cli import options, second_lights, time_and_place
-from airlight.cli.console import note, say
+from airlight.cli import options
+from airlight.cli.console import say
+from airlight.cli.display_options import DisplayOptions
 from airlight.cli.examples import examples
+from airlight.cli.light_options import LightOptions
+from airlight.cli.option_groups import given_options, named_errors
+from airlight.cli.place_options import PlaceOptions, check_coordinates, on_floor
+from airlight.cli.planet_options import GroundOptions
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import RenderOptions
 from airlight.errors import ConflictError, ParameterError
+from airlight.units import quantity
 
 if TYPE_CHECKING:
     from airlight.environment.consumers import Consumer
@@ -32,49 +40,77 @@ EPILOG = examples(
 )
 
 
-def sky(
-    planet: options.Planet_,
+@dataclass(frozen=True, kw_only=True)
+class ProgramOptions:
+    """Options of the program that reads the map."""
+
+    for_: Annotated[
+        Literal["blender", "mitsuba", "usd", "godot", "three", "unity", "pbrt", "dome"],
+        typer.Option("--for", help="Target program; sets orientation and axes."),
+    ]
+    front: Annotated[
+        str | None, typer.Option(metavar="BEARING", help="Dome: bearing at its bottom, S or 180.")
+    ] = None
+    tilt: Annotated[
+        str | None, typer.Option(metavar="ANGLE", help="Dome: tilt towards its front (0deg).")
+    ] = None
+    up: Annotated[Literal["y", "z"] | None, typer.Option(help="USD: up axis of the layer (y).")] = (
+        None
+    )
+
+    def consumer(self) -> Consumer:
+        """Program of ``--for``, a dome with its front, USD with its axis."""
+        from airlight.environment.consumers import consumer_named
+
+        consumer = consumer_named(self.for_)
+        if self.up is not None:
+            if self.for_ != "usd":
+                raise ConflictError("--up", "requires --for usd")
+            consumer = consumer.with_up(self.up)
+        if consumer.tilt is None:
+            for option in given_options(self, "front", "tilt"):
+                raise ConflictError(option, "requires --for dome")
+            return consumer
+        bearing = consumer.centre
+        if self.front is not None:
+            bearing = options.bearing(self.front, "--front")
+        tilt = 0.0 if self.tilt is None else options.angle(self.tilt, "--tilt")
+        with named_errors("front", "tilt"):
+            return consumer.facing(bearing, tilt)
+
+
+@dataclass(frozen=True, kw_only=True)
+class MapOptions:
+    """Options of the map and its file."""
+
     output: Annotated[
         Path,
         typer.Option(
             "--output", "-o", metavar="FILE", help="Output map: linear .exr or .hdr, or .png."
         ),
-    ],
-    for_: Annotated[
-        Literal["blender", "mitsuba", "usd", "godot", "three", "unity", "pbrt", "dome"],
-        typer.Option("--for", help="Target program; sets orientation and axes."),
-    ],
+    ]
     sun: Annotated[
         Literal["include", "exclude", "light"],
         typer.Option(
             help="Discs of sun and moon: in the map, excluded, or separate lights in the JSON (usd "
             "and mitsuba: in a scene)."
         ),
-    ] = "include",
+    ] = "include"
     ground: Annotated[
         Literal["neutral", "map", "black"],
         typer.Option(
             help="Lower half of the map: grey of the ground's albedo, the planet's map, or black."
         ),
-    ] = "neutral",
+    ] = "neutral"
     size: Annotated[
         str | None, typer.Option(metavar="N", help="Map width (2048; 1024 if square).")
-    ] = None,
-    front: Annotated[
-        str | None, typer.Option(metavar="BEARING", help="Dome: bearing at its bottom, S or 180.")
-    ] = None,
-    tilt: Annotated[
-        str | None, typer.Option(metavar="ANGLE", help="Dome: tilt towards its front (0deg).")
-    ] = None,
-    up: Annotated[
-        Literal["y", "z"] | None, typer.Option(help="USD: up axis of the layer (y).")
-    ] = None,
+    ] = None
     precision: Annotated[
         Literal["float", "half"], typer.Option(help="Number format of EXR channels.")
-    ] = "float",
+    ] = "float"
     compression: Annotated[
         Literal["zip", "dwa", "none"], typer.Option(help="EXR compression; dwa is lossy.")
-    ] = "zip",
+    ] = "zip"
     scale: Annotated[
         str,
         typer.Option(
@@ -82,37 +118,31 @@ def sky(
             help="Factor of the stored radiances, recorded in the header and the JSON; auto: 1, or "
             "a power of two that fits half floats.",
         ),
-    ] = "auto",
-    at: time_and_place.At = None,
-    time_: time_and_place.Time = None,
-    zone: time_and_place.Zone = None,
-    season: time_and_place.Season = None,
-    sun_distance: time_and_place.SunDistance = "true",
-    altitude: Annotated[
-        str | None, typer.Option(metavar="LENGTH", help="Observer altitude above ground (2m).")
-    ] = None,
-    sun_zenith: options.SunZenith = None,
-    sun_azimuth: options.SunAzimuth = None,
-    latitude: options.Latitude = None,
-    longitude: options.Longitude = None,
-    moon: second_lights.Moon = None,
-    second_star: second_lights.SecondStar = None,
-    stars: second_lights.Stars = False,
-    wavelengths: options.Wavelengths = None,
-    quality: options.Quality = "default",
-    no_polarisation: options.NoPolarisation = False,
-    device: options.Device = "cpu",
-    exact: options.Exact = False,
-    exposure: options.Exposure = None,
-    tone_map: options.ToneMap = "natural",
-    encoding: options.Encoding = "srgb",
-    primaries: options.Primaries = "srgb",
-    bits: options.Bits = 8,
-    glare: options.Glare = 1.0,
-    ground_albedo: options.GroundAlbedo = None,
-    set_: options.Set = None,
-    overwrite: options.Overwrite = False,
-    no_cache: options.NoCache = False,
+    ] = "auto"
+    overwrite: options.Overwrite = False
+
+    def factor(self) -> float | None:
+        """Factor of ``--scale``; None for auto."""
+        suffix = self.output.suffix.lower()
+        linear = ("precision", "compression", *(["scale"] if suffix == ".png" else []))
+        for option in given_options(self, *linear) if suffix != ".exr" else ():
+            raise ConflictError(option, f"does not apply to {suffix} files")
+        if self.scale.strip().lower() == "auto":
+            return None
+        value = quantity(self.scale, "1", "--scale")
+        if not 0.0 < value < math.inf:
+            raise ParameterError("--scale", self.scale, "auto, or a number above 0")
+        return value
+
+
+def sky(
+    planet: GroundOptions,
+    picture: MapOptions,
+    program: ProgramOptions,
+    place: PlaceOptions,
+    lights: LightOptions,
+    display: DisplayOptions,
+    solve: RenderOptions,
 ) -> None:
     """Write an observer's sky as an environment map, with a JSON file of its lights.
 
@@ -121,54 +151,20 @@ def sky(
     2 m above the ground, and the sun in the south, 60deg from the zenith.
     """
     started = time.perf_counter()
-    from airlight.cli.render import check_glare, check_tone_map
     from airlight.environment.environment_map import environment_map
     from airlight.environment.files import check_beside, write_map
-    from airlight.paint.render_scene import FEWEST
-    from airlight.paint.star_points import check_stars
     from airlight.scene import Camera, Scene
 
-    consumer = _consumer(for_, front, tilt, up)
-    check_beside(output, consumer, overwrite=overwrite)
-    suffix = output.suffix.lower()
-    options.only_for_png(
-        suffix, exposure, None, None, None, tone_map, encoding, primaries, bits, glare
-    )
-    ev = options.exposure("auto" if exposure is None else exposure)
-    check_tone_map(tone_map)
-    check_glare(glare)
-    if bits not in (8, 16):
-        raise ParameterError("--bits", bits, "8 or 16")
-    factor = _scale(scale)
-    if suffix != ".exr":
-        linear: dict[str, tuple[str, str]] = {
-            "--precision": (precision, "float"), "--compression": (compression, "zip"),
-        }  # fmt: skip
-        linear |= {"--scale": (scale, "auto")} if suffix == ".png" else {}
-        for option, (value, left_out) in linear.items():
-            if value != left_out:
-                raise ConflictError(option, f"does not apply to {suffix} files")
-    columns, rows = options.picture_size(size, consumer.projection)
-    world = options.planet(planet, set_)
-    if ground_albedo is not None:
-        world = options.with_ground_albedo(world, ground_albedo)
-    placed = time_and_place.given(
-        world, at, time_, zone, season,
-        {"--sun-zenith": sun_zenith, "--sun-azimuth": sun_azimuth, "--latitude": latitude,
-         "--longitude": longitude}, altitude,
-    )  # fmt: skip
-    if stars:
-        check_stars(world.body, consumer.projection, "--stars")
-    somewhere = placed is not None or latitude is not None or longitude is not None
-    for option, given, missing, other in (
-        ("--latitude", latitude, "--longitude", longitude),
-        ("--longitude", longitude, "--latitude", latitude),
-    ):
-        if given is not None and other is None:
-            raise ConflictError(option, f"requires {missing}")
-    if placed is None:
-        placed = time_and_place.by_angles(sun_zenith, sun_azimuth, latitude, longitude, altitude)
-    time_and_place.on_floor(world, placed.altitude)
+    consumer = program.consumer()
+    check_beside(picture.output, consumer, overwrite=picture.overwrite)
+    display.check(picture.output.suffix.lower())
+    factor = picture.factor()
+    columns, rows = options.picture_size(picture.size, consumer.projection)
+    world = planet.load()
+    placed = place.placed(world)
+    lights.check(world, consumer.projection)
+    check_coordinates(place)
+    on_floor(world, placed.altitude)
     scene = Scene(
         camera=Camera(projection=consumer.projection, width=columns, height=rows),
         altitude=placed.altitude,
@@ -177,78 +173,26 @@ def sky(
         latitude=placed.latitude,
         longitude=placed.longitude,
         time=placed.time,
-        secondary_lights=second_lights.given(moon, second_star, placed),
+        secondary_lights=lights.secondary(placed),
     )
-    if placed.time is not None:
-        world = time_and_place.lit(world, placed, sun_distance)
-    nm = None if wavelengths is None else options.wavelengths(wavelengths, world)
-    if nm is not None and len(nm) < FEWEST:
-        allowed = "rgb, 3 to 99, or three or more wavelengths: a map has colours"
-        raise ParameterError("--wavelengths", wavelengths, allowed)
-
-    def refused(reason: str) -> None:
-        note(f"falling back to the CPU: {reason}")
-
+    world = place.lit(world, placed)
+    nm = solve.picture_nm(world)
     with shown_progress() as report:
         made = environment_map(
-            world, scene, consumer, sun=sun, ground=ground, placed=somewhere,
-            local=ground_albedo is None, wavelengths=nm, quality=quality,
-            polarisation=not no_polarisation, device=device, exact=exact, stars=stars,
-            cache=not no_cache, refused=refused, progress=report,
+            world, scene, consumer, sun=picture.sun, ground=picture.ground,
+            placed=place.timed or place.latitude is not None,
+            local=planet.ground_albedo is None, wavelengths=nm, stars=lights.stars,
+            progress=report, **solve.keywords(),
         )  # fmt: skip
-    metadata = made.scene.metadata()
-    metadata |= {"changes": "; ".join(set_)} if set_ else {}
-    metadata |= {"ground_albedo": ground_albedo} if ground_albedo is not None else {}
-    try:
+    with named_errors("scale"):
         written = write_map(
-            output, made, precision=precision, compression=compression, scale=factor,
-            overwrite=overwrite,
-            metadata=metadata,
-            display={"exposure": ev, "tone_map": tone_map, "encoding": encoding,
-                     "primaries": primaries, "bits": bits, "glare": glare},
+            picture.output, made, precision=picture.precision, compression=picture.compression,
+            scale=factor, overwrite=picture.overwrite,
+            metadata=made.scene.metadata() | planet.changes(), display=display.keywords(),
         )  # fmt: skip
-    except ParameterError as error:
-        if error.field != "scale":
-            raise
-        raise error.named("--scale") from None
     if placed.time is not None:
-        say(time_and_place.line(world, placed, sun_distance))
-    _report(made, written, precision, time.perf_counter() - started)
-
-
-def _consumer(name: str, front: str | None, tilt: str | None, up: str | None) -> Consumer:
-    """Program of ``--for``, a dome with its front, USD with its axis."""
-    from airlight.environment.consumers import consumer_named
-
-    consumer = consumer_named(name)
-    if up is not None:
-        if name != "usd":
-            raise ConflictError("--up", "requires --for usd")
-        consumer = consumer.with_up(up)
-    if consumer.tilt is None:
-        for option, text in (("--front", front), ("--tilt", tilt)):
-            if text is not None:
-                raise ConflictError(option, "requires --for dome")
-        return consumer
-    bearing = consumer.centre
-    if front is not None:
-        bearing = options.bearing(front, "--front")
-    try:
-        return consumer.facing(bearing, 0.0 if tilt is None else options.angle(tilt, "--tilt"))
-    except ParameterError as error:
-        raise error.named(f"--{error.field}") from None
-
-
-def _scale(text: str) -> float | None:
-    """Factor of ``--scale``; None for auto."""
-    if text.strip().lower() == "auto":
-        return None
-    from airlight.units import quantity
-
-    value = quantity(text, "1", "--scale")
-    if not 0.0 < value < math.inf:
-        raise ParameterError("--scale", text, "auto, or a number above 0")
-    return value
+        say(place.line(world, placed))
+    _report(made, written, picture.precision, time.perf_counter() - started)
 
 
 def _report(made: EnvironmentMap, written: WrittenMap, precision: str, seconds: float) -> None:

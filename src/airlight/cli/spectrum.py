@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
@@ -11,10 +12,15 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import note, say
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import named_errors, read_options
+from airlight.cli.planet_options import PlanetOptions
 from airlight.cli.progress import shown_progress
-from airlight.errors import FileError, ParameterError
+from airlight.cli.solve_options import SolveOptions, wavelengths_option
+from airlight.errors import FileError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import xarray
 
     from airlight.planets.planet import Planet
@@ -36,8 +42,10 @@ _FIRST, _LAST, _STEP = 360, 830, 10
 _ROWS: Final = 24
 
 
-def spectrum(
-    planet: options.Planet_,
+@dataclass(frozen=True, kw_only=True)
+class ObservableOptions:
+    """Options of an observable."""
+
     of: Annotated[
         Literal["geometric-albedo", "bond-albedo", "phase-curve", "transmission", "limb", "disc"],
         typer.Option(
@@ -46,44 +54,61 @@ def spectrum(
             "transmission (effective radius in transit), limb (radiance over tangent height), disc "
             "(disc-integrated light, and contrast to the star)."
         ),
-    ],
-    wavelengths: Annotated[
-        str | None,
-        typer.Option(
-            metavar="rgb|N|LIST|FROM:TO:STEP",
-            help="Wavelengths in nm, e.g. 400:900:10 (360:830:10).",
-        ),
-    ] = None,
+    ]
     phase_angles: Annotated[
         str | None,
         typer.Option(
             metavar="LIST|FROM:TO:STEP",
             help="Phase angles of disc (0) and phase-curve (0:180:5).",
         ),
-    ] = None,
+    ] = None
     tangent_heights: Annotated[
         str | None,
         typer.Option(
             metavar="LIST|FROM:TO:STEP", help="Limb: tangent heights, e.g. 0:100:5km (60 heights)."
         ),
-    ] = None,
+    ] = None
     sun_zenith: Annotated[
         str | None,
         typer.Option(metavar="ANGLE", help="Limb: sun zenith angle at the tangent point (60deg)."),
-    ] = None,
+    ] = None
     azimuth: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLE",
             help="Limb: azimuth between line of sight and sun (90deg).",
         ),
-    ] = None,
+    ] = None
     radius: Annotated[
         str | None,
         typer.Option(
             metavar="LENGTH", help="Radius of the reference disc of albedos (that of the ground)."
         ),
-    ] = None,
+    ] = None
+
+    def numbers(self) -> dict[str, Any]:
+        """Arguments of ``observe``, those that are given."""
+        readers: dict[str, Callable[[str, str], Any]] = {
+            "phase_angles": lambda text, option: options.values(text, "deg", option),
+            "tangent_heights": lambda text, option: options.values(text, "m", option),
+            "sun_zenith": options.angle,
+            "azimuth": options.angle,
+            "radius": options.length,
+        }
+        return read_options(self, readers)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpectrumOptions(SolveOptions):
+    """Options of a solution at the wavelengths of a spectrum."""
+
+    wavelengths: Annotated[str | None, wavelengths_option("360:830:10")] = None
+
+
+def spectrum(
+    planet: PlanetOptions,
+    observable: ObservableOptions,
+    solve: SpectrumOptions,
     output: Annotated[
         list[Path] | None,
         typer.Option(
@@ -94,10 +119,6 @@ def spectrum(
             "Default: print the numbers.",
         ),
     ] = None,
-    quality: options.Quality = "default",
-    no_polarisation: options.NoPolarisation = False,
-    set_: options.Set = None,
-    no_cache: options.NoCache = False,
 ) -> None:
     """Compute observables of a planet: albedos, phase curve, transit, limb, disc.
 
@@ -107,37 +128,19 @@ def spectrum(
     from airlight.observables import observe
 
     files = _checked(output or [])
-    given: dict[str, Any] = {
-        "phase_angles": phase_angles and options.values(phase_angles, "deg", "--phase-angles"),
-        "tangent_heights": tangent_heights
-        and options.values(tangent_heights, "m", "--tangent-heights"),
-        "sun_zenith": sun_zenith and options.angle(sun_zenith, "--sun-zenith"),
-        "azimuth": azimuth and options.angle(azimuth, "--azimuth"),
-        "radius": radius and options.length(radius, "--radius"),
-    }
-    world = options.planet(planet, set_)
-    nm = options.wavelengths(wavelengths, world) if wavelengths else _known(world)
+    given = observable.numbers()
+    world = planet.load()
+    nm = solve.nm(world) or _known(world)
 
-    from airlight.solvers import solve
+    from airlight.solvers import solve as solved
 
     with shown_progress() as report:
-        solution = solve(
-            world, wavelengths=nm, quality=quality, polarisation=not no_polarisation,
-            cache=not no_cache, progress=report,
-        )  # fmt: skip
-        try:
-            data = observe(
-                solution, of, progress=report,
-                **{name: value for name, value in given.items() if value is not None},
-            )  # fmt: skip
-        except ParameterError as error:
-            if error.field not in given:
-                raise
-            option = "--" + error.field.replace("_", "-")
-            raise error.named(option) from None
+        solution = solved(world, wavelengths=nm, progress=report, **solve.keywords())
+        with named_errors(*given):
+            data = observe(solution, observable.of, progress=report, **given)
     for path in files:
         _write(path, data)
-        say(f"{path}  {of} of {world.name}  {time.perf_counter() - started:.1f} s")
+        say(f"{path}  {observable.of} of {world.name}  {time.perf_counter() - started:.1f} s")
     if not files:
         _print(data)
     note(data.attrs["notes"])

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from airlight.cli import distribution_options, options
+from airlight.cli import options
 from airlight.cli.console import note, say
+from airlight.cli.distribution_options import DistributionOptions
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import option_name
+from airlight.cli.planet_options import load
 from airlight.cli.progress import shown_progress
+from airlight.cli.solve_options import AccuracyOptions, NoPolarisation, wavelengths_option
 from airlight.errors import ConflictError, ParameterError
 
 EPILOG = examples(
@@ -25,15 +30,46 @@ EPILOG = examples(
 )
 
 
+@dataclass(frozen=True, kw_only=True)
+class AxisOptions:
+    """Options of the axes of a grid."""
+
+    sun_zenith: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Sun zenith angles, e.g. 0:90:5.")
+    ]
+    view_zenith: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="View zenith angles.")
+    ]
+    altitude: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Observer altitudes, e.g. 0m,2km.")
+    ] = "0m"
+    azimuth: Annotated[
+        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Azimuths between view and sun.")
+    ] = "0deg"
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="PATH=A,B,C",
+            help="Values of a key of the planet files: an additional axis. May be repeated.",
+        ),
+    ] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class GridSolveOptions(AccuracyOptions):
+    """Options of the solutions of a grid."""
+
+    wavelengths: Annotated[str | None, wavelengths_option("those of the first planet")] = None
+    no_polarisation: NoPolarisation = False
+    stokes: Annotated[
+        bool,
+        typer.Option("--stokes", help="Also store Q, U, degree and angle of polarisation."),
+    ] = False
+
+
 def sweep(
     planets: Annotated[
         list[str], typer.Argument(metavar="PLANET…", help="Planets: presets or TOML files.")
-    ],
-    sun_zenith: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Sun zenith angles, e.g. 0:90:5.")
-    ],
-    view_zenith: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="View zenith angles.")
     ],
     output: Annotated[
         Path,
@@ -44,31 +80,9 @@ def sweep(
             help="Output Zarr folder: new, or the sweep to continue.",
         ),
     ],
-    altitude: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Observer altitudes, e.g. 0m,2km.")
-    ] = "0m",
-    azimuth: Annotated[
-        str, typer.Option(metavar="LIST|FROM:TO:STEP", help="Azimuths between view and sun.")
-    ] = "0deg",
-    vary: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="PATH=A,B,C",
-            help="Values of a key of the planet files: an additional axis. May be repeated.",
-        ),
-    ] = None,
-    wavelengths: Annotated[
-        str | None,
-        typer.Option(metavar="LIST", help="Wavelengths in nm (default of the first planet)."),
-    ] = None,
-    quality: options.Quality = "default",
-    no_polarisation: options.NoPolarisation = False,
-    stokes: Annotated[
-        bool,
-        typer.Option("--stokes", help="Also store Q, U, degree and angle of polarisation."),
-    ] = False,
-    scheduler: distribution_options.Scheduler = None,
-    workers: distribution_options.Workers = None,
+    axes: AxisOptions,
+    solve: GridSolveOptions,
+    distribution: DistributionOptions,
 ) -> None:
     """Compute the missing or changed blocks of a grid of radiances, in W m⁻² sr⁻¹ nm⁻¹.
 
@@ -80,19 +94,19 @@ def sweep(
     from airlight.sweep import sweep as computed
     from airlight.sweep.store import check_store
 
-    if stokes and no_polarisation:
+    if solve.stokes and solve.no_polarisation:
         raise ConflictError("--stokes", "cannot be combined with --no-polarisation")
     check_store(output, "--output")
-    first = options.planet(planets[0])
+    first = load(planets[0])
     try:
         grid = Grid(
             planets=planets,
-            vary=dict(_varied(text) for text in vary or []),
-            altitude=options.values(altitude, "m", "--altitude"),
-            sun_zenith=options.values(sun_zenith, "deg", "--sun-zenith"),
-            view_zenith=options.values(view_zenith, "deg", "--view-zenith"),
-            azimuth=options.values(azimuth, "deg", "--azimuth"),
-            wavelengths=None if wavelengths is None else options.wavelengths(wavelengths, first),
+            vary=dict(_varied(text) for text in axes.vary or []),
+            altitude=options.values(axes.altitude, "m", "--altitude"),
+            sun_zenith=options.values(axes.sun_zenith, "deg", "--sun-zenith"),
+            view_zenith=options.values(axes.view_zenith, "deg", "--view-zenith"),
+            azimuth=options.values(axes.azimuth, "deg", "--azimuth"),
+            wavelengths=solve.nm(first),
         )
     except ParameterError as error:
         name = error.field.partition("[")[0]
@@ -100,12 +114,11 @@ def sweep(
             raise error.named("--vary") from None
         if name not in ("altitude", "sun_zenith", "view_zenith", "azimuth"):
             raise
-        option = "--" + error.field.replace("_", "-")
-        raise error.named(option) from None
-    with shown_progress() as report, distribution_options.named():
+        raise error.named(option_name(error.field)) from None
+    with shown_progress() as report, distribution.named():
         done = computed(
-            grid, output, quality=quality, polarisation=not no_polarisation, stokes=stokes,
-            scheduler=scheduler, workers=workers, on_message=note, progress=report,
+            grid, output, quality=solve.quality, polarisation=not solve.no_polarisation,
+            stokes=solve.stokes, on_message=note, progress=report, **distribution.keywords(),
         )  # fmt: skip
     size = " x ".join(f"{n} {name}" for n, name in zip(grid.shape, grid.dims, strict=True))
     say(f"{done.path}  {size}  {done.computed} blocks computed, {done.kept} unchanged  "

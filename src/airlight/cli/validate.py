@@ -11,6 +11,7 @@ import typer
 from airlight.cli import options
 from airlight.cli.console import say
 from airlight.cli.examples import examples
+from airlight.cli.option_groups import named_errors
 from airlight.cli.progress import shown_progress
 from airlight.errors import ParameterError
 
@@ -78,10 +79,8 @@ def validate(
     if pictures is not None:
         check_pictures(pictures, _page(output), overwrite=overwrite)
     names = suite or ["all"]
-    try:
+    with named_errors("suite", "data"):
         chosen(names, data)
-    except ParameterError as error:
-        raise error.named(f"--{error.field}") from None
     _check_matplotlib()
 
     from airlight.validation.provenance import provenance

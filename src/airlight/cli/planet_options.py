@@ -1,0 +1,183 @@
+"""Options of the planet: its name, ``--set``, ``--ground-albedo``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from airlight.cli.console import note
+from airlight.cli.option_groups import given_options, named_errors, read_options
+from airlight.cli.place_options import Latitude, Longitude, check_coordinates
+from airlight.errors import ConflictError, ParameterError, changed
+
+if TYPE_CHECKING:
+    from airlight.planets.planet import Planet
+
+Set = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="PATH=VALUE",
+        help="Override a key of the planet's file: ground.albedo=0.3, "
+        "dust.profile.scale_height='8 km'; PATH= removes it. May be repeated.",
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanetOptions:
+    """Planet and overrides of its file."""
+
+    planet: Annotated[
+        str, typer.Argument(metavar="PLANET", help="Name of a preset, or path of a TOML file.")
+    ]
+    set_: Set = None
+
+    def load(self) -> Planet:
+        """Planet with its overrides, see ``load``."""
+        return load(self.planet, self.set_)
+
+    def changes(self) -> dict[str, str]:
+        """Overrides, as metadata of a file."""
+        return {"changes": "; ".join(self.set_)} if self.set_ else {}
+
+
+@dataclass(frozen=True, kw_only=True)
+class GroundOptions(PlanetOptions):
+    """Planet, overrides of its file, and its surface albedo."""
+
+    ground_albedo: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ALBEDO",
+            help="Surface albedo used by the solver: 0.3; 440:0.2,550:0.3,680:0.35 by wavelength "
+            "in nm; or the name of a table. Default: the planet's map around the observer, or the "
+            "planet's file if there is no map.",
+        ),
+    ] = None
+
+    def load(self) -> Planet:
+        """Planet with its overrides and ``--ground-albedo``."""
+        planet = super().load()
+        if self.ground_albedo is None:
+            return planet
+        return with_ground_albedo(planet, self.ground_albedo)
+
+    def changes(self) -> dict[str, str]:
+        """Overrides and ``--ground-albedo``, as metadata of a file."""
+        given = {} if self.ground_albedo is None else {"ground_albedo": self.ground_albedo}
+        return super().changes() | given
+
+
+@dataclass(frozen=True, kw_only=True)
+class LocalGroundOptions(GroundOptions):
+    """Planet, overrides of its file, and its surface albedo, also of a place on its map."""
+
+    latitude: Latitude = None
+    longitude: Longitude = None
+
+    def local(self, planet: Planet, altitude: float = 0.0) -> Planet:
+        """Planet with the surface albedo around the coordinates; unchanged without them.
+
+        Parameters
+        ----------
+        planet : Planet
+            Planet of the command.
+        altitude : float
+            Altitude of the observer. [m]
+
+        Raises
+        ------
+        ParameterError
+            If options contradict each other, one coordinate is missing, or a value is out of range.
+        """
+        given = given_options(self, "latitude", "longitude")
+        for option in given:
+            if self.ground_albedo is not None:
+                raise ConflictError(option, "cannot be combined with --ground-albedo")
+        check_coordinates(self)
+        if not given:
+            return planet
+        from airlight.cli.options import angle
+        from airlight.scene.local_ground import local_ground
+
+        numbers = read_options(self, {"latitude": angle, "longitude": angle})
+        with named_errors("latitude", "longitude", "altitude"):
+            return local_ground(planet, **numbers, altitude=altitude)
+
+
+def load(name: str, changes: list[str] | None = None) -> Planet:
+    """Load the planet of a command.
+
+    Parameters
+    ----------
+    name : str
+        Name of a preset, or path of a planet file.
+    changes : list of str, optional
+        Arguments of ``--set``, each ``PATH=VALUE``; for a repeated path the last counts.
+
+    Raises
+    ------
+    ParameterError
+        If a path does not exist, or the changed file cannot be read.
+
+    Notes
+    -----
+    A constituent that a low top cuts off is named on the standard error stream.
+    """
+    from airlight.cli.progress import shown_progress
+    from airlight.planets import load_planet
+    from airlight.planets.reading.overrides import FIELD, parsed
+    from airlight.planets.truncated_constituents import truncated_constituents
+
+    try:
+        paths = dict(parsed(change) for change in changes or [])
+        with shown_progress() as report:
+            loaded = load_planet(name, paths, progress=report)
+    except ParameterError as error:
+
+        def of_the_option(one: ParameterError) -> ParameterError:
+            if one.field != FIELD:
+                return one
+            return one.named("--set")
+
+        raise changed(error, of_the_option) from None
+    for line in truncated_constituents(loaded):
+        note(line)
+    return loaded
+
+
+def with_ground_albedo(planet: Planet, text: str) -> Planet:
+    """Planet with the ground's albedo of ``--ground-albedo``, which its map leaves as it is.
+
+    Parameters
+    ----------
+    planet : Planet
+        Planet of the command.
+    text : str
+        A number, pairs of wavelength [nm] and albedo such as ``440:0.2,680:0.3``, or the name of a
+        table of reflectances.
+
+    Raises
+    ------
+    ParameterError
+        If it is none of these, or out of range.
+    """
+    from airlight.planets import replace
+    from airlight.planets.spectral import PerWavelength
+
+    option, allowed = "--ground-albedo", "0 to 1, nm:albedo pairs, or the name of a table"
+    albedo: float | str | PerWavelength = text.strip()
+    try:
+        if ":" in text:
+            pairs = [one.split(":") for one in text.split(",")]
+            nm, values = zip(*((float(one), float(other)) for one, other in pairs), strict=True)
+            albedo = PerWavelength(wavelengths=nm, values=values)
+        elif not text.strip()[:1].isalpha():
+            albedo = float(text)
+        return replace(planet, ground=replace(planet.ground, albedo=albedo, local=None))
+    except (ParameterError, ValueError) as error:
+        words = error.allowed if isinstance(error, ParameterError) else allowed
+        raise ParameterError(option, text, words) from None
