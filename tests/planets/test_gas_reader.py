@@ -133,7 +133,12 @@ WRONG = [
     ),
     (', gravity = "9.80665 m/s^2"', "", "constituents[0].gas.gravity is required", "scale height"),
     ("gravity", "gravty", "constituents[0].gas is 'gravty'", "'gravity'?"),
-    ("gas = {", "gas = { depolarisation = 0.7,", "constituents[0].gas.depolarisation", "linear molecule"),
+    (
+        "gas = {",
+        "gas = { depolarisation = 0.7,",
+        "constituents[0].gas.depolarisation",
+        "linear mol",
+    ),
     (
         "gas = {",
         'scattering = "1e-6 /m"\ngas = {',
