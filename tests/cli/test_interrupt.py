@@ -123,6 +123,25 @@ def test_a_command_that_is_still_imported_ends_in_a_line() -> None:
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "airlight: cancelled\n")
 
 
+def test_an_error_after_a_swallowed_interruption_is_a_cancellation() -> None:
+    # the compiler swallows Ctrl-C in a callback, and then misses what it has not compiled
+    script = (
+        "import signal, sys\n"
+        "import airlight.cli.app as app\n"
+        "def swallowed(*_, **__):\n"
+        "    try:\n"
+        "        signal.raise_signal(signal.SIGINT)\n"
+        "    except KeyboardInterrupt:\n"
+        "        pass\n"
+        "    raise RuntimeError('no compiled object yet')\n"
+        "app.app = swallowed\n"
+        "sys.argv = ['airlight', 'planets']\n"
+        "sys.exit(app.run_process())\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "airlight: cancelled\n")
+
+
 def test_an_interruption_that_a_callback_swallows_is_no_traceback() -> None:
     # ctypes calls back from the compiler; Python prints what such a callback raises, and goes on
     script = (

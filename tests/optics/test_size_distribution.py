@@ -67,6 +67,7 @@ def test_nodes_of_a_log_normal_distribution_carry_its_areas(median, deviation, p
     [
         (lambda: sd.gamma_sizes(1e-6, 0.5, 10), "effective_variance"),
         (lambda: sd.gamma_sizes(1e-6, 0.0, 10), "effective_variance"),
+        (lambda: sd.gamma_moment(2, 1e-6, 1e-308), "effective_variance"),
         (lambda: sd.gamma_sizes(0.0, 0.1, 10), "effective_radius"),
         (lambda: sd.gamma_density(1e-6, 1e-6, 0.7), "effective_variance"),
         (lambda: sd.log_normal_sizes(1e-6, 0.9, 10), "geometric_deviation"),

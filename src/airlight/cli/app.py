@@ -19,7 +19,13 @@ from typer.core import TyperCommand, TyperGroup
 from airlight.child_processes import SAFE_PATH
 from airlight.cli.console import note, noted_warnings
 from airlight.cli.examples import examples
-from airlight.cli.interrupt import INTERRUPTED, end_when_interrupted, leave, say_cancelled
+from airlight.cli.interrupt import (
+    INTERRUPTED,
+    end_when_interrupted,
+    leave,
+    received,
+    say_cancelled,
+)
 from airlight.cli.option_groups import expand_groups
 from airlight.errors import AirlightError, Cancelled
 from airlight.plain_text import brief
@@ -189,23 +195,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except Exception as error:
-        ended = _interruption(error)
-        if ended is None:
+        status = _interrupted_status(error)
+        if status is None:
             if debug:
                 traceback.print_exc()
             note(_one_line(error))
             return ERROR
-        status = ended.code if isinstance(ended, SystemExit) else INTERRUPTED
     if status == INTERRUPTED:
         say_cancelled()
     return status if isinstance(status, int) else 0
 
 
-def _interruption(error: BaseException | None) -> BaseException | None:
-    """Interruption that a library has wrapped in an error of its own."""
+def _interrupted_status(error: BaseException | None) -> Any:
+    """Status of an interruption that a library has wrapped in an error, or swallowed before it."""
     while error is not None and not isinstance(error, (KeyboardInterrupt, SystemExit)):
         error = error.__cause__ or error.__context__
-    return error
+    if error is None:
+        return received[-1] if received else None
+    return error.code if isinstance(error, SystemExit) else INTERRUPTED
 
 
 def _one_line(error: Exception) -> str:

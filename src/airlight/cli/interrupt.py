@@ -25,6 +25,8 @@ PATIENCE: Final = 0.4
 INTERRUPTED: Final = 130
 #: Set when the command itself has said that it was cancelled.
 answered: Final = threading.Event()
+#: Exit status by the signals that have arrived: the compiler may swallow what they raise.
+received: Final[list[int]] = []
 _saying: Final = threading.Lock()
 
 
@@ -85,12 +87,14 @@ def _unraisable(what: sys.UnraisableHookArgs) -> None:
 
 def _interrupted(*_: object) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a second one would interrupt the tidying
+    received.append(INTERRUPTED)
     raise KeyboardInterrupt
 
 
 def _terminated(*_: object) -> None:
     answered.set()
-    raise SystemExit(128 + signal.SIGTERM)
+    received.append(128 + signal.SIGTERM)
+    raise SystemExit(received[-1])
 
 
 def say_cancelled() -> None:

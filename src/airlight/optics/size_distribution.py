@@ -20,6 +20,8 @@ FloatArray = npt.NDArray[np.float64]
 _SMALL_SHARE: Final = 1e-6
 #: Fraction of Σ r⁴, forward scattering, in the omitted large radii.
 _LARGE_SHARE: Final = 1e-6
+#: Effective variance below which nodes do not carry all of the particles. [1]
+SMALLEST_VARIANCE: Final = 1e-9
 
 
 class SizeNodes(NamedTuple):
@@ -42,8 +44,9 @@ def _check_gamma(effective_radius: float, effective_variance: float) -> float:
     """The shape (1-2b)/b of a gamma distribution whose parameters are in range. [1]"""
     if not effective_radius > 0.0:
         raise ParameterError("effective_radius", effective_radius, "more than 0 m")
-    if not 0.0 < effective_variance < 0.5:
-        raise ParameterError("effective_variance", effective_variance, "more than 0, below 0.5")
+    if not SMALLEST_VARIANCE < effective_variance < 0.5:
+        allowed = f"more than {SMALLEST_VARIANCE:g}, below 0.5; spheres of one size have a radius"
+        raise ParameterError("effective_variance", effective_variance, allowed)
     return (1.0 - 2.0 * effective_variance) / effective_variance
 
 
@@ -90,8 +93,10 @@ def gamma_density(
     return np.asarray(np.exp((shape - 1.0) * np.log(t) - t - math.lgamma(shape)) / scale)
 
 
-def gamma_moment(power: float, effective_radius: float, effective_variance: float) -> float:
+def gamma_moment(power: int, effective_radius: float, effective_variance: float) -> float:
     """Mean of r^power over a gamma distribution: (ab)^p Γ(s + p)/Γ(s), s = (1-2b)/b. [m^power]
+
+    For whole powers this is a^p Π (1 + (i - 2) b), i from 0 to p - 1, exact for all b.
 
     Examples
     --------
@@ -99,9 +104,9 @@ def gamma_moment(power: float, effective_radius: float, effective_variance: floa
     >>> round(third / second * 1e6, 12)  # the effective radius [µm]
     1.6
     """
-    shape = _check_gamma(effective_radius, effective_variance)
-    scale = effective_radius * effective_variance
-    return float(scale**power) * math.exp(math.lgamma(shape + power) - math.lgamma(shape))
+    _check_gamma(effective_radius, effective_variance)
+    factors = (1.0 + (i - 2.0) * effective_variance for i in range(power))
+    return effective_radius**power * math.prod(factors)
 
 
 def gamma_limits(effective_radius: float, effective_variance: float) -> tuple[float, float]:

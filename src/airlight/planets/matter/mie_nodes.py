@@ -105,7 +105,7 @@ def node_wavelengths(
 @cache
 def nearly_one_size(sizes: ParticleSizes) -> bool:
     """Whether the rings and ripples of single spheres show in the light of all."""
-    variance = sizes.moment(2.0) * sizes.moment(4.0) / sizes.moment(3.0) ** 2 - 1.0
+    variance = sizes.moment(2) * sizes.moment(4) / sizes.moment(3) ** 2 - 1.0
     return variance < _NARROW
 
 
@@ -131,7 +131,7 @@ def phase_angles(sizes: ParticleSizes) -> FloatArray:
 
 def _finest(sizes: ParticleSizes, wavelength: float) -> float:
     """Size parameter of the radius with the finest resolved ripples. [1]"""
-    radius = sizes.moment(8.0) / sizes.moment(7.0)
+    radius = sizes.moment(8) / sizes.moment(7)
     return min(2.0 * np.pi * radius / (1e-9 * wavelength), mie.LARGEST_SIZE_PARAMETER)
 
 

@@ -19,7 +19,7 @@ class ParticleSizes(TomlModel, ABC):
     """Distribution of the radii of particles."""
 
     @abstractmethod
-    def moment(self, power: float) -> float:
+    def moment(self, power: int) -> float:
         """Mean of r^power. [m^power]"""
 
     @abstractmethod
@@ -69,7 +69,7 @@ class GammaSizes(ParticleSizes):
         ),
     ]
 
-    def moment(self, power: float) -> float:
+    def moment(self, power: int) -> float:
         """Mean of r^power. [m^power]"""
         return distribution.gamma_moment(power, self.effective_radius, self.effective_variance)
 
@@ -109,7 +109,7 @@ class LogNormalSizes(ParticleSizes):
         ),
     ]
 
-    def moment(self, power: float) -> float:
+    def moment(self, power: int) -> float:
         """Mean of r^power. [m^power]"""
         if self.geometric_deviation == 1.0:
             return float(self.median_radius**power)
@@ -136,7 +136,7 @@ class SingleSize(ParticleSizes):
 
     radius: Annotated[float, radius_key("radius", "The same for all.")]
 
-    def moment(self, power: float) -> float:
+    def moment(self, power: int) -> float:
         """Mean of r^power. [m^power]"""
         return float(self.radius**power)
 
