@@ -103,7 +103,7 @@ def test_levels_in_very_deep_layers_are_bounded() -> None:
     sizes = {}
     for depth in (40.0, 2e3, 2e6):
         levels = radial_grid(even, Depths(altitude, 0.5 * depth * inside, layers), 24)
-        sizes[depth] = levels.altitudes[:: levels.parts].size
+        sizes[depth] = levels.altitudes[:: levels.refinement].size
         assert_array_less(0.0, np.diff(levels.row))
     assert sizes[2e3] == sizes[2e6] <= 24 + 4 * 23 + 4 * 23 + 2 * 8 + 5
     assert sizes[40.0] < sizes[2e3] - 40
