@@ -254,7 +254,7 @@ def test_depth_that_is_no_number_is_sky_and_counted(earth: MomentsSolution) -> N
     missing, endless = np.full((6, 8), 100.0), np.full((6, 8), 100.0)
     missing[1, 2:5], endless[1, 2:5] = np.nan, np.inf
     for alpha in (None, np.ones((6, 8))):
-        with pytest.warns(AirlightWarning, match="not a number in 3 pixels"):
+        with pytest.warns(AirlightWarning, match="depth is NaN in 3 pixels"):
             composed = compose(depth=missing, alpha=alpha, **given)
         assert_array_equal(composed.rgb, compose(depth=endless, alpha=alpha, **given).rgb)
         assert np.isfinite(composed.rgb).all()

@@ -139,7 +139,7 @@ def test_a_file_that_is_no_frame_is_left_alone(rock: Path, tmp_path: Path, kind:
         write_picture(file, np.ones((4, 4, 3), np.float32))
     with pytest.raises(FileError, match=r"rock_00002\.png: is not a ") as refusal:
         rendered(rock, folder)
-    assert "name another folder" in str(refusal.value)
+    assert "choose another folder" in str(refusal.value)
     assert [one.name for one in folder.iterdir()] == ["rock_00002.png"]
     assert note.read_text() == "mine"
 
@@ -167,7 +167,7 @@ def test_a_full_disk_is_one_line_and_frames_are_kept(
     assert sorted(contents(folder)) == ["rock_00001.png", "rock_00002.png"]
     left[0] = 100
     assert main(words) == 0
-    assert "2 rendered, 2 kept" in capsys.readouterr().out
+    assert "2 rendered, 2 unchanged" in capsys.readouterr().out
 
 
 def test_a_closed_folder_is_refused_before_anything_is_drawn(

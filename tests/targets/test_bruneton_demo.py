@@ -136,14 +136,14 @@ def test_what_is_no_folder_of_the_demo_is_refused(earth: Path, tmp_path: Path) -
     with pytest.raises(FileError, match=r"planet\.json: cannot be read"):
         read_tables(tmp_path)
     (tmp_path / "planet.json").write_text("{}", encoding="utf-8")
-    with pytest.raises(FileError, match="not a folder of --layout bruneton-demo"):
+    with pytest.raises(FileError, match="not a folder of layout bruneton-demo"):
         read_tables(tmp_path)
     for name in ("planet.json", *BYTES):
         shutil.copy(earth / name, tmp_path / name)
     read_tables(tmp_path)
     with (tmp_path / "scattering.dat").open("ab") as file:
         file.write(bytes(16))
-    with pytest.raises(FileError, match="not a folder of --layout bruneton-demo"):
+    with pytest.raises(FileError, match="not a folder of layout bruneton-demo"):
         read_tables(tmp_path)
 
 
@@ -152,7 +152,7 @@ def test_what_cannot_be_written_is_refused_in_one_line(
 ) -> None:
     planet = replace(load_planet("earth"), refraction="none")
     solution = solved(planet, TARGET.wavelengths, quality="preview")
-    with pytest.raises(ParameterError, match="--lowest-sun is 80"):
+    with pytest.raises(ParameterError, match="lowest_sun is 80"):
         TARGET.write(solution, tmp_path / "a", lowest_sun=80.0)
     with pytest.raises(ParameterError, match="mie does not apply to layout"):
         TARGET.write(solution, tmp_path / "a", mie="separate")

@@ -133,10 +133,10 @@ def test_what_cannot_be_written_is_refused_in_one_line(
 ) -> None:
     planet = replace(load_planet("earth"), refraction="none")
     solution = solved(planet, (680.0, 550.0, 440.0), quality="preview")
-    with pytest.raises(ParameterError, match="--mie is 'both'; allowed: separate, combined"):
+    with pytest.raises(ParameterError, match="mie is 'both'; allowed: separate, combined"):
         TARGET.write(solution, tmp_path / "a", mie="both")
-    with pytest.raises(ParameterError, match="--lowest-sun is 80"):
+    with pytest.raises(ParameterError, match="lowest_sun is 80"):
         TARGET.write(solution, tmp_path / "a", lowest_sun=80.0)
-    with pytest.raises(FileError, match="not a folder of --layout takram"):
+    with pytest.raises(FileError, match="not a folder of layout takram"):
         read_tables(tmp_path)
     assert list(tmp_path.iterdir()) == []

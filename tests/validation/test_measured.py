@@ -307,7 +307,7 @@ def test_damaged_phase_functions_are_refused_in_one_line(tmp_path: Path) -> None
     file = tmp_path / kider_planets.FILE
     for body, said in (
         ("0,1,x\n180,1,1\n", "not a table of numbers"),
-        ("0,1\n180,1\n", "rows of other lengths"),
+        ("0,1\n180,1\n", "rows that do not match"),
         ("0,-1,1\n180,1,1\n", "not above 0"),
         ("0,1.2,1.2\n180,1.2,1.2\n", "integrates to 15.080"),
     ):
