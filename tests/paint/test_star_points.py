@@ -107,7 +107,7 @@ def test_stars_need_a_known_world_and_lines_that_differ(earth: MomentsSolution) 
         with pytest.raises(ParameterError, match="a planet whose body is"):
             add_catalogue(rgb, looking_at_sirius(), earth, body)
     disc = Camera(projection="orthographic", width=120, height=80, extent=14e6)
-    with pytest.raises(ParameterError, match="a single direction"):
+    with pytest.raises(ParameterError, match="cannot be combined with projection orthographic"):
         add_catalogue(rgb, Scene(camera=disc), earth, "earth")
 
 

@@ -155,7 +155,7 @@ def test_the_frames_of_a_film_are_announced_before_the_first(
     announced: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(PlanetFrameSpec, "prepare", never)
-    monkeypatch.setattr(PlanetFrameSpec, "frame", never)
+    monkeypatch.setattr(PlanetFrameSpec, "render", never)
     found = []
     for frames, albedo in ((60, "0.1, 0.1"), (600, "0.1, 0.1"), (600, "0.1, 0.2")):
         keys = [{"path": "ground.albedo", "values": albedo}]

@@ -133,7 +133,7 @@ def test_what_made_the_report_is_said(report: ValidationReport) -> None:
         assert f"<dt>{name}</dt>" in page
         if name not in ("date", "machine"):
             assert value in page
-    assert "processors used" in page
+    assert "cores used" in page
 
 
 def test_markdown_names_its_pictures_and_they_are_there(report: ValidationReport) -> None:
