@@ -136,7 +136,10 @@ fn number(index: i32) -> f32 {{ return textureLoad(given, vec2i(index & 2047, in
     def run(rows: np.ndarray) -> np.ndarray:
         textures = pictures._textures
         assert textures is not None
-        numbers: dict[str, Any] = {**view_uniforms(Scene(), pictures._require_solution()), **textures.uniforms}
+        numbers: dict[str, Any] = {
+            **view_uniforms(Scene(), pictures._require_solution()),
+            **textures.uniforms,
+        }
         use = wgpu.BufferUsage.UNIFORM | wgpu.BufferUsage.COPY_DST
         values = FRAME.packed(
             {**numbers, "separated_1": -1.0, "separated_2": -1.0}, textures.places
