@@ -108,8 +108,8 @@ def orders():
     medium = Medium.from_planet(planet, [440.0])
     # coarse tables: both sums are 0.4 % off together
     coarse = DirectSettings(
-        radii=10, views=12, sun_angles=16, scatter_angles=6, zenith_steps=6, azimuth_steps=12, steps=12,
-        pass_steps=8, orders=12, keep_orders=False,
+        radii=10, views=12, sun_angles=16, scatter_angles=6, zenith_steps=6, azimuth_steps=12,
+        steps=12, pass_steps=8, orders=12, keep_orders=False,
     )  # fmt: skip
 
     def zenith(literal):
