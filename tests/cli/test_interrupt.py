@@ -127,6 +127,7 @@ def test_an_error_after_a_swallowed_interruption_is_a_cancellation() -> None:
     # the compiler swallows Ctrl-C in a callback, and then misses what it has not compiled
     script = (
         "import signal, sys\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "import airlight.cli.app as app\n"
         "def swallowed(*_, **__):\n"
         "    try:\n"
