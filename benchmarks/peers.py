@@ -122,7 +122,7 @@ def cases() -> dict[str, dict[str, Any]]:
 
 
 def measured(case: dict[str, Any]) -> tuple[float, float, float, Any] | str:
-    """CPU time, time on the clock [s], peak memory [MiB], values; or why there are none."""
+    """CPU time, wall time [s], peak memory [MiB], values; or why there are none."""
     words = [json.dumps(case), str(Path(__file__).parent)]
     done = subprocess.run(
         [sys.executable, "-P", "-c", CHILD, *words], capture_output=True, text=True, check=False

@@ -74,7 +74,7 @@ print(json.dumps([time.process_time() - began, time.perf_counter() - clock,
 
 
 def measured(what: str, size: int) -> tuple[float, float, float]:
-    """CPU time, time on the clock [s] and peak memory [MiB] of one process."""
+    """CPU time, wall time [s] and peak memory [MiB] of one process."""
     done = subprocess.run(
         [sys.executable, "-P", "-c", CHILD, what, str(size)],
         check=True,

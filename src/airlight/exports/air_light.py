@@ -61,8 +61,8 @@ class AirLight:
     cumulative : bool
         Whether all orders up to ``order`` are included.
     peaks_once : bool
-        Whether what forward peaks scatter again counts as light scattered once where that is given
-        apart.
+        Whether multiple scattering within forward peaks counts as single scattering where that is
+        separate.
 
     Raises
     ------

@@ -29,7 +29,7 @@ FloatArray = NDArray[np.float64]
 
 #: Number of azimuths of the fit: midpoints of equal parts of half a turn.
 FIT_AZIMUTHS: Final = 8
-#: Weight of the light scattered once in the fit, where azimuths do not determine it (a view
+#: Weight of single scattering in the fit, where azimuths do not determine it (a view
 #: straight up has one angle to the sun only). [1]
 _PRIOR: Final = 1e-4
 #: Radiance below this fraction of a point's largest is raised to it in the fit's weights. [1]

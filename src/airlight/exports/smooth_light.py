@@ -1,7 +1,7 @@
 """Angular shape of the smooth light: the divisor of the table ``scattering``.
 
-Light scattered once by the gas, or more than once, has a wide peak towards the star where the air
-is dusty: it was scattered twice by small angles. Eight linear texels of nu lose that peak, but its
+Single scattering by the gas, and multiple scattering, have a wide peak towards the star where the
+air is dusty: small-angle scattering in addition. Eight linear texels of nu lose that peak, but its
 shape is nearly the same from place to place. So the smooth light is divided by the shape that it
 has along one reference line of sight, read as a phase function, and the table holds the ratio,
 which varies little. An angle that no view and star of a texel can have is filled by the same shape.
@@ -57,7 +57,7 @@ def smooth_phases(
     phases : PhaseFunctions
         ``smooth``, or ``rayleigh``, then those of the particles of ``groups``. [sr⁻¹]
     rest : array, shape (nl, nodes)
-        Shape of the smooth light without that scattered once by the gas, on the same nodes. [1]
+        Shape of the smooth light without single scattering by the gas, on the same nodes. [1]
     """
     medium = air.solution.medium
     mu = float(np.cos(np.radians(_ZENITH)))

@@ -12,7 +12,7 @@ from airlight.kernel import kernel
 def chosen_kernel(name: str, choices: Sequence[Any], module: str) -> Any:
     """Kernel of a number and the arguments of the chosen kernel, which it calls.
 
-    Written out as a chain of ``if``, since processors have no tables of functions: compilers,
+    Written out as a chain of ``if``, since GPUs have no tables of functions: compilers,
     Numba's and the emitter's, choose at once where the number is a constant.
 
     Parameters

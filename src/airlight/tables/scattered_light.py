@@ -2,8 +2,7 @@
 
 A table without the angle between view and sun, or with few texels along it, cannot resolve the peak
 of a phase function. So light is packed as a smooth part, to be multiplied by the gas's phase
-function, and the light scattered once by particles, to be multiplied by theirs. The particles' part
-has a
+function, and single scattering by particles, to be multiplied by theirs. The particles' part has a
 table of its own, or one channel: then its colours follow the smooth part (Bruneton & Neyret 2008,
 section 4) or are grey (Atmosphere Plus notes, first print, section 2.3).
 """

@@ -3,7 +3,7 @@
 Units and keys are those of ``RenderableAtmosphere``: km, km⁻¹, a Cornette-Shanks lobe. Two of its
 habits shape the file. The extinction of particles is their scattering over *one* single scattering
 albedo, that of red, whatever ``Extinction`` says of green and blue. And with an ozone layer the
-molecules' light scattered once gets a second density, exp(-h/H_O), besides its own: ozone would
+molecules' single scattering gets a second density, exp(-h/H_O), besides its own: ozone would
 brighten the sky several times. So its coefficients are written without ``H_O``: the layer is off.
 """
 

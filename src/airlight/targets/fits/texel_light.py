@@ -75,7 +75,7 @@ class TexelFit:
         smooth : array, shape (texels, fine angles, nl)
             Light over Rayleigh's phase function, at the fine angles.
         once : list of array, of the same shape
-            Light scattered once by each kind of particles, over its phase function.
+            Single scattering by each kind of particles, over its phase function.
         start : array, shape (texels, 2·angles, nl)
             S and M that are kept where the light does not tell.
         signed : array of bool, shape (texels,)
