@@ -1,0 +1,1 @@
+"""Files for other programs: baked tables, environment maps, composition, named targets."""

@@ -1,0 +1,1 @@
+"""Files: inputs of others, outputs written whole or not at all, manifests, locks, caches."""

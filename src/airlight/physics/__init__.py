@@ -1,0 +1,1 @@
+"""Constants, units, spectra and the optics of gases, particles and ground."""

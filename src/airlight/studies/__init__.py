@@ -1,0 +1,1 @@
+"""Many solutions or pictures: fits, sweeps, films, observables, plots and their reports."""
