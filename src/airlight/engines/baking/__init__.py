@@ -1,0 +1,1 @@
+"""Tables for engines: sky light, transmittance and irradiance, with their error and look-ups."""
