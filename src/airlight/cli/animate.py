@@ -61,7 +61,7 @@ class PlanOptions:
         typer.Option(
             metavar="PATH=A,B[,C …] [LAW]",
             help="Key frames of a number: 'view.altitude=2m,400km exponential'. Laws: "
-            "{film.laws:LAWS}. May be repeated.",
+            "{studies.film.laws:LAWS}. May be repeated.",
         ),
     ] = None
     set_: Annotated[

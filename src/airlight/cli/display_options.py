@@ -37,7 +37,7 @@ class ToneOptions:
         str | None, typer.Option(metavar="TIME", help="Camera shutter time, e.g. 1/250s.")
     ] = None
     tone_map: Annotated[
-        str, typer.Option(metavar="NAME", help="Tone map: {color.tone_maps:TONE_MAPS}.")
+        str, typer.Option(metavar="NAME", help="Tone map: {image.tone_maps:TONE_MAPS}.")
     ] = "natural"
     glare: Annotated[
         float,

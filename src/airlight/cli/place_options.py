@@ -122,7 +122,7 @@ class PlaceOptions(AngleOptions):
             "--time",
             metavar="TIME",
             help="Time, with --at: 2026-06-21T22:10+02:00, …Z, or without a zone with --zone; or "
-            "an event, optionally after a date: {ephemeris.events:WORDS}.",
+            "an event, optionally after a date: {geometry.ephemeris.events:WORDS}.",
         ),
     ] = None
     zone: Zone = None
