@@ -16,6 +16,7 @@ import numpy as np
 from tally import Tally
 
 from airlight.errors import ParameterError
+from airlight.kernel.memory import give_back
 from airlight.planets import Planet
 from airlight.planets.medium import Medium
 from airlight.render import render
@@ -205,8 +206,9 @@ def quick_solving(session: Session) -> SolverThread:
 
 
 def resident() -> float:
-    """Memory of this process. [byte]"""
+    """Memory in use by this process, without what the allocator keeps for later. [byte]"""
     gc.collect()
+    give_back()
     return 1024.0 * float(Path("/proc/self/status").read_text().split("VmRSS:")[1].split()[0])
 
 
