@@ -35,13 +35,7 @@ def cache_folder() -> Path:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder, and those above it that are missing, for this user alone (mode 0700).
-
-    Raises
-    ------
-    OSError
-        If that is not possible.
-    """
+    """Make a folder, and those above it that are missing, for this user alone (mode 0700)."""
     missing = [one for one in (folder, *folder.parents) if not one.exists()]
     for one in reversed(missing):
         one.mkdir(mode=stat.S_IRWXU, exist_ok=True)
@@ -52,8 +46,6 @@ def trusted_folder(cache: Path, *names: str) -> Path | None:
 
     Parameters
     ----------
-    cache : Path
-        Folder of the cache.
     names : str
         Names of the folders below it, each of which is checked too.
 
@@ -78,13 +70,7 @@ def trusted_folder(cache: Path, *names: str) -> Path | None:
 
 
 def open_trusted(file: Path) -> IO[bytes]:
-    """Open a file of the cache for reading.
-
-    Raises
-    ------
-    OSError
-        If it cannot be read, or others can have written it, which is warned of.
-    """
+    """Open a file of the cache for reading."""
     stream = file.open("rb")
     if _distrusted(file, os.fstat(stream.fileno())):
         stream.close()

@@ -40,11 +40,6 @@ def start_python(text: str, **options: Any) -> subprocess.Popen[str]:
     -------
     subprocess.Popen
         Process, which ``end_all`` ends if it still runs.
-
-    Raises
-    ------
-    OSError
-        If it cannot be started.
     """
     import subprocess
 

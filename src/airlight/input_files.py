@@ -35,11 +35,6 @@ def check_input(path: str | Path, largest: int) -> None:
     largest : int
         Largest size. [byte]
 
-    Raises
-    ------
-    FileError
-        If it is missing, no regular file, or larger.
-
     Examples
     --------
     >>> check_input("/dev/null", LARGEST_TEXT)
@@ -63,11 +58,6 @@ def read_bytes(path: str | Path, largest: int) -> bytes:
     ----------
     path, largest :
         Arguments of ``check_input``.
-
-    Raises
-    ------
-    FileError
-        As for ``check_input``, and if it cannot be read.
     """
     check_input(path, largest)
     try:
@@ -86,13 +76,7 @@ def read_bytes(path: str | Path, largest: int) -> bytes:
 
 
 def read_text(path: str | Path, largest: int = LARGEST_TEXT) -> str:
-    """Text of a regular file in UTF-8, with or without a byte order mark.
-
-    Raises
-    ------
-    FileError
-        As for ``read_bytes``, and if it is no UTF-8.
-    """
+    """Text of a regular file in UTF-8, with or without a byte order mark."""
     try:
         return read_bytes(path, largest).decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -139,12 +139,6 @@ def quantity(
     float
         Finite value. [unit]
 
-    Raises
-    ------
-    ParameterError
-        If the text is not a number, has no unit, one that is unknown or of another dimension, or is
-        not finite.
-
     Examples
     --------
     >>> quantity("8 km", "m"), quantity("5.802e-6 /m", "1/m"), quantity(0, "m")
@@ -193,8 +187,6 @@ def values_in(
     unit : str
         Unit of the result, as for ``quantity``. Lists and ranges in a text may leave out those of
         ``UNDERSTOOD``; a single number there has its unit.
-    field : str
-        Field named in the error.
     allowed : str
         Allowed values in the error; by default numbers in ``unit``.
 
@@ -202,12 +194,6 @@ def values_in(
     -------
     array, shape (...)
         Numbers; their range is not checked. [unit]
-
-    Raises
-    ------
-    ParameterError
-        If a value is not a number, or its unit is unknown or of another dimension. A plain number
-        counts for no angle: quantities without dimension are refused in degrees.
 
     Examples
     --------

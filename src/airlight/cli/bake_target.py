@@ -52,11 +52,6 @@ def bake_target(
     chosen : mapping
         Options of tables that were given, by their names in Python: ``size`` as numbers of texels,
         ``lowest_sun`` in degrees, others as texts.
-
-    Raises
-    ------
-    ParameterError
-        For an option that the program does not have.
     """
     started = time.perf_counter()
     from airlight.exports.atomic_folder import check_folder

@@ -134,7 +134,6 @@ class CameraOptions(DirectionOptions):
 
         Parameters
         ----------
-        planet : Planet
         placed : Placed
             Observer and sun.
         size : (int, int)

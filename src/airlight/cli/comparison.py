@@ -28,7 +28,6 @@ def print_comparison(first: Planet, second: Planet, *, cache: bool) -> None:
 
     Parameters
     ----------
-    first, second : Planet
     cache : bool
         Whether solutions on disk are read and kept.
     """

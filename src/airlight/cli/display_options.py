@@ -101,12 +101,6 @@ class DisplayOptions(ToneOptions):
             Suffix of the picture.
         shown : bool
             Whether colours stand for numbers.
-
-        Raises
-        ------
-        ParameterError
-            If the file is linear, or shows numbers, and an option differs from its default; or if
-            a value is not allowed.
         """
         from airlight.color.glare import checked_amount
         from airlight.color.tone_maps import TONE_MAPS

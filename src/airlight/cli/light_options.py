@@ -60,13 +60,7 @@ class LightOptions:
             check_stars(planet.body, projection, "--stars")
 
     def secondary(self, placed: Placed) -> tuple[LightPosition, ...]:
-        """Secondary lights, from the texts of the options, or from place and time.
-
-        Raises
-        ------
-        ParameterError
-            If a text cannot be read, or a value is out of range.
-        """
+        """Secondary lights, from the texts of the options, or from place and time."""
         from airlight.scene.moon_light import MoonLight
 
         lights: list[LightPosition] = []

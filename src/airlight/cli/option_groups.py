@@ -25,11 +25,6 @@ def expand_groups(command: Callable[..., None]) -> Callable[..., None]:
         Function of a command. Its docstring is the help; parameters after the first option group
         that it shares with others come later in the help.
 
-    Raises
-    ------
-    TypeError
-        If two groups declare the same option.
-
     Examples
     --------
     >>> @dataclasses.dataclass
@@ -118,8 +113,6 @@ def read_options(group: Any, readers: Mapping[str, Callable[[str, str], Any]]) -
 
     Parameters
     ----------
-    group : dataclass
-        Options of a command.
     readers : mapping
         Functions of text and name of the option, by field.
     """
@@ -137,8 +130,6 @@ def named_errors(*fields: str, **options: str) -> Iterator[None]:
 
     Parameters
     ----------
-    *fields : str
-        Fields whose option has their name.
     **options : str
         Options of fields of another name.
 

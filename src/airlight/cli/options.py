@@ -122,13 +122,6 @@ def picture_size(text: str | None, projection: str) -> tuple[int, int]:
     text : str or None
         Size such as ``1280x720``, or one number: the side of a square, the width of a panorama, the
         side of a face of a cube map. None: a size that suits the projection.
-    projection : str
-        Name of the projection.
-
-    Returns
-    -------
-    (int, int)
-        Width and height.
 
     Examples
     --------
@@ -217,11 +210,6 @@ def wavelengths(text: str, planet: Planet) -> tuple[float, ...]:
     -------
     tuple of float
         Wavelengths in the order given. [nm]
-
-    Raises
-    ------
-    ParameterError
-        If the text is none of these, or repeats a wavelength.
     """
     option = "--wavelengths"
     stripped = text.strip().lower()

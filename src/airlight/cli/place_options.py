@@ -163,12 +163,6 @@ class PlaceOptions(AngleOptions):
         ----------
         planet : Planet
             Planet, whose ``body`` says whose sky it is.
-
-        Raises
-        ------
-        ParameterError
-            If an option is missing, contradicts another or cannot be read, or the planet has no
-            body.
         """
         if self.timed:
             return self._by_time(planet)
@@ -259,13 +253,7 @@ def check_coordinates(group: Any) -> None:
 
 
 def on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
-    """Planet whose ground is below an observer at negative altitude, and the altitude above it.
-
-    Raises
-    ------
-    ParameterError
-        If the altitude is below the planet's deepest basin.
-    """
+    """Planet whose ground is below an observer at negative altitude, and the altitude above it."""
     if altitude >= 0.0:
         return planet, altitude
     from airlight.planets.lowered_ground import stands_on_floor

@@ -87,11 +87,6 @@ class LocalGroundOptions(GroundOptions):
             Planet of the command.
         altitude : float
             Altitude of the observer. [m]
-
-        Raises
-        ------
-        ParameterError
-            If options contradict each other, one coordinate is missing, or a value is out of range.
         """
         given = given_options(self, "latitude", "longitude")
         for option in given:
@@ -117,11 +112,6 @@ def load(name: str, changes: list[str] | None = None) -> Planet:
         Name of a preset, or path of a planet file.
     changes : list of str, optional
         Arguments of ``--set``, each ``PATH=VALUE``; for a repeated path the last counts.
-
-    Raises
-    ------
-    ParameterError
-        If a path does not exist, or the changed file cannot be read.
 
     Notes
     -----
@@ -154,16 +144,9 @@ def with_ground_albedo(planet: Planet, text: str) -> Planet:
 
     Parameters
     ----------
-    planet : Planet
-        Planet of the command.
     text : str
         A number, pairs of wavelength [nm] and albedo such as ``440:0.2,680:0.3``, or the name of a
         table of reflectances.
-
-    Raises
-    ------
-    ParameterError
-        If it is none of these, or out of range.
     """
     from airlight.planets import replace
     from airlight.planets.spectral import PerWavelength

@@ -36,11 +36,6 @@ def load_scene(
         Place of the observer above the scene's own body, and time.
     camera : CameraOptions, optional
         Camera; fields that differ from their defaults replace those of the scene.
-
-    Raises
-    ------
-    ParameterError
-        If an option cannot be read, or this scene has nothing that it could change.
     """
     from airlight.planets.reading.overrides import FIELD, parsed
     from airlight.planets.reading.reader import nested_tables

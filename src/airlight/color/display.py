@@ -112,7 +112,6 @@ def display_rows(rgb, picture, first, left, most, display):
         Row and column of the picture that are the first here.
     most : float
         Number that is white.
-    display : Display
     """
     for row in range(rgb.shape[0]):
         for column in range(rgb.shape[1]):

@@ -240,14 +240,10 @@ def exposure_with_stars(bright, weight, near, light, lights, black, picture):
 
     Parameters
     ----------
-    bright : array, shape (n,)
-        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
     weight, near : array, shape (n,)
         Solid angles of these pixels, one of the two 0: the second near a star. [sr]
     light : array, shape (n,)
         Number of the star, where there is one. [1]
-    lights : int
-        Number of stars.
     black : float
         Solid angle of all others that are not near a star. [sr]
     picture : float

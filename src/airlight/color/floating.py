@@ -51,7 +51,6 @@ def each(scalar: Any, values: ArrayLike) -> NDArray[Any]:
 
     Parameters
     ----------
-    scalar : kernel
     values : array, shape (...)
 
     Returns

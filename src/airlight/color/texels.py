@@ -37,8 +37,6 @@ def channel_of(texels, texel, channel):
     ----------
     texels : array of uint8, flat
         Texels, four values each.
-    texel : int
-        Index of the texel.
     channel : int
         0 to 2 of the colours, 3 of the share.
     """

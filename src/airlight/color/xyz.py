@@ -86,10 +86,6 @@ def rgb_to_xyz(rgb: ArrayLike) -> NDArray[Any]:
 def luminance(rgb: ArrayLike) -> NDArray[Any]:
     """Y of linear sRGB.
 
-    Parameters
-    ----------
-    rgb : array, shape (..., 3)
-
     Returns
     -------
     array, shape (...)
@@ -106,10 +102,6 @@ def luminance(rgb: ArrayLike) -> NDArray[Any]:
 
 def chromaticity(xyz: ArrayLike) -> NDArray[Any]:
     """Chromaticity coordinates x, y: the colour without its magnitude.
-
-    Parameters
-    ----------
-    xyz : array, shape (..., 3)
 
     Returns
     -------

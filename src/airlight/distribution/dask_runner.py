@@ -150,11 +150,6 @@ def started(workers: int) -> Iterator[DaskRunner]:
     Yields
     ------
     DaskRunner
-
-    Raises
-    ------
-    WorkerError
-        If they do not start.
     """
     from distributed import Client, LocalCluster
 
@@ -190,11 +185,6 @@ def connected(address: str) -> Iterator[DaskRunner]:
     Yields
     ------
     DaskRunner
-
-    Raises
-    ------
-    WorkerError
-        If none answers there, or it has no worker.
     """
     from distributed import Client
 

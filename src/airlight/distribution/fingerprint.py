@@ -32,13 +32,6 @@ def digest(value: Any, files: Iterable[Path] = ()) -> str:
     str
         Thirty-two hexadecimal digits.
 
-    Raises
-    ------
-    TypeError
-        If the value holds something else.
-    FileError
-        If a file cannot be read.
-
     Examples
     --------
     >>> digest({"a": 1.0, "b": (2, None)}) == digest({"b": (2, None), "a": 1.0})
@@ -58,11 +51,6 @@ def code_digest(*files: Path) -> str:
     """Hash of source files, of all files of the package that they import, and of the compiler.
 
     Machines that work on one result, and the run that resumes it, have to agree on it.
-
-    Parameters
-    ----------
-    *files : Path
-        Source files.
     """
     return digest([fingerprint(file) for file in files])
 
@@ -74,13 +62,6 @@ def check_code(code: str, *files: Path) -> None:
     ----------
     code : str
         Hash that was sent.
-    *files : Path
-        Source files.
-
-    Raises
-    ------
-    WorkerError
-        If the hash here is another.
     """
     if code != code_digest(*files):
         raise WorkerError(

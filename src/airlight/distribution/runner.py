@@ -48,11 +48,6 @@ class Runner(Protocol):
         ------
         (name, result)
             In the order in which tasks end.
-
-        Raises
-        ------
-        WorkerError
-            If the workers are lost; what was yielded before stays right.
         """
 
     def once_per_machine(self, function: Callable[..., Any], *arguments: Any) -> None:

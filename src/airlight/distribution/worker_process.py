@@ -10,12 +10,6 @@ from airlight.errors import AirlightWarning
 
 
 def dask_setup(worker: Any) -> None:
-    """Leave Ctrl-C and warnings to the process that started them all.
-
-    Parameters
-    ----------
-    worker : distributed.Worker
-        Worker of this process.
-    """
+    """Leave Ctrl-C and warnings to the process that started them all."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     warnings.simplefilter("ignore", AirlightWarning)

@@ -65,8 +65,6 @@ def check_beside(
 
     Parameters
     ----------
-    path : Path
-        Map.
     consumer : Consumer
         Target program.
     overwrite : bool
@@ -77,12 +75,6 @@ def check_beside(
     -------
     (tuple of Path, tuple of Path)
         JSON, and the scene if there is one; scenes of the JSON that is there, which are removed.
-
-    Raises
-    ------
-    FileError
-        If the suffix is unknown, the name has control characters, nothing can be written there, or
-        a file beside the map is not airlight's to replace.
     """
     suffix = picture_suffix(path)
     if not is_plain(path.name):
@@ -118,8 +110,6 @@ def write_map(
     ----------
     path : Path
         Path ending in ``.exr`` or ``.hdr``, or ``.png`` for a preview.
-    made : EnvironmentMap
-        Map.
     precision, compression : str
         Names for ``write_exr``.
     scale : float, optional
@@ -133,17 +123,6 @@ def write_map(
     overwrite : bool
         Whether a JSON or a scene beside the map may be replaced that airlight has not written, or
         that was changed since.
-
-    Returns
-    -------
-    WrittenMap
-
-    Raises
-    ------
-    ParameterError
-        If a name is unknown, or a half would be infinite at the scale.
-    FileError
-        If a file cannot be written, or one beside the map is not airlight's to replace.
     """
     others, stale = check_beside(path, made.consumer, overwrite=overwrite)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}

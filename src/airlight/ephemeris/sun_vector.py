@@ -43,8 +43,6 @@ def solar_point(world: World, days: float) -> SolarPoint:
 
     Parameters
     ----------
-    world : World
-        World.
     days : float
         Days since 2000-01-01 12:00 UTC, at the world itself.
 

@@ -43,18 +43,11 @@ def write_aerial(
     ----------
     folder : str or Path
         Folder to create, an empty folder, or one that holds such tables, which are replaced.
-    aerial : AerialPerspective
-        Tables.
     about : dict, optional
         Texts for the manifest: the planet, its changes.
     overwrite : bool
         Whether files of these names may be replaced that airlight has not written, or that were
         changed since.
-
-    Returns
-    -------
-    Path
-        Path of the manifest.
 
     Raises
     ------

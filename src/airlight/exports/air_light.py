@@ -63,11 +63,6 @@ class AirLight:
     peaks_once : bool
         Whether multiple scattering within forward peaks counts as single scattering where that is
         separate.
-
-    Raises
-    ------
-    ParameterError
-        If the solution does not keep that order apart.
     """
 
     def __init__(

@@ -34,22 +34,8 @@ def read_arrays(path: Path, content: bytes, largest: int) -> dict[str, NDArray[A
     ----------
     path : Path
         Subject of errors.
-    content : bytes
-        Contents of the file.
     largest : int
         Largest size of the arrays together. [byte]
-
-    Returns
-    -------
-    dict of str to array
-        Arrays by name.
-
-    Raises
-    ------
-    FileError
-        If it is no NPZ of numbers and texts, unpacks to more, or holds numbers that are not finite.
-    CostError
-        If the machine has less memory.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:

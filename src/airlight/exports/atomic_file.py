@@ -30,11 +30,6 @@ def check_target(path: str | Path) -> Path:
     -------
     Path
         Path without links.
-
-    Raises
-    ------
-    FileError
-        If the folder is missing or closed, or the target is protected or not a file.
     """
     try:
         target = Path(path).resolve()
@@ -72,12 +67,6 @@ def atomic_file(path: str | Path) -> Iterator[Path]:
     ------
     Path
         Path of an empty file in the same folder.
-
-    Raises
-    ------
-    FileError
-        As for ``check_target``, and if the file cannot be written, or another process writes it
-        for longer than ``WAIT``.
 
     Examples
     --------

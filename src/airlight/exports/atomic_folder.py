@@ -29,11 +29,6 @@ def check_folder_name(folder: str | Path, suffix: str = "") -> None:
         Folder; what is there may have any name.
     suffix : str
         Suffix that it may have.
-
-    Raises
-    ------
-    FileError
-        If its suffix has letters alone, or letters and one digit, and is another.
     """
     path = Path(folder)
     if path.exists() or path.suffix.lower() == suffix or not _FORMAT.fullmatch(path.suffix):
@@ -57,13 +52,6 @@ def check_folder(
         Names of files that will be written, or patterns of them such as ``*.exr``.
     overwrite : bool
         Whether files that airlight has not written, or that were changed since, may be replaced.
-
-    Raises
-    ------
-    FileError
-        If it is named as a file, or is one, its parent is missing, it or its parent cannot be
-        written to, it holds files but no such manifest, or one of the files is not airlight's to
-        replace.
     """
     check_folder_name(folder)
     try:

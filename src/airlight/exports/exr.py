@@ -47,8 +47,6 @@ def write_exr(
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     rgb : array, shape (h, w, 3)
         Linear sRGB radiance, weighted by the colour-matching functions, float32.
         [W m⁻² sr⁻¹; 683 times its luminance is cd m⁻², recorded in the file as ``whiteLuminance``]
@@ -65,8 +63,6 @@ def write_exr(
 
     Raises
     ------
-    ParameterError
-        If the shape or type is not that, a name is unknown, or a half would be infinite.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -141,8 +137,6 @@ def write_exr_channels(
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     channels : mapping of str to array, shape (h, w)
         Values, float16 or float32, all of one shape and type.
     metadata : mapping of str to str, optional
@@ -150,8 +144,6 @@ def write_exr_channels(
 
     Raises
     ------
-    ParameterError
-        If the channels differ in shape or type, or have another type.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -175,13 +167,7 @@ def write_exr_channels(
 
 
 def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
-    """Read a file written by ``write_exr_channels``: channels by name.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read.
-    """
+    """Read a file written by ``write_exr_channels``: channels by name."""
     import OpenEXR
 
     check_exr(path)
@@ -195,20 +181,10 @@ def read_exr_channels(path: str | Path) -> dict[str, NDArray[Any]]:
 def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
     """Read a file written by ``write_exr``.
 
-    Parameters
-    ----------
-    path : str or Path
-        Path of the file.
-
     Returns
     -------
     (array, dict)
         Linear red, green, blue, shape (h, w, 3), and the string attributes.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read or lacks these channels.
     """
     import OpenEXR
 
@@ -244,13 +220,7 @@ def check_exr(path: str | Path) -> None:
 
 
 def read_exr_header(path: str | Path) -> dict[str, str]:
-    """String attributes of a file, without its pixels.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read.
-    """
+    """String attributes of a file, without its pixels."""
     import OpenEXR
 
     check_input(path, LARGEST_PICTURE)

@@ -44,11 +44,6 @@ def write_bands(
         Channels as for ``OpenEXR.File``, of any type.
     kind : type
         Type in the file, float16 or float32.
-
-    Raises
-    ------
-    RuntimeError, ValueError, TypeError, OSError
-        As of OpenEXR, or where the file cannot be written.
     """
     height = len(next(iter(channels.values())))
     places: list[int] = []

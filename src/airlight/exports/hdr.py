@@ -43,8 +43,6 @@ def write_hdr(
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     rgb : array, shape (h, w, 3)
         Linear sRGB radiance times the scale, weighted by the colour-matching functions. A channel
         below 0, of light beyond sRGB, is written as 0; the others are within 0.4 % of the pixel's
@@ -56,8 +54,6 @@ def write_hdr(
 
     Raises
     ------
-    ParameterError
-        If a value is not finite, or too large for the exponent.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -105,13 +101,7 @@ def rgbe(rgb: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def read_hdr_header(path: str | Path) -> dict[str, str]:
-    """Texts in the header of a file written by ``write_hdr``.
-
-    Raises
-    ------
-    FileError
-        If it is no such file, or its pixels are cut off.
-    """
+    """Texts in the header of a file written by ``write_hdr``."""
     check_input(path, LARGEST_PICTURE)
     with Path(path).open("rb") as stream:
         start = stream.read(_LONGEST)

@@ -76,8 +76,6 @@ def read_manifest(path: Path, form: str) -> dict[str, Any]:
 
     Parameters
     ----------
-    path : Path
-        Path of the manifest.
     form : str
         Format that it must name.
 
@@ -102,13 +100,7 @@ def read_manifest(path: Path, form: str) -> dict[str, Any]:
 
 
 def fingerprint(path: Path) -> dict[str, Any]:
-    """Size and SHA-256 of a file.
-
-    Parameters
-    ----------
-    path : Path
-        Path of the file.
-    """
+    """Size and SHA-256 of a file."""
     with path.open("rb") as stream:
         checksum = hashlib.file_digest(stream, "sha256").hexdigest()
     return {"bytes": path.stat().st_size, "sha256": checksum}
@@ -138,8 +130,6 @@ def own_files(manifest: Path, form: str, *, overwrite: bool = False) -> tuple[st
     ----------
     manifest : Path
         Path of the manifest, which need not exist.
-    form : str
-        Format that it must name.
     overwrite : bool
         Whether a manifest that is not airlight's is no error: then it lists nothing.
 
@@ -147,12 +137,6 @@ def own_files(manifest: Path, form: str, *, overwrite: bool = False) -> tuple[st
     -------
     tuple of str
         Names of files that exist, without the manifest.
-
-    Raises
-    ------
-    FileError
-        If the manifest cannot be read or names another format, a listed file has changed, or the
-        manifest has.
     """
     if manifest.is_symlink():
         raise FileError(manifest, _LINK)
@@ -198,11 +182,6 @@ def check_replaceable(
         Patterns of further names, such as ``*.exr``.
     overwrite : bool
         Whether any file may be replaced; a folder or a link never.
-
-    Raises
-    ------
-    FileError
-        If such a file exists; it names them.
     """
     if not folder.is_dir():
         return

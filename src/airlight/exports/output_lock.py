@@ -31,8 +31,6 @@ def hidden_file(output: Path, suffix: str) -> Path:
 
     Parameters
     ----------
-    output : Path
-        Path of the output.
     suffix : str
         Purpose, such as ``part``.
     """
@@ -56,12 +54,6 @@ def output_lock(output: Path, lock: Path | None = None, *, wait: float = 0.0) ->
         at the end.
     wait : float
         Time to wait for another writer. [s]
-
-    Raises
-    ------
-    FileError
-        If the output is still being written by another process or thread, or the folder cannot be
-        written to.
     """
     lock = lock or hidden_file(output, "lock")
     until = time.monotonic() + wait

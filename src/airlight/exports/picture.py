@@ -38,8 +38,6 @@ class Written:
 
     Parameters
     ----------
-    path : Path
-        Path of the file.
     size : int
         Size of the file. [byte]
     exposure : float or None
@@ -63,11 +61,6 @@ def picture_suffix(path: str | Path) -> str:
     -------
     str
         Suffix, one of ``SUFFIXES``.
-
-    Raises
-    ------
-    FileError
-        If the suffix is unknown, or nothing can be written there.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:
@@ -196,11 +189,6 @@ def read_picture_metadata(path: str | Path) -> dict[str, str]:
     -------
     dict of str to str
         Texts by name, with the prefix ``airlight.``.
-
-    Raises
-    ------
-    FileError
-        If the file is missing, no such picture, or cut off.
     """
     try:
         if Path(path).suffix.lower() == ".exr":

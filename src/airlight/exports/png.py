@@ -48,11 +48,6 @@ def colour_chunks(encoding: str, primaries: str = "srgb") -> Chunks:
         Type and data: sRGB with the perceptual intent for that space alone; else cICP, where there
         is a number, and gAMA and cHRM for older readers.
 
-    Raises
-    ------
-    ParameterError
-        If a name is unknown.
-
     References
     ----------
     PNG specification, third edition (W3C 2025), sections 11.3.2.1, 2, 5 and 6.
@@ -91,8 +86,6 @@ def write_png(
 
     Parameters
     ----------
-    path : str or Path
-        Path of the file.
     pixels : array, shape (h, w, 3), uint8 or uint16
         Encoded red, green, blue, 0 to 255 or 0 to 65535.
     metadata : mapping of str to str, optional
@@ -104,8 +97,6 @@ def write_png(
 
     Raises
     ------
-    ParameterError
-        If the shape or type is not that, or a name is unknown.
     FileError
         If the file cannot be written; an existing file is then unchanged.
     """
@@ -199,11 +190,6 @@ def _worded(name: str, text: str) -> bytes:
 def read_png_metadata(path: str | Path) -> dict[str, str]:
     """Read the text chunks of a PNG.
 
-    Parameters
-    ----------
-    path : str or Path
-        Path of the file.
-
     Returns
     -------
     dict of str to str
@@ -220,20 +206,10 @@ def read_png_metadata(path: str | Path) -> dict[str, str]:
 def read_png_header(path: str | Path) -> dict[str, str]:
     """Text chunks in front of the pixels of a PNG, of a file that has its end.
 
-    Parameters
-    ----------
-    path : str or Path
-        Path of the file.
-
     Returns
     -------
     dict of str to str
         Texts by name, with the prefix ``airlight.``.
-
-    Raises
-    ------
-    OSError
-        If the file is missing, no PNG, or cut off.
     """
     from PIL import Image
 

@@ -87,11 +87,6 @@ class RenderPasses:
         ----------
         layer : str, optional
             Beginning of the name of the pass, such as ``ViewLayer``.
-
-        Raises
-        ------
-        ParameterError
-            If there are none, or several and none is called Combined.
         """
         found = self._prefixes("RGB")
         if layer is not None:
@@ -121,11 +116,6 @@ class RenderPasses:
             Depth, or positions. [scene units]
         kind : str
             Kind.
-
-        Raises
-        ------
-        ParameterError
-            If there is no such channel.
         """
         if channel is not None:
             if channel in self.channels:
@@ -157,11 +147,6 @@ class RenderPasses:
             Last letters of its channels.
         names : tuple of str
             Ends of its name, best first; empty for channels without one.
-
-        Raises
-        ------
-        ParameterError
-            If there is none.
         """
         for name in names:
             for prefix in self._prefixes(letters):
@@ -172,13 +157,7 @@ class RenderPasses:
         raise self._lacking(wanted, f"{names[0]}.{letters[0]}, .{letters[1]}, .{letters[2]}")
 
     def only(self) -> NDArray[Any]:
-        """Only channel of the file, shape (h, w).
-
-        Raises
-        ------
-        ParameterError
-            If there are several.
-        """
+        """Only channel of the file, shape (h, w)."""
         if len(self.channels) > 1:
             raise self._lacking("a pass", "a single channel")
         return next(iter(self.channels.values()))
@@ -200,11 +179,6 @@ def read_render_passes(path: str | Path) -> RenderPasses:
     -------
     RenderPasses
         Channels by full name.
-
-    Raises
-    ------
-    FileError
-        If it cannot be read, its parts differ in size, or it has no channels of pixels.
     """
     import OpenEXR
 

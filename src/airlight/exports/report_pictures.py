@@ -34,11 +34,6 @@ def check_pictures(folder: Path, page: Path | None = None, *, overwrite: bool = 
         Page that is written with them although the user has not named it.
     overwrite : bool
         Whether files may be replaced that airlight has not written, or that were changed since.
-
-    Raises
-    ------
-    FileError
-        If they cannot, or a file is not airlight's to replace.
     """
     target = folder
     if folder.parent.exists():  # else it is made, and nothing is there
@@ -71,11 +66,6 @@ def write_pictures(
         Contents of PNG files by name.
     text : str
         Text of the page, by which it is recognised when it is replaced.
-
-    Raises
-    ------
-    FileError
-        As for ``check_pictures``.
     """
     check_pictures(folder, page, overwrite=overwrite)
     try:

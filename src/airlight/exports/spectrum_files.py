@@ -30,11 +30,6 @@ def write_spectrum(path: str | Path, data: xarray.Dataset) -> None:
         netCDF with all attributes.
     data : xarray.Dataset
         Variables over ``wavelength`` and at most one other dimension, from ``observe``.
-
-    Raises
-    ------
-    FileError
-        If the suffix is another, or the file cannot be written.
     """
     suffix = Path(path).suffix.lower()
     if suffix not in SUFFIXES:

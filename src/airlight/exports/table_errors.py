@@ -115,8 +115,6 @@ def peaked_positions(bottom: float, top: float, count: int, seed: int) -> Positi
     ----------
     bottom, top : float
         Radii of the ground and of the top of the shell. [m]
-    count, seed : int
-        Number of points; seed.
     """
     rng = np.random.default_rng(seed)
     height, low, near, share, turn, even = rng.random((6, count))
@@ -183,10 +181,6 @@ def search_worst(
         Size of the error at each. [1]
     belongs : callable
         Whether points belong to the region.
-    error : callable
-        Size of the error at points.
-    bottom, top : float
-        Radii of the ground and of the top of the shell. [m]
     seed : int
         Seed of the steps.
 

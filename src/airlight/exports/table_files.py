@@ -90,11 +90,6 @@ def write_tables(folder: str | Path, baked: Baked, *, overwrite: bool = False) -
         Whether files of these names may be replaced that airlight has not written, or that were
         changed since.
 
-    Returns
-    -------
-    Path
-        Path of the manifest.
-
     Raises
     ------
     FileError

@@ -304,23 +304,14 @@ def rendered_frame(
 
     Parameters
     ----------
-    spec : FrameSpec
-        Frame.
     finish : Finish
         Format and display.
     exposure : float
         Exposure. [EV]
     eye : bool
         Whether faint light is seen as by an eye in the dark.
-    fingerprint : str
-        Fingerprint of the file.
     code : str
         Hash of the source that the film was begun with.
-
-    Raises
-    ------
-    WorkerError
-        If the source of this machine is another.
     """
     check_code(code, *_SOURCES)
     metadata = {**spec.metadata(), FINGERPRINT: fingerprint, CHECKSUM: BLANK}

@@ -57,12 +57,6 @@ def exponent_of(planet: Planet, index: int) -> float:
 
     Between the ends of what is known, if that is less.
 
-    Parameters
-    ----------
-    planet : Planet
-    index : int
-        Number of the constituent.
-
     References
     ----------
     Eck et al. (1999), J. Geophys. Res. 104, 31333 (AERONET's wavelengths).

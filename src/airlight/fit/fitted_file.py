@@ -12,10 +12,6 @@ from airlight.planets.reading.planet_file import planet_file
 def fitted_file(sky: SkyFit) -> str:
     """Text of the fitted planet's file, with values and error bars in its first lines.
 
-    Parameters
-    ----------
-    sky : SkyFit
-
     Returns
     -------
     str

@@ -76,11 +76,6 @@ def free_parameter(
     wavelengths : array, shape (nl,)
         Wavelengths of the data: a value that is the same at all wavelengths becomes a list there
         if it is tilted. [nm]
-
-    Raises
-    ------
-    ParameterError
-        If there is no such number, with the nearest names, or it is a list.
     """
     if name == "ground.albedo":
         return _albedo(name, tables, planet)

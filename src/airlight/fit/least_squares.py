@@ -122,20 +122,10 @@ def fit(
 
     Parameters
     ----------
-    model : Model
-    data : Data
-    parameters : sequence of FitParameter
     loss : str
         Name from ``airlight.fit.loss.LOSSES``.
     start : array, shape (p,), optional
         Values to begin with, if better ones are known than those of the parameters.
-
-    Raises
-    ------
-    ParameterError
-        If the loss is unknown, or the data do not constrain a parameter.
-    ConvergenceError
-        If the steps do not become small.
 
     References
     ----------
@@ -347,11 +337,8 @@ def difference(
     ----------
     predict : callable
         Predicted values, shape (n,), for parameters of shape (p,).
-    parameters : sequence of FitParameter
     values : array, shape (p,)
         Values at which the derivative is taken.
-    index : int
-        Number of the parameter.
     central : bool
         Whether to step to both sides, where the bounds allow it.
     """

@@ -76,13 +76,7 @@ class Measurements:
         return angle_from_sun(self.view_zenith, self.sun_zenith, self.azimuth)
 
     def where(self, kept: NDArray[np.bool_]) -> Measurements:
-        """Some of the values, with their scans numbered anew.
-
-        Raises
-        ------
-        ParameterError
-            If no value remains.
-        """
+        """Some of the values, with their scans numbered anew."""
         if not kept.any():
             raise ParameterError(self.source, "0 values", "at least one value that is not excluded")
         chosen, numbered = np.unique(self.scan[kept], return_inverse=True)

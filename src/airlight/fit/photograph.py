@@ -146,13 +146,6 @@ def read_photograph(path: str | Path, shot: Shot) -> Photograph:
         PNG of 8 or 16 bits, JPEG, or EXR with linear sRGB.
     shot : Shot
         Camera, sun, and what does not count.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, or too little of it is sky.
-    ParameterError
-        If a number of the shot is out of its range.
     """
     linear, sound = _pixels(Path(path), shot)
     height, width = linear.shape[:2]

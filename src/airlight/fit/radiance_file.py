@@ -104,13 +104,6 @@ def read_radiance_file(path: str | Path) -> Measurements:
     -------
     Measurements
         Without a column ``scan``, lines of one sun are one scan.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, lacks a column, or holds no radiance.
-    ParameterError
-        For the first cell that is not a number in its range, with line and column.
     """
     text = io.StringIO(read_text(path, LARGEST_DATA), newline="")
     lines = [(n, line) for n, line in enumerate(text, 1) if line.strip()]

@@ -110,7 +110,6 @@ def parts_of(sky: SkyFit, *, pictures: bool = True) -> list[Part]:
 
     Parameters
     ----------
-    sky : SkyFit
     pictures : bool
         Whether to draw pictures, which needs matplotlib.
     """
@@ -221,12 +220,7 @@ def facts(sky: SkyFit) -> dict[str, str]:
 
 
 def html(sky: SkyFit) -> str:
-    """Report as a page of HTML, complete in itself.
-
-    Parameters
-    ----------
-    sky : SkyFit
-    """
+    """Report as a page of HTML, complete in itself."""
     listed = "".join(f"<dt>{escape(k)}</dt><dd>{escape(v)}</dd>" for k, v in facts(sky).items())
     body = [f"<dl>{listed}</dl>", *(part_html(part) for part in parts_of(sky))]
     return page_html(f"airlight: fit of {sky.name}", body)
@@ -237,7 +231,6 @@ def markdown(sky: SkyFit, parts: Sequence[Part], pictures: str) -> str:
 
     Parameters
     ----------
-    sky : SkyFit
     parts : sequence of Part
         From ``parts_of``.
     pictures : str

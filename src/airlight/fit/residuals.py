@@ -66,12 +66,7 @@ class Residuals:
 
 
 def residuals_of(sky: SkyFit) -> Residuals:
-    """Collect the residuals of a fit.
-
-    Parameters
-    ----------
-    sky : SkyFit
-    """
+    """Collect the residuals of a fit."""
     found, data = sky.fitted, sky.data
     if isinstance(data, Measurements):
         return Residuals(
@@ -125,7 +120,6 @@ def binned(residuals: Residuals, by: FloatArray, edges: ArrayLike | None = None)
 
     Parameters
     ----------
-    residuals : Residuals
     by : array, shape (n,)
         Binned quantity.
     edges : array, optional

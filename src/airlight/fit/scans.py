@@ -82,13 +82,7 @@ class Scans:
         return np.asarray(got.values, dtype=np.float64)
 
     def measurements(self, source: str) -> Measurements:
-        """Radiances one by one, in the order of ``radiance``.
-
-        Parameters
-        ----------
-        source : str
-            Name of the file.
-        """
+        """Radiances one by one, in the order of ``radiance``."""
         shape = self.radiance.shape
 
         def spread(values: FloatArray) -> FloatArray:
@@ -118,11 +112,6 @@ def read_scan_file(file: Path) -> Scans:
         (ns), ``view_zenith_deg`` and ``relative_azimuth_deg`` (ns, nd), ``wavelength_nm`` (nl),
         ``radiance`` (ns, nd, nl) in W m⁻² sr⁻¹ nm⁻¹, ``solar_irradiance`` and ``ground_albedo``
         (nl).
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, lacks an array, or has impossible shapes or values.
     """
     check_input(file, LARGEST_DATA)
     try:

@@ -91,8 +91,6 @@ def insert_edge(edges, count, cut):
     ----------
     edges : array, shape (MAX_EDGES,)
         Edges, 0 first, the ray's length last. [m]
-    count : int
-        Number of edges.
     cut : float
         Distance of the new edge, ignored outside the ray. [m]
 
@@ -233,8 +231,6 @@ def place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weig
 
     Parameters
     ----------
-    r, mu : float
-        Start of the ray. [m], [1]
     edges, edge_count : array, int
         Edges from ``place_edges`` and their number. [m]
     nodes, weights : array, shape (n,)

@@ -17,18 +17,12 @@ def chosen_kernel(name: str, choices: Sequence[Any], module: str) -> Any:
 
     Parameters
     ----------
-    name : str
-        Name of the kernel.
     choices : sequence of kernels
         Kernels of the same arguments and results; counted from 0. The last is also called for all
         larger numbers.
     module : str
         ``__name__`` of the module that lists the choices: compiled code on disk is keyed by its
         file and its imports.
-
-    Returns
-    -------
-    kernel
 
     Examples
     --------

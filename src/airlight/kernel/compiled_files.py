@@ -87,8 +87,6 @@ def check_files(files: Any, read: Callable[[Path], bytes]) -> None:
 
     Parameters
     ----------
-    files : numba.core.caching.IndexDataCacheFile
-        Index and data files of the function.
     read : callable
         Reads a file, or raises ``OSError`` for one that is not to be trusted.
     """
@@ -133,8 +131,6 @@ def copy_code(index: Path, folder: Path, wanted: Callable[[Any], bool]) -> int:
 
     Parameters
     ----------
-    index : Path
-        Index file of the function.
     folder : Path
         Receives index and code, if any is wanted; it is made then.
     wanted : callable
@@ -212,13 +208,7 @@ def _checksum(name: str, content: bytes) -> bytes:
 
 
 def _sound(name: str, whole: bytes) -> bytes:
-    """Content of a file without its checksum.
-
-    Raises
-    ------
-    OSError
-        If it is damaged, which Numba takes as absent.
-    """
+    """Content of a file without its checksum."""
     content = whole[:-_LENGTH]
     if whole[-_LENGTH:] != _checksum(name, content):
         raise OSError(f"{name} is damaged")

@@ -85,8 +85,6 @@ def work_left(loops: Iterable[Any], finished: Collection[str]) -> int:
 
     Parameters
     ----------
-    loops : iterable of compiled functions
-        Functions that Python calls.
     finished : collection of str
         Names of functions that are compiled.
     """

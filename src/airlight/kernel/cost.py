@@ -116,15 +116,7 @@ def announce_all(work: str, amounts: Iterable[tuple[str, float]]) -> None:
 
 
 def expected_seconds(kind: str, count: float) -> float:
-    """Expected time of some work with all threads of this process. [s]
-
-    Parameters
-    ----------
-    kind : str
-        Key of ``RATES``.
-    count : float
-        Amount of work. [1]
-    """
+    """Expected time of some work with all threads of this process. [s]"""
     together = 1 if kind == DEVICE else thread_count()
     return count / (_rates()[kind] * together)
 

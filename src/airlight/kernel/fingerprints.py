@@ -36,11 +36,6 @@ def fingerprint(file: Path) -> str:
     -------
     str
         Hash of sixteen hexadecimal digits.
-
-    Raises
-    ------
-    OSError
-        If the file cannot be read.
     """
     digest = hashlib.sha256(numba.__version__.encode())
     for one in sorted(_reached(file)):

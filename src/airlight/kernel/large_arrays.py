@@ -50,8 +50,6 @@ def zeros(shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
     ----------
     shape : tuple of int
         Shape.
-    dtype : dtype
-        Type of its numbers.
 
     Examples
     --------

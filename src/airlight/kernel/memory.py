@@ -59,11 +59,6 @@ def check_memory(needed: float, work: str) -> None:
     work : str
         Subject of the error: ``"a picture of 20000x10000 pixels"``.
 
-    Raises
-    ------
-    CostError
-        If the machine has less.
-
     Examples
     --------
     >>> check_memory(1e6, "a small picture")
@@ -89,13 +84,6 @@ def check_drawn(width: int, height: int, layers: int = 1) -> None:
     ----------
     width, height : int
         Size. [pixel]
-    layers : int
-        Number of pictures of that size.
-
-    Raises
-    ------
-    CostError
-        If the machine has less.
     """
     pixels = float(width) * height * layers
     needed = _DRAWN * pixels
@@ -113,8 +101,6 @@ def check_picture(file: str | Path, width: int, height: int, each: int = DECODED
     ----------
     file : str or Path
         Subject of the error.
-    width, height : int
-        Size. [pixel]
     each : int
         Memory of a pixel while it is decoded. [byte]
 
@@ -122,8 +108,6 @@ def check_picture(file: str | Path, width: int, height: int, each: int = DECODED
     ------
     FileError
         If it has more than 200 million pixels.
-    CostError
-        If the machine has less memory than they take.
 
     Examples
     --------

@@ -68,14 +68,8 @@ class PrebuiltCache(FunctionCache):
 
     Parameters
     ----------
-    py_func : function
-        The function.
     implementation : type
         Numba's implementation of a cache, which takes a function and a folder.
-    folder : Path
-        Folder of its code.
-    cpu_target : CpuTarget
-        Target of the code.
     """
 
     def __init__(

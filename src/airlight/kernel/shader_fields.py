@@ -74,13 +74,7 @@ DISC: Final = InTexture("disc", spectral=True)
 
 
 def image(texture: str) -> InTexture:
-    """Picture of four channels in a texture of its own.
-
-    Parameters
-    ----------
-    texture : str
-        Name of the texture.
-    """
+    """Picture of four channels in a texture of its own."""
     return InTexture(texture, 2, spectral=True, whole=True, image=True)
 
 
@@ -96,13 +90,7 @@ def spectra(rank: int) -> InTexture:
 
 
 def scalars(rank: int = 1) -> InTexture:
-    """Table of single numbers.
-
-    Parameters
-    ----------
-    rank : int
-        Number of axes.
-    """
+    """Table of single numbers."""
     return InTexture("scalars", rank)
 
 
@@ -126,11 +114,6 @@ class ShaderField(NamedTuple):
 
 def shader_fields(bundle: Any) -> list[ShaderField]:
     """Fields of a NamedTuple in their order.
-
-    Parameters
-    ----------
-    bundle : type
-        NamedTuple.
 
     Examples
     --------

@@ -110,17 +110,8 @@ def run_blocks(
     ----------
     block : callable
         Function of the block's index; it must release the interpreter's lock to gain from threads.
-    count : int
-        Number of blocks.
-    cancel, progress : callable, optional
-        See ``Cancel`` and ``Progress``; called from the calling thread, after its own blocks.
     message : str
         Message for ``progress``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True, after the running blocks have ended.
     """
     blocks = _Blocks(block, count)
     if getattr(_here, "inside", False):  # a block's own blocks would wait for its own thread

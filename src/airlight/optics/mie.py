@@ -115,16 +115,10 @@ def scattering(
     cancel : callable, optional
         Called every 64 radii; True stops with ``Cancelled``.
 
-    Returns
-    -------
-    Scattering
-
     Raises
     ------
     ParameterError
         If the index is unphysical.
-    Cancelled
-        If ``cancel`` returned True.
 
     Notes
     -----
@@ -216,8 +210,6 @@ def work(radii: int, size_parameter: float, angles: int) -> float:
 
     Parameters
     ----------
-    radii : int
-        Number of radii.
     size_parameter : float
         Largest size parameter. [1]
     angles : int
@@ -227,15 +219,7 @@ def work(radii: int, size_parameter: float, angles: int) -> float:
 
 
 def memory(size_parameter: float, angles: int) -> float:
-    """Memory of ``scattering``. [byte]
-
-    Parameters
-    ----------
-    size_parameter : float
-        Largest size parameter. [1]
-    angles : int
-        Number of scattering angles.
-    """
+    """Memory of ``scattering``. [byte]"""
     # both angular functions, and amplitudes of a block of radii
     return 16.0 * angles * _terms(size_parameter) + 64.0 * _BLOCK * angles
 

@@ -139,8 +139,6 @@ def log_normal_density(
 
     Parameters
     ----------
-    radii : array, shape (...)
-        Radii. [m]
     median_radius : float
         Median radius r_m. [m]
     geometric_deviation : float
@@ -195,8 +193,6 @@ def gamma_sizes(effective_radius: float, effective_variance: float, count: int) 
     ----------
     effective_radius, effective_variance
         Parameters of ``gamma_density``. [m], [1]
-    count : int
-        Number of nodes.
     """
     radii, widths = _nodes(*gamma_limits(effective_radius, effective_variance), count)
     return SizeNodes(radii, widths * gamma_density(radii, effective_radius, effective_variance))
@@ -209,8 +205,6 @@ def log_normal_sizes(median_radius: float, geometric_deviation: float, count: in
     ----------
     median_radius, geometric_deviation
         Parameters of ``log_normal_density``. [m], [1]
-    count : int
-        Number of nodes.
     """
     radii, widths = _nodes(*log_normal_limits(median_radius, geometric_deviation), count)
     return SizeNodes(radii, widths * log_normal_density(radii, median_radius, geometric_deviation))

@@ -64,8 +64,6 @@ def water_reflectances(wind, mu_s, mu_r, nu):
 
     Parameters
     ----------
-    wind : float
-        Wind speed. [m s⁻¹]
     mu_s, mu_r, nu : float
         Cosines as in ``reflection.direct_reflectance``. [1]
 
@@ -87,12 +85,6 @@ def water_reflectances(wind, mu_s, mu_r, nu):
 def brdf_direct(ground, mu_s, mu_r, nu):
     """Direct reflectance factor: water-leaving light (diffuse), glint and foam (specular).
 
-    Parameters
-    ----------
-    ground : Reflection
-    mu_s, mu_r, nu : float
-        Cosines as in ``reflection.direct_reflectance``. [1]
-
     Returns
     -------
     diffuse, specular : float
@@ -108,7 +100,6 @@ def brdf_diffuse(ground, mu_r):
 
     Parameters
     ----------
-    ground : Reflection
     mu_r : float
         Cosine as in ``reflection.diffuse_reflectance``. [1]
 

@@ -49,11 +49,6 @@ def mean_cover(clouds: str) -> float:
     -------
     float
         Mean of the rows, each weighted by its area, 0 to 1. [1]
-
-    Raises
-    ------
-    FileError
-        Errors of ``cloud_pixels``.
     """
     rows = cloud_pixels(clouds).mean(axis=1, dtype=np.float64) / 255.0
     edges = np.sin(np.linspace(0.5 * np.pi, -0.5 * np.pi, rows.size + 1))

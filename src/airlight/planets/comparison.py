@@ -38,8 +38,6 @@ class Difference:
     ----------
     part : str
         ``planet``, ``shell``, ``ground``, ``star``, the name of a constituent, or ``all`` of them.
-    quantity : str
-        Name of the quantity.
     unit : str
         Unit of numerical values; empty without a unit.
     wavelength : float or None

@@ -42,15 +42,8 @@ class DerivedSpectrum(PerWavelength):
         See ``PerWavelength``; the values are those of the formula. [nm]
     formula : str
         Name in ``FORMULAS`` of a function of the spectra, then the fractions.
-    spectra : tuple of float or PerWavelength
-        Positive spectra.
     fractions : tuple of float or PerWavelength
         Numbers that are linear between wavelengths, such as albedos.
-
-    Raises
-    ------
-    ParameterError
-        If the values are not those of the formula.
     """
 
     formula: Annotated[str, one_of(*FORMULAS)]

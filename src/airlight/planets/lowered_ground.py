@@ -72,11 +72,6 @@ def stands_on_floor(planet: Planet, altitude: float) -> tuple[Planet, float]:
     altitude : float
         Altitude of his eyes, ``EYES`` above the floor, or less at the bottom of the basin. [m]
 
-    Raises
-    ------
-    ParameterError
-        If the planet has no such basin.
-
     Examples
     --------
     >>> from airlight.planets import load_planet

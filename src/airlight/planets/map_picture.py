@@ -45,8 +45,6 @@ def map_pixels(file: Path, *, grey: bool = False) -> NDArray[np.uint8]:
     FileError
         If it is no picture, larger than 4 GB, has more than 200 million pixels, is not twice as
         wide as high, or holds numbers that are no reflectance: in floats not 0 to 1.
-    FileNotFoundError
-        If there is no such file.
     """
     from PIL import Image, UnidentifiedImageError
 

@@ -105,8 +105,6 @@ def warn_of_omitted_bands(planet: Planet, wavelengths: npt.ArrayLike) -> None:
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
     wavelengths : array, shape (nl,)
         Wavelengths of the solution. [nm]
     """

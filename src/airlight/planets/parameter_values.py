@@ -49,7 +49,6 @@ def parameter_values(
 
     Parameters
     ----------
-    constituent : Constituent
     thickness : float
         Thickness of the shell. [m]
     wavelengths : tuple of float
@@ -170,7 +169,6 @@ def composition_of(
 
     Parameters
     ----------
-    constituent : Constituent
     wavelengths : tuple of float
         Wavelengths at which spectral values are taken. [nm]
 

@@ -48,11 +48,6 @@ def picture_wavelengths(
     array, shape (n,)
         Wavelengths. [nm]
 
-    Raises
-    ------
-    ParameterError
-        If the word is unknown, or the planet is known at no visible wavelength.
-
     Examples
     --------
     >>> from airlight.planets import load_planet

@@ -22,10 +22,6 @@ def truncated_constituents(planet: Planet) -> list[str]:
     Above the top each is taken to go on with the scale height that it has there, H, so that the
     column n H is missing. Uniform layers have no scale height and are not named.
 
-    Parameters
-    ----------
-    planet : Planet
-
     Returns
     -------
     list of str

@@ -284,13 +284,7 @@ KINDS: Final[dict[str, PlotKind]] = {
 
 
 def kind_named(name: str) -> PlotKind:
-    """Return the kind of the given name.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such kind.
-    """
+    """Return the kind of the given name."""
     if name not in KINDS:
         raise ParameterError("KIND", name, ", ".join(KINDS))
     return KINDS[name]

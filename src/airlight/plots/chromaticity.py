@@ -37,7 +37,6 @@ def sky_chromaticities(solution: Solution, sun_zeniths: Sequence[float]) -> Floa
 
     Parameters
     ----------
-    solution : Solution
     sun_zeniths : sequence of float, length n
         Zenith angles of the sun, 10 to 180. [deg]
 

@@ -20,10 +20,6 @@ _FAINTEST: Final = 1e-6
 def density(planet: Planet) -> Figure:
     """Relative density of each constituent over altitude, linear and logarithmic.
 
-    Parameters
-    ----------
-    planet : Planet
-
     Returns
     -------
     Figure

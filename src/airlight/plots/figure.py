@@ -50,13 +50,7 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
 
 
 def require_matplotlib() -> None:
-    """Import matplotlib, which is an optional dependency.
-
-    Raises
-    ------
-    AirlightError
-        If it is not installed.
-    """
+    """Import matplotlib, which is an optional dependency."""
     try:
         import matplotlib.figure  # noqa: F401
     except ImportError as error:
@@ -74,11 +68,6 @@ def new_figure(title: str, caption: str = "", size: tuple[float, float] = (8.0, 
         Settings, and how to read the figure.
     size : (float, float)
         Width and height; at eight inches wide its text is readable at 800 pixels. [inch]
-
-    Raises
-    ------
-    AirlightError
-        If matplotlib is not installed.
     """
     require_matplotlib()
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -206,10 +195,8 @@ def write_figure(
 
     Parameters
     ----------
-    figure : Figure
     file : binary file
         File open for writing.
-    format : "png", "svg" or "pdf"
     dpi : float
         Resolution of PNG, and of pictures within the other formats. [pixel/inch]
     """

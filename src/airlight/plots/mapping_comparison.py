@@ -187,12 +187,6 @@ def mapping_comparison(
     ----------
     solution : Solution
         Solution that gives the air's radiance at the texels' coordinates.
-    shape : (int, int, int)
-        Number of heights, view directions and sun directions.
-    azimuth : float
-        Azimuth between view and sun. [deg]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------

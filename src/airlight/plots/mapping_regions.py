@@ -55,14 +55,8 @@ def regions(planet: Planet, altitude: float) -> Regions:
 
     Parameters
     ----------
-    planet : Planet
     altitude : float
         Altitude of the observer, 0 to the top of the shell. [m]
-
-    Raises
-    ------
-    ParameterError
-        If the altitude is not within the shell.
 
     Examples
     --------
@@ -101,7 +95,6 @@ def mapping_regions(planet: Planet, altitude: float | None = None) -> Figure:
 
     Parameters
     ----------
-    planet : Planet
     altitude : float, optional
         Altitude of the second panel; the top of the shell if left out. [m]
 

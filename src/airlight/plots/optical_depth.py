@@ -23,7 +23,6 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
 
     Parameters
     ----------
-    planet : Planet
     wavelengths : tuple of float, optional
         Wavelengths to mark; the planet's own if left out. [nm]
 

@@ -93,19 +93,12 @@ def order_convergence(
         Solution by a solver that keeps its orders apart: ``direct`` or ``montecarlo``.
     sun_zenith : float
         Solar zenith angle at the observer. [deg]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; asked between orders.
 
     Returns
     -------
     Figure
         The radiance by order above and the relative remainder below, for at most three wavelengths;
         dashed, the geometric series for the orders beyond the last.
-
-    Raises
-    ------
-    ParameterError
-        If the solution has not kept at least two orders.
     """
     if solution.highest_order < 2:
         raise ParameterError(

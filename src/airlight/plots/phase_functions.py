@@ -36,7 +36,6 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
 
     Parameters
     ----------
-    planet : Planet
     wavelengths : tuple of float, optional
         Wavelengths to draw, at most four; the planet's own if left out. One curve represents all
         of them where the phase function does not depend on wavelength. [nm]
@@ -46,11 +45,6 @@ def phase_functions(planet: Planet, wavelengths: tuple[float, ...] | None = None
     Figure
         Two logarithmic panels: polar, with the light arriving from the left, and over the
         scattering angle. Legends give the mean cosine g.
-
-    Raises
-    ------
-    ParameterError
-        If nothing scatters.
 
     References
     ----------

@@ -48,11 +48,6 @@ def polarisation_plane(
     Figure
         One curve per wavelength of at most six, positive where light swings across the plane; the
         neutral points are marked, and named with their distances from the sun or its opposite.
-
-    Raises
-    ------
-    ParameterError
-        If the solution is of scalar transfer, or a value is out of its range.
     """
     view, degree = principal_plane(solution, sun_zenith=sun_zenith, altitude=altitude)
     points = neutral_points(solution, sun_zenith=sun_zenith, altitude=altitude)
@@ -112,26 +107,12 @@ def polarisation_dome(
 ) -> Figure:
     """Degree and angle of polarisation over the sky, with bars along the plane of polarisation.
 
-    Parameters
-    ----------
-    solution : Solution
-        Solution of polarised light.
-    sun_zenith : float
-        Zenith angle of the sun, 0 to 180. [deg]
-    altitude : float
-        Altitude of the observer. [m]
-
     Returns
     -------
     Figure
         Two domes as a fisheye sees them, the zenith in the middle and the sun's side below, at the
         wavelength next to 550 nm: degree with bars as long as it is large; angle from the plane of
         line and zenith.
-
-    Raises
-    ------
-    ParameterError
-        If the solution is of scalar transfer, or a value is out of its range.
     """
     k = int(np.argmin(np.abs(solution.wavelengths - GREEN)))
     dome = _Dome(solution, k, sun_zenith, altitude)

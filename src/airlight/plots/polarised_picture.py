@@ -113,13 +113,6 @@ def polarised_picture(frame: Frame, show: Literal["dolp", "aolp"]) -> NDArray[np
     array, shape (h + strip, w, 3), uint8
         sRGB. Pixels that are dark, see ``is_lit``, are black; angles fade to black below a degree
         of 2 %.
-
-    Raises
-    ------
-    ParameterError
-        If the frame has no Q and U, the name is unknown, or the picture is too narrow for labels.
-    AirlightError
-        If matplotlib is not installed.
     """
     if show not in COLOR_BARS:
         raise ParameterError("show", show, ", ".join(COLOR_BARS))

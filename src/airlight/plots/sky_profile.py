@@ -23,7 +23,6 @@ def sky_profile(solution: Solution, *, sun_zenith: float = 60.0, altitude: float
 
     Parameters
     ----------
-    solution : Solution
     sun_zenith : float
         Zenith angle of the sun, 0 to 180. [deg]
     altitude : float

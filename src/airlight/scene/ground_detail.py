@@ -50,8 +50,6 @@ def lattice_origin(component, radius, cell):
     ----------
     component : float
         Component of the unit vector from the planet's centre to that point. [1]
-    radius : float
-        Radius of the ground. [m]
     cell : float
         Size of the finest cells. [m]
 
@@ -157,8 +155,6 @@ def ground_detail(dx, dy, dz, footprint, cell, whole_x, whole_y, whole_z, part_x
         Ground position relative to the point below the observer, in the planet's frame. [m]
     footprint : float
         Longer axis of the pixel footprint. [m]
-    cell : float
-        Size of the finest cells. [m]
     whole_x, whole_y, whole_z, part_x, part_y, part_z : float
         Results of ``lattice_origin``.
     """

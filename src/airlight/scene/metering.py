@@ -113,8 +113,6 @@ def metering_weights(
     ----------
     scene : Scene
         Scene with camera and lights.
-    angular_radius : float
-        Angular radius of the star. [rad]
     step : int
         Step between evaluated rows and columns. [pixel]
 
@@ -160,10 +158,6 @@ def scene_exposure(rgb: NDArray[np.floating], scene: Scene, angular_radius: floa
     ----------
     rgb : array, shape (height, width, 3)
         Linear sRGB of the frame. [W m⁻² sr⁻¹]
-    scene : Scene
-        Scene with camera and lights.
-    angular_radius : float
-        Angular radius of the star. [rad]
 
     Returns
     -------

@@ -75,8 +75,6 @@ def star_irradiance(
 
     Parameters
     ----------
-    wavelengths : array, shape (...)
-        Wavelengths, above 0. [nm]
     temperature : float
         Temperature of the star's surface. [K]
     radius, distance : float

@@ -86,13 +86,7 @@ def _cells(texts: list[str]) -> NDArray[Any]:
 
 
 def write_dataset(path: str, data: xarray.Dataset) -> None:
-    """Write a dataset as netCDF.
-
-    Raises
-    ------
-    FileError
-        If it cannot be written, or netCDF does not allow a name in it.
-    """
+    """Write a dataset as netCDF."""
     with atomic_file(path) as part:
         try:
             data.to_netcdf(part, engine="scipy")

@@ -94,13 +94,6 @@ def read_cases(path: str) -> Cases:
     -------
     Cases
         Table in the file's order; empty lines are left out.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, or lacks a header or a column.
-    ParameterError
-        For the first cell that is not a number in its range, with line and column.
     """
     with case_blocks(path, None) as (head, blocks):
         some = list(blocks)
@@ -124,11 +117,6 @@ def case_blocks(path: str, size: int | None) -> Iterator[tuple[Cases, Iterator[C
     ------
     (Cases, iterator of Cases)
         Comments and header, without rows; and the blocks, as they are read.
-
-    Raises
-    ------
-    FileError, ParameterError
-        As for ``read_cases``, from the blocks too.
     """
     name = "standard input" if path == "-" else path
     with contextlib.ExitStack() as stack:

@@ -190,11 +190,6 @@ def varied(values: Any, path: str) -> list[Any]:
     path : str
         Path of the key, for errors.
 
-    Raises
-    ------
-    ParameterError
-        If there is no value, or the range cannot be read.
-
     Examples
     --------
     >>> varied("0.1:0.3:0.1", "ground.albedo"), varied("1:5:2 km", "dust.profile.scale_height")

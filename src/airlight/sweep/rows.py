@@ -95,8 +95,6 @@ def answer_rows(
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
     source : str
         Path of a CSV as ``case_blocks`` reads it. It is read twice: first every cell is checked.
     target : str
@@ -113,22 +111,11 @@ def answer_rows(
         Whether the solution is looked for on disk, and kept there.
     scheduler, workers : optional
         See ``airlight.distribution.opened_runner``; one process, with all its threads, by default.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
     int
         Number of rows that an earlier start had computed.
-
-    Raises
-    ------
-    FileError
-        If a file cannot be read or written.
-    ParameterError
-        For the first cell that is not a number in its range.
-    WorkerError
-        If workers or their scheduler are lost.
     """
     check_table(target, (".csv",))
     with case_blocks(source, BLOCK) as (head, blocks):

@@ -30,8 +30,6 @@ def shared_solution(
 
     Parameters
     ----------
-    planet : Planet
-        Planet.
     wavelengths : sequence of float
         Wavelengths. [nm]
     quality : str
@@ -40,8 +38,6 @@ def shared_solution(
         Whether light is polarised, as for ``airlight.solve``.
     cache : bool
         Whether it is looked for on disk, and kept there.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     """
     key = digest((planet, tuple(wavelengths), quality, polarisation))
     if key not in _CACHED:

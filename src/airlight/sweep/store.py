@@ -51,15 +51,7 @@ _REMEDY: Final = (
 
 
 def check_store(path: Path, field: str) -> None:
-    """Refuse, before anything is solved, a place where a sweep cannot be written.
-
-    Raises
-    ------
-    ParameterError
-        If zarr is not installed.
-    FileError
-        If there is something else.
-    """
+    """Refuse, before anything is solved, a place where a sweep cannot be written."""
     if util.find_spec("zarr") is None:
         raise ConflictError(field, "requires zarr: pip install airlight[sweep]")
     check_folder_name(path, ".zarr")
@@ -97,11 +89,6 @@ def check_room(path: Path, needed: int) -> None:
         Folder of the group.
     needed : int
         Size of the whole store. [byte]
-
-    Raises
-    ------
-    FileError
-        If the disk has less.
     """
     free = shutil.disk_usage(path.parent).free
     if needed <= free:
@@ -147,18 +134,10 @@ class SweepStore:
     ----------
     path : Path
         Folder of the Zarr group.
-    grid : Grid
-        Grid.
     about : mapping of str to str
         Attributes beside planets and version: what was computed, and its settings.
     stokes : bool
         Whether it holds ``POLARISED`` too.
-
-    Raises
-    ------
-    FileError
-        If the folder holds a sweep of another grid, metadata that airlight does not write, or
-        links.
     """
 
     def __init__(
@@ -184,8 +163,6 @@ class SweepStore:
 
         Parameters
         ----------
-        block : tuple of int
-            Indices of the block.
         fingerprint : int
             Hash of all that defines the block, 1 to 2^63.
         """
@@ -208,11 +185,6 @@ class SweepStore:
         -------
         list of str
             Names of the coordinates that were damaged.
-
-        Raises
-        ------
-        FileError
-            If they cannot be written.
         """
         damaged = []
         texts = {name: text.encode() for name, text in self._texts.items()}
@@ -233,12 +205,8 @@ class SweepStore:
 
         Parameters
         ----------
-        block : tuple of int
-            Indices of the block.
         values : array, shape (n, suns, views, azimuths, wavelengths)
             Radiance first. [W m⁻² sr⁻¹ nm⁻¹]
-        fingerprint : int
-            Hash of all that defines the block, 1 to 2^63.
 
         Raises
         ------

@@ -93,8 +93,6 @@ def bruneton_look_up(values, r, mu, mu_s, nu, to_ground, grid, out):
     values : array, shape (radii, views, suns, angles, channels)
     r, mu, mu_s, nu, to_ground : array, shape (n,)
         Arguments of ``bruneton_corners``.
-    grid : BrunetonGrid
-        Parameters of the layout.
     out : array, shape (n, channels)
         Receives the values.
     """

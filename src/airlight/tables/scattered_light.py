@@ -65,10 +65,6 @@ class ScatteredLight:
         multiplied by the first phase function, and each kind of particles has a further table and
         phase function. ``combined`` and ``rgba``: the last channel of ``scattering`` holds the
         particles' light, to be multiplied by the phase function ``particles``, if there is one.
-    tables : mapping of str to Table
-        Tables by name.
-    phases : PhaseFunctions
-        Phase functions by name.
     colours : array, shape (nl,)
         Ratio of particles' light to smooth light at each wavelength, relative to the ratio at the
         wavelength ``reference``; only for ``combined``. [1]

@@ -53,11 +53,6 @@ class Table:
         Factor of the stored values; 1 unless in half precision.
     provenance : mapping of str to str
         Origin of the values.
-
-    Raises
-    ------
-    ParameterError
-        If the shape or the type does not fit.
     """
 
     name: str
@@ -174,13 +169,7 @@ def stored(values: FloatArray, precision: str) -> tuple[NDArray[Any], float]:
 
 
 def layout_of(kind: str, parameters: Mapping[str, Any]) -> TableLayout:
-    """Layout of the name and parameters in a manifest.
-
-    Raises
-    ------
-    ParameterError
-        If there is no such layout, or a parameter is missing, unknown or out of range.
-    """
+    """Layout of the name and parameters in a manifest."""
     if kind not in LAYOUTS:
         raise ParameterError("layout", kind, ", ".join(LAYOUTS))
     try:

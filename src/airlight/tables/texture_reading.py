@@ -94,14 +94,10 @@ def scattering_at(table, r, mu, mu_s, nu, to_ground, shape):
 
     Parameters
     ----------
-    table : array
-        Texels: mu_s runs fastest, then nu, mu, r.
     r, mu, mu_s, nu : float
         Radius [m]; cosines of the zenith angles of view and sun, and of the angle between them [1].
     to_ground : bool
         Whether the line of sight ends on the ground, which selects the half of the views.
-    shape : TextureShape
-        Numbers of the textures.
     """
     bottom, top = shape.bottom, shape.top
     half = shape.views // 2
@@ -131,10 +127,6 @@ def phase_at(table, nu, row, shape):
         Texels: u runs fastest, then the functions.
     nu : float
         Cosine of the angle between view and sun. [1]
-    row : int
-        Index of the function.
-    shape : TextureShape
-        Numbers of the textures.
     """
     u = sqrt(min(max(0.5 * (1.0 - nu), 0.0), 1.0))
     low, high, f = cell(u * (shape.nodes - 1), 0, shape.nodes - 1)
@@ -190,8 +182,6 @@ def transmittance_at(table, r, mu, scale, shape):
         Texels of the transmittance, and their factor.
     r, mu : float
         Radius [m] and cosine of the ray's zenith angle [1].
-    shape : TextureShape
-        Numbers of the textures.
     """
     if mu < horizon_cosine(r, shape.bottom):
         return splat(0.0)
@@ -210,8 +200,6 @@ def irradiance_at(table, r, mu_s, scale, shape):
         Texels of the irradiance, and their factor.
     r, mu_s : float
         Radius [m] and cosine of the sun's zenith angle [1].
-    shape : TextureShape
-        Numbers of the textures.
     """
     x = irradiance.radius_coordinate(r, shape.bottom, shape.top)
     y = irradiance.sun_coordinate(mu_s)

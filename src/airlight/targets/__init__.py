@@ -22,13 +22,7 @@ MODULES: Final[dict[str, str]] = {
 
 
 def target_of(name: str) -> Target:
-    """Program by the name of its layout.
-
-    Raises
-    ------
-    ParameterError
-        If there is none of this name.
-    """
+    """Program by the name of its layout."""
     if name not in MODULES:
         raise ParameterError("layout", name, ", ".join(MODULES))
     found: Target = import_module(f"airlight.targets.{MODULES[name]}").TARGET

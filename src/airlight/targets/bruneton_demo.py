@@ -62,15 +62,8 @@ def fill(
         Solution at 680, 550 and 440 nm.
     folder : Path
         Empty folder.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     lowest_sun : float, optional
         Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
-
-    Raises
-    ------
-    ParameterError
-        If the lowest sun is above the horizon, or light does not fit into half floats.
     """
     check_lowest_sun(lowest_sun)
     filled = fill_tables(solution, combined=True, lowest_sun=lowest_sun, progress=progress)
@@ -178,11 +171,6 @@ def read_tables(folder: str | Path) -> SkyTables:
     ----------
     folder : str or Path
         Folder written for layout ``bruneton-demo``.
-
-    Raises
-    ------
-    FileError
-        If a file is missing or has another size.
     """
     path = Path(folder)
     said = read_constants(path)

@@ -157,8 +157,6 @@ def fill_tables(
         Largest zenith angle of the sun in the tables; if left out, the end of twilight. [deg]
     darkest : float
         See ``SkyTables``.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     """
     medium = solution.medium
     _, particles = groups(medium)

@@ -97,11 +97,6 @@ def g_of_schlick(mean_cosine: float) -> float:
     mean_cosine : float
         Mean cosine, at most 0.993 either way. [1]
 
-    Raises
-    ------
-    ParameterError
-        If the lobe is narrower than Celestia's can be.
-
     Examples
     --------
     >>> f"{g_of_schlick(0.76):.2f}"
@@ -172,13 +167,6 @@ def planet_from_celestia(
         Radius of the body, which its own definition has. [m]
     albedo : float or PerWavelength
         Albedo of its ground, which Celestia does not know. [1]
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    ParameterError
-        If a key is missing, or a value is impossible.
     """
     try:
         height = 1e3 * _number(atmosphere, "Height")
@@ -254,11 +242,6 @@ def read_atmosphere(text: str) -> dict[str, Value]:
     -------
     dict of str to float or list of float
         Numbers and triples; texts such as the names of maps are left out.
-
-    Raises
-    ------
-    ParameterError
-        If there is no atmosphere.
 
     Examples
     --------

@@ -54,8 +54,6 @@ def write_inputs(folder: Path, medium: Medium) -> None:
 
     Parameters
     ----------
-    folder : Path
-        Folder.
     medium : Medium
         Air at ``wavelengths_for`` its planet.
     """
@@ -110,13 +108,6 @@ def planet_from_inputs(folder: str | Path, star: Star, name: str) -> Planet:
         Folder with ``preprocessor.json``.
     star : Star
         Light source, of which the inputs know the size alone.
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    FileError
-        If a file is missing or of another form.
     """
     root = Path(folder)
     try:

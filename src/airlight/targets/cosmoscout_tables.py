@@ -33,13 +33,7 @@ DEVIATION: Final = "theta_deviation.tif"
 
 
 def require_tifffile() -> Any:
-    """Module tifffile, which is an optional dependency.
-
-    Raises
-    ------
-    AirlightError
-        If it is not installed.
-    """
+    """Module tifffile, which is an optional dependency."""
     try:
         import tifffile
     except ImportError as error:
@@ -54,8 +48,6 @@ def write_texture(path: Path, values: FloatArray) -> None:
 
     Parameters
     ----------
-    path : Path
-        Path of the file.
     values : array, shape (height, width, 3) or (depth, height, width, 3)
         Values; a page for each depth.
     """
@@ -71,13 +63,7 @@ def write_texture(path: Path, values: FloatArray) -> None:
 
 
 def read_texture(path: Path) -> FloatArray:
-    """Texture of a TIFF file, shape (depth, height, width, 3).
-
-    Raises
-    ------
-    FileError
-        If it cannot be read, or is of another kind.
-    """
+    """Texture of a TIFF file, shape (depth, height, width, 3)."""
     tifffile = require_tifffile()
     try:
         with tifffile.TiffFile(path) as file:
@@ -130,13 +116,7 @@ class CosmoScoutTables:
 
     @classmethod
     def read(cls, folder: str | Path) -> CosmoScoutTables:
-        """Read a folder.
-
-        Raises
-        ------
-        FileError
-            If a file is missing or of another kind.
-        """
+        """Read a folder."""
         root = Path(folder)
         try:
             metadata, scene = (json.loads(read_text(root / name)) for name in (METADATA, SCENE))

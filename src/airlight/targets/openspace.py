@@ -116,13 +116,6 @@ def planet_from_openspace(renderable: Mapping[str, Any], star: Star, name: str) 
         absorbs here; the light that OpenSpace adds with it is left out.
     star : Star
         Light source, of which an asset has only a brightness on the screen.
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    ParameterError
-        If a key that OpenSpace requires is missing, or a value is impossible.
     """
     try:
         radius = 1e3 * float(renderable["PlanetRadius"])

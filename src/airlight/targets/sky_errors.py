@@ -70,8 +70,6 @@ def sky_errors(
 
     Parameters
     ----------
-    solution : Solution
-        Solution.
     radiance : callable
         Radiance of the air alone, as the program looks it up.
     name : str

@@ -65,8 +65,6 @@ def fill(
         Solution at 680, 550 and 440 nm.
     folder : Path
         Empty folder.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     mie : str
         ``separate``: particles' light in a file of its own, for ``combinedScattering: false``;
         ``combined``: in alpha alone, for the loader's default.
@@ -175,11 +173,6 @@ def read_tables(folder: str | Path) -> SkyTables:
     ----------
     folder : str or Path
         Folder written for layout ``takram``.
-
-    Raises
-    ------
-    FileError
-        If a file is missing or has another size.
     """
     path = Path(folder)
     try:

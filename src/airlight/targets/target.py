@@ -77,11 +77,6 @@ class ErrorRow:
     def of(cls, name: str, errors: ArrayLike, *, where: str, measure: str = "relative") -> ErrorRow:
         """Statistics of errors of any shape and sign.
 
-        Raises
-        ------
-        ValueError
-            If there is no error.
-
         Examples
         --------
         >>> ErrorRow.of("sky", [-0.01, 0.02, 0.03], where="everywhere").median
@@ -281,11 +276,6 @@ def read_export(folder: str | Path, target: Target) -> Export:
         Folder written by ``target``.
     target : Target
         Program that it was written for.
-
-    Raises
-    ------
-    FileError
-        If there is no manifest, or one of another format.
     """
     path = Path(folder) / MANIFEST
     content = read_manifest(path, target.form)

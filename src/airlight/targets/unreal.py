@@ -136,13 +136,6 @@ def planet_from_unreal(properties: Mapping[str, Any], star: Star, name: str) -> 
         and ``width``.
     star : Star
         Light source, which belongs to another component.
-    name : str
-        Name of the planet.
-
-    Raises
-    ------
-    ParameterError
-        If a property is missing, or a value is impossible.
     """
     try:
         radius = 1e3 * float(properties["bottom_radius"])
@@ -198,8 +191,6 @@ def script_of(properties: Mapping[str, Property], name: str) -> str:
     ----------
     properties : mapping
         Properties of ``properties_of``.
-    name : str
-        Name of the planet.
     """
     lines = "\n".join(f'    "{key}": {_python(value)},' for key, value in properties.items())
     return f'''"""Sky of {name} for Unreal's SkyAtmosphere, written by airlight.

@@ -114,16 +114,8 @@ def results(
         Name of a preset, or path of a file.
     solvers : sequence of (str, object)
         Names and qualities, or settings, as ``solve`` takes them.
-    cases : sequence of Case
     wavelengths : sequence of float
         Three by default. [nm]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
     """
     planet = with_point_star(load_planet(planet_name))
     out = []

@@ -151,7 +151,6 @@ def at_observer(case: Case, bottom_radius: float, top_radius: float) -> tuple[fl
 
     Parameters
     ----------
-    case : Case
     bottom_radius, top_radius : float
         Radii of the planet. [m]
 
@@ -197,8 +196,6 @@ def geometry(planet: Planet, cases: Sequence[Case] = CASES, level: float = 0.0) 
 
     Parameters
     ----------
-    planet : Planet
-    cases : sequence of Case, length n
     level : float
         Altitude that stands for the ground in the cases: above a cloud, its top. [m]
 

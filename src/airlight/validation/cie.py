@@ -50,8 +50,6 @@ def cie(
         Name of a preset, or path of a file.
     quality : str
         Quality of the moments solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     earth = load_planet(planet)
     nm = default_wavelengths(16, *earth.wavelength_limits)
@@ -153,7 +151,6 @@ def sky_luminance(
 
     Parameters
     ----------
-    solution : Solution
     weights : array, shape (nl, 3)
         Weights from ``rgb_weights``. [nm]
     sun : float

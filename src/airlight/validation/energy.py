@@ -58,8 +58,6 @@ def energy(
         Quality of the moments solver, which computes the balances.
     order_solvers : sequence of (str, object)
         Solvers that keep their orders apart, with their qualities.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []

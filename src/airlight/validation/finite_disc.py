@@ -26,12 +26,7 @@ LEAST_RADIANCE = 1e-6
 
 
 def with_point_star(planet: Planet) -> Planet:
-    """The planet under a point star of the same irradiance.
-
-    Parameters
-    ----------
-    planet : Planet
-    """
+    """The planet under a point star of the same irradiance."""
     return replace(planet, star=replace(planet.star, angular_radius=0.0))
 
 
@@ -46,8 +41,6 @@ def finite_disc(
         Name of a preset, or path of a file.
     cases : sequence of Case
         Lines of sight.
-    cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     disc = load_planet(planet_name)
     by_star = []

@@ -102,7 +102,6 @@ def absorbed_by_air(
 
     Parameters
     ----------
-    solution : Solution
     altitudes : array, shape (n,)
         [m]
     mu_s : array, shape (m,)

@@ -48,18 +48,11 @@ def golden(
     ----------
     groups : sequence of Group, optional
         Groups to compute instead of those that ship with the package.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
     Suite
         One table and one threshold per group.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` said so.
     """
     groups = golden_groups() if groups is None else groups
     thresholds, parts = [], []

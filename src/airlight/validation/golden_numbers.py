@@ -175,16 +175,10 @@ def compare(
 
     Parameters
     ----------
-    group : Group
     got : sequence of array, shape (n,)
         Values of each row, in the order of the group.
     single : bool
         Whether both are rounded to float32 before the comparison.
-
-    Raises
-    ------
-    ValueError
-        If there are more or fewer numbers than in the group.
     """
     compared = []
     for row, values in zip(group.rows, got, strict=True):

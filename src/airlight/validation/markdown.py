@@ -17,7 +17,6 @@ def markdown(report: ValidationReport, pictures: str) -> str:
 
     Parameters
     ----------
-    report : ValidationReport
     pictures : str
         Folder of the pictures relative to the page, such as ``"pictures"``.
     """
@@ -57,13 +56,7 @@ def markdown(report: ValidationReport, pictures: str) -> str:
 
 
 def picture_files(report: ValidationReport) -> dict[str, bytes]:
-    """Contents of the pictures, by file name.
-
-    Raises
-    ------
-    ValueError
-        If two pictures have the same name.
-    """
+    """Contents of the pictures, by file name."""
     return files_of([part for suite in report.suites for part in suite.parts])
 
 

@@ -58,27 +58,13 @@ def measured(
     ----------
     data : Path
         Folder that holds ``kider2013-05-27.npz`` and AERONET's phase function.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If either file cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     rows = compute(data, progress=progress, cancel=cancel)
     return suite_of(rows)
 
 
 def suite_of(rows: Rows) -> Suite:
-    """Build the section of the report.
-
-    Parameters
-    ----------
-    rows : Rows
-    """
+    """Build the section of the report."""
     scans = rows.scans
     ours = {SAME: rows.same, KNOWN: rows.known, FITTED: rows.fitted}
     scores = {name: rows.score(got) for name, got in ours.items()}

@@ -35,15 +35,6 @@ def measured_days(
         Folder that holds days as ``kider*.npz``.
     quality : str
         Quality of the solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If there is none, or one cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     return suite_of(
         [
@@ -54,12 +45,7 @@ def measured_days(
 
 
 def suite_of(days: list[Day]) -> Suite:
-    """Build the section of the report.
-
-    Parameters
-    ----------
-    days : list of Day
-    """
+    """Build the section of the report."""
     return Suite(
         name="kider",
         title="Measured days, load fitted",

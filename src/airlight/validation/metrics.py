@@ -97,13 +97,7 @@ def beyond_noise(
 def in_standard_errors(
     got: ArrayLike, expected: ArrayLike, standard_error: ArrayLike
 ) -> FloatArray:
-    """Signed differences over the standard error; 0 where there is neither. [1]
-
-    Parameters
-    ----------
-    got, expected, standard_error : array, shapes that broadcast to (...)
-        Values in the same unit.
-    """
+    """Signed differences over the standard error; 0 where there is neither. [1]"""
     difference = np.asarray(got, float) - np.asarray(expected, float)
     noise = np.broadcast_to(np.asarray(standard_error, float), difference.shape)
     out = np.where(difference == 0.0, 0.0, np.copysign(np.inf, difference))

@@ -49,8 +49,6 @@ def order_convergence(
     ----------
     solvers : sequence of (str, object)
         Names and qualities.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     planet = round_earth()
     shares: dict[str, FloatArray] = {}

@@ -102,12 +102,7 @@ def flat_cases() -> tuple[FlatCase, ...]:
 
 
 def flattened(planet: Planet) -> Planet:
-    """The same air above a ground a thousand times as large.
-
-    Parameters
-    ----------
-    planet : Planet
-    """
+    """The same air above a ground a thousand times as large."""
     bottom = VAST * planet.bottom_radius
     return replace(planet, bottom_radius=bottom, top_radius=bottom + planet.thickness)
 
@@ -144,12 +139,7 @@ def references() -> dict[str, Reference]:
 
 
 def depths(medium: Medium) -> tuple[float, float]:
-    """Vertical optical depths of extinction and of absorption at the first wavelength. [1]
-
-    Parameters
-    ----------
-    medium : Medium
-    """
+    """Vertical optical depths of extinction and of absorption at the first wavelength. [1]"""
     columns = np.asarray(medium.columns)
     return (
         float(medium.extinction[:, 0] @ columns),
@@ -188,13 +178,6 @@ def disort(
         Quality of the moments solver.
     cases : sequence of FlatCase, optional
         Cases to compare instead of all.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
     """
     solve = solver(progress, cancel)
     thresholds, rows = [], []

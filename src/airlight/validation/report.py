@@ -80,10 +80,6 @@ def result_word(suite: Suite) -> str:
 def html(report: ValidationReport) -> str:
     """Format the report as a page of HTML.
 
-    Parameters
-    ----------
-    report : ValidationReport
-
     Returns
     -------
     str

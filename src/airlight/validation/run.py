@@ -136,8 +136,6 @@ def chosen(names: Sequence[str], data: Path | None) -> dict[str, str]:
 
     Raises
     ------
-    ParameterError
-        If a suite is unknown, or needs data and no folder is given.
     FileError
         If ``data`` is not a folder, or lacks a file that a suite named explicitly needs.
 
@@ -185,20 +183,11 @@ def run(
     ----------
     names, data :
         See ``chosen``.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; the message names the suite.
 
     Yields
     ------
     Suite
         Result, with its wall time.
-
-    Raises
-    ------
-    ParameterError, FileError
-        As for ``chosen``, before anything runs; and if a suite's file is damaged.
-    Cancelled
-        If ``cancel`` returned True.
     """
     for name, reason in chosen(names, data).items():
         entry = SUITES[name]

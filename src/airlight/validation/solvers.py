@@ -42,8 +42,6 @@ def solvers(
         Names of presets, or paths of files.
     cases : sequence of Case
         Grid of lines of sight.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []

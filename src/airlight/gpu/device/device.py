@@ -126,10 +126,6 @@ def open_device(choice: str | None = None) -> Device:
         ``off``, or a part of an adapter's name, case ignored; by default the environment variable
         AIRLIGHT_GPU, and without it the fastest adapter: a GPU before software.
 
-    Returns
-    -------
-    Device
-
     Raises
     ------
     NoDevice

@@ -63,15 +63,8 @@ def declared_bindings(source: str, label: str = "shader") -> tuple[Binding, ...]
 
     Parameters
     ----------
-    source : str
-        WGSL source.
     label : str
         Name in error messages.
-
-    Raises
-    ------
-    ShaderError
-        If a declaration is of another kind.
     """
     bare = _COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), source)
     found = list(_DECLARATION.finditer(bare))
@@ -105,19 +98,6 @@ def compiled(device: Device, source: str, label: str) -> Any:
     ----------
     device : Device
         Device from ``open_device``.
-    source : str
-        WGSL source.
-    label : str
-        Name in error messages.
-
-    Returns
-    -------
-    wgpu.GPUShaderModule
-
-    Raises
-    ------
-    ShaderError
-        If it does not compile.
     """
     import wgpu
 
@@ -160,11 +140,6 @@ class FragmentPass:
         32 bytes a texel.
     label : str
         Label in messages; by default the entry point's name.
-
-    Raises
-    ------
-    ShaderError
-        If the source does not compile or does not match its targets.
     """
 
     def __init__(
@@ -220,11 +195,6 @@ class FragmentPass:
             Resources by name in the source: a buffer for a uniform, a texture or a view of one, a
             sampler. Names that the source does not declare are ignored, so that one mapping can
             serve several passes.
-
-        Raises
-        ------
-        ParameterError
-            If a declared resource is missing.
         """
         gpu = self.device.device
         groups = []
@@ -263,11 +233,6 @@ class FragmentPass:
         timestamps : mapping, optional
             ``query_set`` and indices of ``beginning_of_pass_write_index`` and
             ``end_of_pass_write_index``, for a device that ``measures_time``.
-
-        Raises
-        ------
-        ParameterError
-            If the number of views differs from that of the targets.
         """
         if len(views) != len(self.targets):
             raise ParameterError("views", len(views), f"{len(self.targets)} targets")
@@ -301,11 +266,6 @@ class FragmentPass:
             Resources as in ``bind``.
         views : sequence
             Views as in ``run``.
-
-        Raises
-        ------
-        ParameterError
-            Errors of ``bind`` and ``run``.
         """
         encoder = self.device.device.create_command_encoder(label=self.label)
         self.run(encoder, self.bind(resources), views)

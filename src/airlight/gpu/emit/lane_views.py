@@ -16,11 +16,6 @@ class LaneViews(ast.NodeTransformer):
     ----------
     scope : dict
         Globals of the function.
-
-    Raises
-    ------
-    SubsetError
-        If a name stands for views of different arrays.
     """
 
     def __init__(self, scope: dict[str, Any]) -> None:

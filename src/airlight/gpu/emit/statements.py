@@ -100,11 +100,6 @@ class FunctionBody:
         Function; ``write`` sets its result and text.
     tree : ast.FunctionDef
         Source of the function.
-
-    Raises
-    ------
-    SubsetError
-        From methods, for a statement outside the subset.
     """
 
     def __init__(self, emitter: Functions, made: Emitted, tree: ast.FunctionDef) -> None:

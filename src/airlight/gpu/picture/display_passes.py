@@ -75,8 +75,6 @@ class DisplayPasses:
             Pixel angle for glare; 0 disables it. [rad]
         view : wgpu.GPUTextureView
             View of the target, of the same size.
-        target_format : str
-            Format of the target.
         """
         shorter = float(min(self._size))
         count = glare_levels(pixel_angle, shorter) if uniforms.get("glare", 0.0) > 0.0 else 0

@@ -26,8 +26,6 @@ def ray_and_star(index, sizes, tables):
 
     Parameters
     ----------
-    index : int
-        Index of the texel.
     sizes, tables : GridSizes, Tables
         Inputs of the host.
 

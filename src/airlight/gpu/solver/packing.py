@@ -23,8 +23,6 @@ def largest_of(index, sizes, count, values):
         Index of a number (mean radiance or irradiance, sun, lane).
     sizes : GridSizes
         Sizes of the axes.
-    count : int
-        Number of radii.
     values : array
         Moments (radius, sun, moment, lane), and after them irradiances. [1]
     """
@@ -80,8 +78,6 @@ def light_number(values, start, step, i, part, dark):
         Numbers as in ``largest_of``. [1]
     start, step : int
         Index of the number at radius 0, and step from radius to radius.
-    i : int
-        Index of the radius.
     part : int
         Moment; 0 for mean radiances and irradiances.
     dark : float

@@ -134,8 +134,6 @@ class SolverPlan:
 
         Parameters
         ----------
-        one : SolverPass
-            Pass of the solver.
         span : RadiusRange, optional
             Radius range of a spanned pass.
         """
@@ -153,11 +151,6 @@ class SolverPlan:
 
     def runs(self, passes: tuple[SolverPass, ...]) -> list[tuple[SolverPass, tuple[int, int, int]]]:
         """Passes in running order with their texels; spanned passes repeat per radius range.
-
-        Parameters
-        ----------
-        passes : tuple of SolverPass
-            Passes of the solver.
 
         Returns
         -------

@@ -39,11 +39,6 @@ def plan_for(
         Grid sizes.
     extinction_headroom : float
         Factor on the extinction for which grids are laid out, see ``Setup``. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the wavelengths or constituents exceed the capacity of the shaders.
     """
     medium = geometry.medium
     constituents = len(medium.names)

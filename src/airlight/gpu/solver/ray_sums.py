@@ -46,13 +46,10 @@ def depth_towards(ratios, row, f, place, distance, extinction, constituents):
         Ratios of a ``ColumnTable``, from ``rational_mean_density``.
     row, f : int, float
         Index of the radius below the point, and interpolation fraction.
-    place : int
-        Index of the direction.
     distance : float
         Distance to the top. [m]
     extinction : lanes, shape (nc,)
         Extinction coefficients. [m⁻¹]
-    constituents : int
     """
     tau = splat(0.0)
     for c in range(constituents):
@@ -117,10 +114,8 @@ def scattered_once(
         ``polarised_transmittance_ratio`` on that way [1].
     phases, phase_f12 : lanes, shape (nc,)
         Arrays from ``fill_phases`` and ``fill_phase_f12``. [m⁻¹ sr⁻¹]
-    constituents : int
     depths : lanes, shape (points, directions)
         Depths from ``depth_in_row``. [1]
-    directions : int
     mu_s, nu : float
         Cosines of the star at the start of the ray. [1]
     bottom, top, star_radius, refraction_table :
@@ -172,14 +167,10 @@ def gathered(
     ----------
     turn, mu_along : array
         Arrays of ``Rays``.
-    first, points : int
-        First point of the ray, and number of points.
     local : int
         Index of the first point in ``rows``.
     rows : lanes, shape (points, s, 7 + N)
         For each point and sun the node of ``source_at_point``.
-    mu_s, nu : float
-        Cosines of the star at the start of the ray. [1]
     places : array
         Lookup table ``Grid.place``.
     sun_angles, degree : int

@@ -65,8 +65,6 @@ def solve_on(
         Medium of at most four wavelengths.
     settings : MomentsSettings
         Grid sizes and tolerance.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
 
     Returns
     -------
@@ -75,14 +73,8 @@ def solve_on(
 
     Raises
     ------
-    ParameterError
-        If the wavelengths or constituents exceed the capacity of the shaders.
-    ThickAir
-        If the air is too optically thick.
     ConvergenceError
         If the tolerance is not reached within the orders that ``Stopping`` allows.
-    Cancelled
-        If ``cancel`` requested it.
     """
     started = perf_counter()
     geometry = RefractedGeometry.of(medium)

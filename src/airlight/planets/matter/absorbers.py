@@ -218,13 +218,7 @@ class CrossSectionAbsorption(Absorber):
         return spectral_limits(self.cross_section)
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Cross-section of one molecule, shape (nl,). [m²]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        """
+        """Cross-section of one molecule, shape (nl,). [m²]"""
         if isinstance(self.cross_section, str):
             from airlight.spectra.tables import read_spectrum
 
@@ -236,8 +230,6 @@ class CrossSectionAbsorption(Absorber):
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
         vertical_column : float
             Integral ∫ relative density dh over the shell; not used with a number density. [m]
         """
@@ -342,8 +334,6 @@ class SmallParticleAbsorption(Absorber):
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
         vertical_column : float
             Not used: the density is known. [m]
         """

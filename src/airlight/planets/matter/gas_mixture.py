@@ -289,13 +289,7 @@ class GasMixture(Matter):
 
     @property
     def scale_height(self) -> float:
-        """Scale height of the isothermal gas, RT/(Mg). [m]
-
-        Raises
-        ------
-        ParameterError
-            If temperature or gravity is not given.
-        """
+        """Scale height of the isothermal gas, RT/(Mg). [m]"""
         if self.temperature is None:
             raise ConflictError("temperature", "is required for the scale height")
         if self.gravity is None:
@@ -333,11 +327,6 @@ class GasMixture(Matter):
         ----------
         wavelengths : array, shape (nl,)
             Wavelengths. [nm]
-
-        Raises
-        ------
-        ParameterError
-            If a wavelength is outside the limits, or the density is too large for a gas.
         """
         if self.refractivity is None:
             return self._composed_refractivities(wavelengths, self.number_density)
@@ -369,18 +358,7 @@ class GasMixture(Matter):
         return rayleigh.depolarisation_from_king_factor(self.king_factors(wavelengths))
 
     def cross_sections(self, wavelengths: npt.ArrayLike) -> FloatArray:
-        """Mean Rayleigh cross-section of the molecules, shape (nl,). [m²]
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-
-        Raises
-        ------
-        ParameterError
-            If a wavelength is outside the limits.
-        """
+        """Mean Rayleigh cross-section of the molecules, shape (nl,). [m²]"""
         factors = self.king_factors(wavelengths)
         if self.refractivity is None:
             return np.asarray(self._sums(wavelengths)[1] * factors)
@@ -394,8 +372,6 @@ class GasMixture(Matter):
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
         vertical_column : float
             Not used: the density is known. [m]
         """

@@ -109,8 +109,6 @@ class Matter(TomlModel, ABC):
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
         vertical_column : float
             Integral ∫ relative density dh over the shell, by which an optical depth is divided. [m]
         """
@@ -134,15 +132,7 @@ class Matter(TomlModel, ABC):
         progress: Progress | None = None,
         cancel: Cancel | None = None,
     ) -> None:
-        """Do the slow computations before values are requested.
-
-        Parameters
-        ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
-        progress, cancel : callable, optional
-            See ``airlight.kernel.threads``.
-        """
+        """Do the slow computations before values are requested."""
 
     @abstractmethod
     def phase_function(self, wavelengths: npt.ArrayLike) -> PhaseFunction:

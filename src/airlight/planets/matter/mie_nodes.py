@@ -152,26 +152,14 @@ def mie_nodes(
 
     Parameters
     ----------
-    index : GivenIndex, TableIndex or MixedIndex
-    sizes : GammaSizes, LogNormalSizes or SingleSize
     wavelengths : sequence of float
         Wavelengths. [nm]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``; ``cancel`` is also called by the threads of the nodes, the
-        largest of which take half a minute.
 
     Returns
     -------
     list of Scattering
         Results, one per wavelength, at ``phase_angles(sizes)``; each phase function, as
         interpolated between those angles, integrates to 1.
-
-    Raises
-    ------
-    CostError
-        If the particles are so large that the memory does not suffice.
-    Cancelled
-        If ``cancel`` returned True.
     """
     indices = [complex(value) for value in index.at(np.asarray(wavelengths))]
     keys = [_key(sizes, m, nm) for m, nm in zip(indices, wavelengths, strict=True)]
@@ -196,13 +184,7 @@ def mie_nodes(
 
 
 def _checked_work(sizes: ParticleSizes, wavelengths: Sequence[float]) -> float:
-    """Amount of work for some nodes, as of ``kernel.cost``; refused where it needs too much memory.
-
-    Raises
-    ------
-    CostError
-        If the nodes that are computed at once need more memory than is free.
-    """
+    """Work of some nodes, as in ``kernel.cost``; an error if they need too much memory."""
     work, largest = 0.0, 0.0
     angles = len(phase_angles(sizes))
     for wavelength in wavelengths:

@@ -54,7 +54,6 @@ class Particles(Matter):
     ----------
     index : GivenIndex, TableIndex or MixedIndex
         Refractive index.
-    sizes : GammaSizes, LogNormalSizes or SingleSize
     method : "mie" or "anomalous-diffraction"
         Theory. The second has no phase function of its own, and is 9 to 13 % off in extinction for
         the dust of Mars.
@@ -256,8 +255,6 @@ class Particles(Matter):
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
         vertical_column : float
             Integral ∫ relative density dh over the shell, by which an optical depth is divided. [m]
         """
@@ -278,13 +275,7 @@ class Particles(Matter):
         return np.maximum(extinction - scattering, 0.0) * self.number_of(vertical_column)
 
     def phase_function(self, wavelengths: npt.ArrayLike) -> TabulatedPhase:
-        """Phase function, known at these wavelengths [nm], shape (nl,).
-
-        Raises
-        ------
-        ParameterError
-            If the method has none.
-        """
+        """Phase function, known at these wavelengths [nm], shape (nl,)."""
         if self.method != "mie":
             raise ConflictError("phase_function", "is required for anomalous diffraction")
         return _phase(self.index, self.sizes, bracketing(self._nodes, wavelengths))

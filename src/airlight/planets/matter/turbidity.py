@@ -257,8 +257,6 @@ class LiteralTurbidity(_Haze):
 
         Parameters
         ----------
-        wavelengths : array, shape (nl,)
-            Wavelengths. [nm]
         vertical_column : float
             Not used.
         """

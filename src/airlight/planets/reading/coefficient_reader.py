@@ -91,13 +91,6 @@ def read_scattering(section: TomlTable, wavelengths: Wavelengths) -> Spectral | 
 def read_absorption(section: TomlTable, wavelengths: Wavelengths) -> Spectral | Absorber:
     """Read the key ``absorption``: a coefficient, an absorber, or 0 if it is absent.
 
-    Parameters
-    ----------
-    section : TomlTable
-        Table of the constituent.
-    wavelengths : tuple of float or None
-        Wavelengths that its lists belong to. [nm]
-
     Returns
     -------
     float, PerWavelength or Absorber

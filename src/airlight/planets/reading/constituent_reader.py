@@ -22,7 +22,6 @@ def read_constituent(section: TomlTable, thickness: float) -> Constituent:
 
     Parameters
     ----------
-    section : TomlTable
     thickness : float
         Thickness of the shell, over which optical depths are spread. [m]
     """

@@ -14,13 +14,7 @@ from airlight.planets.schema.toml_table import suggestion
 
 
 def key_at(tables: Tables, path: str) -> Field:
-    """Declaration of the key at a path; items of a list have the list's key.
-
-    Raises
-    ------
-    ParameterError
-        If no key is declared at the path.
-    """
+    """Declaration of the key at a path; items of a list have the list's key."""
     cursor: Any = tables
     kind, found = "planet", None
     for step in steps_of(path):
@@ -41,19 +35,8 @@ def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
 
     Parameters
     ----------
-    tables : dict
-        Tables of a planet file.
     folder : Path, optional
         Folder of the files that it names.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    ParameterError
-        If a key is undeclared.
 
     Examples
     --------

@@ -26,11 +26,6 @@ def filled(page: str, table: Callable[[str], str] | None = None) -> str:
         Text in Markdown.
     table : callable, optional
         ``table(kind)``, the contents of a block; ``key_table`` by default.
-
-    Raises
-    ------
-    KeyError
-        If a block names an unknown kind of table.
     """
 
     def block(match: re.Match[str]) -> str:
@@ -71,8 +66,6 @@ def rows_of(keys: Sequence[Field], which: Sequence[str] = ()) -> str:
     ----------
     keys : sequence of Field
         Declarations.
-    which : sequence of str
-        Names of keys of which one has to be given.
     """
     lines = ["| key | value | left out | meaning |", "|---|---|---|---|"]
     for key in keys:

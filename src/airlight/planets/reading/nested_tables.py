@@ -17,11 +17,6 @@ _STEPS: Final = re.compile(r"([^.\[\]]+)|\[(\d{1,6})\]|\.")
 def steps_of(path: str) -> list[Step]:
     """Keys and indices of a path.
 
-    Raises
-    ------
-    ParameterError
-        If the path is malformed.
-
     Examples
     --------
     >>> steps_of("constituents[0].gas.composition.N2")
@@ -81,15 +76,6 @@ def put(tables: Tables, path: str, value: Any) -> Tables:
         Path whose tables exist, up to its last key.
     value : object
         Value as in the file, or None.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    ParameterError
-        If the path leads nowhere.
 
     Examples
     --------

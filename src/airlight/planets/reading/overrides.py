@@ -46,10 +46,6 @@ def overridden(values: Mapping[str, Any], overrides: Mapping[str, Any]) -> dict[
     overrides : mapping
         Map from path to value, in order: values as in a file, including texts with a unit.
 
-    Returns
-    -------
-    dict
-
     Raises
     ------
     ParameterError
@@ -91,11 +87,6 @@ def parsed(text: str) -> tuple[str, Any]:
     value : object
         Value; None if there is nothing after the sign.
 
-    Raises
-    ------
-    ParameterError
-        If there is no sign, or no path before it.
-
     Examples
     --------
     >>> parsed("ground.albedo = 0.3"), parsed("air.gas.pressure=2 bar")
@@ -109,11 +100,6 @@ def parsed(text: str) -> tuple[str, Any]:
 
 def indexed_path(values: Mapping[str, Any], path: str) -> str:
     """Path of an override with its constituent by index in place of its name.
-
-    Raises
-    ------
-    ParameterError
-        If the path leads nowhere.
 
     Examples
     --------

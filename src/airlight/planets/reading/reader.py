@@ -121,13 +121,6 @@ def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
     folder : Path or None
         Folder of files that the text names; None for a preset.
 
-    Raises
-    ------
-    FileError
-        If the file does not exist, or cannot be read.
-    ParameterError
-        If the name is unknown.
-
     Examples
     --------
     >>> planet_text("mars")[1]
@@ -151,11 +144,6 @@ def planet_text(name_or_path: str | Path) -> tuple[str, str, Path | None]:
 
 def file_text(path: Path) -> str:
     """Text of a file that a user names, of limited size.
-
-    Parameters
-    ----------
-    path : Path
-        Path of the file.
 
     Raises
     ------
@@ -206,19 +194,6 @@ def read_planet(
         Folder of files that the text names; by default, the working directory.
     overrides : mapping, optional
         Changes as for ``load_planet``.
-    progress, cancel : callable, optional
-        See ``load_planet``.
-
-    Returns
-    -------
-    Planet
-
-    Raises
-    ------
-    FileError
-        If the text is not TOML.
-    ParameterError
-        If the file is invalid.
     """
     tables = nested_tables(text, file)
     return read_tables(tables, file, folder, overrides, progress=progress, cancel=cancel)
@@ -245,15 +220,6 @@ def read_tables(
     wavelengths : callable
         ``wavelengths(planet)``: wavelengths at which the planet is sampled to check it; a later
         request for the medium there gets that medium. The planet's own by default. [nm]
-
-    Returns
-    -------
-    Planet
-
-    Raises
-    ------
-    ParameterError
-        If the tables are invalid.
     """
     try:
         changed = tables if overrides is None else overridden(tables, overrides)
@@ -268,31 +234,12 @@ def read_tables(
 
 
 def declared_planet(tables: Mapping[str, Any], folder: Path | None = None) -> Planet:
-    """Planet of the nested tables of a file, whose medium is neither computed nor checked.
-
-    Raises
-    ------
-    ParameterError
-        If a table or a value is invalid.
-    """
+    """Planet of the nested tables of a file, whose medium is neither computed nor checked."""
     return _planet(TomlTable(tables, folder=folder))
 
 
 def nested_tables(text: str, file: str) -> dict[str, Any]:
-    """Nested tables of a planet file, before anything in them is checked.
-
-    Parameters
-    ----------
-    text : str
-        Text in TOML.
-    file : str
-        Name in errors.
-
-    Raises
-    ------
-    FileError
-        If the text is not TOML.
-    """
+    """Nested tables of a planet file, before anything in them is checked."""
     try:
         return tomllib.loads(text.replace("\r\n", "\n"))
     except RecursionError:

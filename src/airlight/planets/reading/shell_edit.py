@@ -30,11 +30,6 @@ def lifted(tables: Tables, before: Tables) -> Tables:
         Tables whose shell is as thick as before; those given where a radius cannot be read, which
         the reader will reject.
 
-    Raises
-    ------
-    ParameterError
-        If the atmosphere is too thick or too thin for the radius.
-
     Examples
     --------
     >>> before = {"shell": {"bottom_radius": "6360 km", "top_radius": "6460 km"}}

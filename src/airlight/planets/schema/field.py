@@ -151,13 +151,7 @@ class Field:
         return self.checked(value, info.field_name or "value")
 
     def checked(self, value: Any, field: str) -> Any:
-        """Check that a field's value is within the range, and return it.
-
-        Raises
-        ------
-        ParameterError
-            If it is not.
-        """
+        """Check that a field's value is within the range, and return it."""
         low, high = self.range
         if self.table and isinstance(value, Prebuilt):
             return value
@@ -205,13 +199,7 @@ class Field:
     # --- of the file --------------------------------------------------------------------------
 
     def read_from(self, section: TomlTable, wavelengths: Wavelengths) -> Any:
-        """Value of the key in a table of the file, in ``unit``; None if the table leaves it out.
-
-        Raises
-        ------
-        ParameterError
-            If it is missing though required, or not a value of its kind.
-        """
+        """Value of the key in a table of the file, in ``unit``; None if the table leaves it out."""
         name = self.name
         if not self.required and name not in section:
             return None

@@ -88,13 +88,6 @@ def number_in(value: Any, unit: str, bare: str, field: str) -> float:
         Unit of the result.
     bare : str
         Unit of a number that has none.
-    field : str
-        Name in the error.
-
-    Raises
-    ------
-    ParameterError
-        If it is not a quantity of that kind.
 
     Examples
     --------

@@ -41,14 +41,8 @@ class TomlModel(Prebuilt):
 
         Parameters
         ----------
-        section : TomlTable
         wavelengths : tuple of float, optional
             Wavelengths that its lists belong to, if the table has none of its own. [nm]
-
-        Raises
-        ------
-        ParameterError
-            If a value is invalid, or an unknown key remains.
         """
         collector = Collector()
         values: dict[str, Any] | None = None

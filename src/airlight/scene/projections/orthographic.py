@@ -57,8 +57,6 @@ def disc_extent(top_radius: float, width: int, height: int) -> float:
     ----------
     top_radius : float
         Radius of the top of the air. [m]
-    width, height : int
-        Size of the frame. [pixel]
 
     Examples
     --------

@@ -53,7 +53,7 @@ _LEAST: Final = 1e-30
 
 @inlined
 def reset_peaks(tables, work):
-    """Reset the sums of ``add_peaks``."""
+    """Reset of the sums of ``add_peaks``."""
     for at in range(0, tables.lanes, LANES):
         sums = lane_view(work.peaks, at)
         sums[0], sums[1], sums[2] = splat(0.0), splat(0.0), splat(0.0)
@@ -131,8 +131,6 @@ def peak_fraction(constituent, tables, at):
 
     Parameters
     ----------
-    constituent : int
-        Index of the constituent.
     tables, at :
         Arguments of ``add_peaks``.
     """
@@ -166,11 +164,6 @@ def peak_broadening(optics: Optics) -> FloatArray | None:
     """Table of the relative gain f B/p of single scattering by forward peaks.
 
     Peaked constituents are averaged by their vertical scattering optical depths.
-
-    Parameters
-    ----------
-    optics : Optics
-        Optics of the medium.
 
     Returns
     -------

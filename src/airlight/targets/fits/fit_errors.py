@@ -48,8 +48,6 @@ def fit_errors(
         Solution of the true planet.
     fitted : Planet
         Fitted planet, which is solved at the same wavelengths with the same settings.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     """
     settings = solution.settings if isinstance(solution, MomentsSolution) else "default"
     fit = solve(fitted, solution.wavelengths, settings, progress=progress)
@@ -72,16 +70,10 @@ def findings(
 
     Parameters
     ----------
-    solution : Solution
-        Solution of the true planet.
-    fit : FormulaPlanet
-        Its fit.
     held : Planet
         Planet as read back from what is written, whose errors are measured.
     notes : tuple of str
         Further notes.
-    progress : callable, optional
-        See ``airlight.kernel.threads``.
     """
     return ExportReport(
         fitted=fit.fitted,

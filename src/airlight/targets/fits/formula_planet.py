@@ -90,8 +90,6 @@ def formula_planet(medium: Medium, name: str, formulas: Formulas) -> FormulaPlan
     ----------
     medium : Medium
         Air without refraction.
-    name : str
-        Name of the planet.
     formulas : Formulas
         Formulas of the program.
     """
@@ -192,8 +190,6 @@ def layer(
 
     Parameters
     ----------
-    name : str
-        Name of the constituent.
     profile : Profile
         Density.
     medium : Medium

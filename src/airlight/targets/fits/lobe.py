@@ -151,11 +151,6 @@ def fit_lobe(
     weights : array, shape (nl,), optional
         Weights of the wavelengths, such as scattering optical depths; even if left out.
 
-    Raises
-    ------
-    ParameterError
-        If the phase function has no mean cosine that a lobe can have.
-
     Examples
     --------
     >>> import numpy as np

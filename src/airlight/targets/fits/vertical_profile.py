@@ -161,11 +161,6 @@ def fit_exponential(profile: VerticalProfile) -> Exponential:
 def fit_tent(profile: VerticalProfile) -> Tent:
     """Tent whose columns above all altitudes are nearest, least squares.
 
-    Parameters
-    ----------
-    profile : VerticalProfile
-        Density.
-
     Examples
     --------
     >>> ozone = VerticalProfile.sampled(

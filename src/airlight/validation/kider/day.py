@@ -79,13 +79,7 @@ class Day:
 
 
 def day_files(folder: Path) -> list[Path]:
-    """Files of all days in a folder, by name.
-
-    Raises
-    ------
-    FileError
-        If there is none.
-    """
+    """Files of all days in a folder, by name."""
     found = sorted(folder.glob(FILES))
     if not found:
         raise FileError(folder, f"contains no {FILES}")
@@ -104,15 +98,6 @@ def compute_day(
         Scans of the day; a phase function of that day is looked for beside it.
     quality : str
         Quality of the solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If a file cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     scans, data = read_scan_file(file), file.parent
     best = best_inputs(data, scans.date)

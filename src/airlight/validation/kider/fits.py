@@ -57,15 +57,12 @@ class AerosolModel:
     ----------
     planet_of : callable
         Planet for a load.
-    scans : Scans
     start : AngstromLaw
         Starting values.
     with_scale : bool
         Whether the instrument's scale is fitted too.
     quality : str
         Quality of the solver.
-    cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
 
     def __init__(
@@ -193,7 +190,6 @@ def fit_pointing(
     ----------
     model : callable
         Radiance for view zenith and azimuth [deg], each of shape (ns, nd); shape (ns, nd, nl).
-    scans : Scans
     iterations : int
         Number of iterations; each costs four calls of the model.
 

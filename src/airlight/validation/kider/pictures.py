@@ -32,7 +32,6 @@ def error_curves(scans: Scans, rows: Mapping[str, FloatArray]) -> ReportPicture:
 
     Parameters
     ----------
-    scans : Scans
     rows : mapping of str to array, shape (ns, nd, nl)
         Radiance by name. [W m⁻² sr⁻¹ nm⁻¹]
     """
@@ -79,7 +78,6 @@ def domes(scans: Scans, got: FloatArray, chosen: Sequence[int], name: str) -> Re
 
     Parameters
     ----------
-    scans : Scans
     got : array, shape (ns, nd, nl)
         Radiance of a model. [W m⁻² sr⁻¹ nm⁻¹]
     chosen : sequence of int

@@ -297,8 +297,6 @@ def read_aeronet_phase(folder: Path, wavelengths: ArrayLike, date: str = DAY) ->
 
     Parameters
     ----------
-    folder : Path
-        Folder of reference data.
     wavelengths : array, shape (n,)
         Ascending. [nm]
     date : str
@@ -353,16 +351,10 @@ def planet(inputs: Inputs, scans: Scans, data: Path) -> Planet:
 
     Parameters
     ----------
-    inputs : Inputs
     scans : Scans
         Source of the ground's albedo, and of the sun's irradiance of all published models.
     data : Path
         Folder of the AERONET file, read if the inputs ask for it.
-
-    Raises
-    ------
-    FileError
-        If that file cannot be read.
     """
     nm = scans.wavelengths
     if inputs.measured_air:

@@ -98,15 +98,6 @@ def compute(
         Folder that holds the skies and the aerosol's phase function.
     quality : str
         Quality of the moments solver.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If either file cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     scans = read_scans(data)
     named_steps = steps()

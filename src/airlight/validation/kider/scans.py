@@ -19,18 +19,7 @@ MILLI: Final = 1e3
 
 
 def read_scans(folder: Path) -> Scans:
-    """Read the scans of 27 May 2013 from a folder of reference data.
-
-    Parameters
-    ----------
-    folder : Path
-        Folder of reference data.
-
-    Raises
-    ------
-    FileError
-        If the file cannot be read, lacks an array, or has impossible shapes or values.
-    """
+    """Read the scans of 27 May 2013 from a folder of reference data."""
     return read_scan_file(folder / FILE)
 
 
@@ -58,11 +47,6 @@ def rmse_per_scan(got: FloatArray, measured: FloatArray) -> FloatArray:
 
 def total_rmse(got: FloatArray, measured: FloatArray) -> float:
     """Score of a model: root of the mean over scans of their squared RMSE.
-
-    Parameters
-    ----------
-    got, measured : array, shape (ns, nd, nl)
-        [W m⁻² sr⁻¹ nm⁻¹]
 
     Returns
     -------
@@ -101,10 +85,6 @@ def symmetric_part(scans: Scans) -> FloatArray:
     Each radiance becomes the mean of itself and of that in the mirrored direction, which is
     interpolated along its ring (the directions at one zenith angle, evenly spaced in azimuth) by
     Catmull and Rom's cubic. No model without clouds can be nearer to the measurement.
-
-    Parameters
-    ----------
-    scans : Scans
 
     Returns
     -------

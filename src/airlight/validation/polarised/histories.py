@@ -162,7 +162,6 @@ def beside(
 
     Parameters
     ----------
-    planet : Planet
     wavelengths : tuple of float
         Wavelengths. [nm]
     quality : str or MonteCarloSettings
@@ -173,8 +172,6 @@ def beside(
         Lines of sight.
     level, noise :
         See ``PolarisedPlanet``. [m], [1]
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
     """
     where = geometry(planet, cases, level)
     vector, scalar = (
@@ -201,21 +198,7 @@ def histories(
     *, airs: Sequence[PolarisedPlanet] = PLANETS, cases: Sequence[Case] = CASES,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> tuple[list[Threshold], list[Part]]:  # fmt: skip
-    """Thresholds and tables of the comparison.
-
-    Parameters
-    ----------
-    airs : sequence of PolarisedPlanet
-    cases : sequence of Case
-        Lines of sight.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
-    """
+    """Thresholds and tables of the comparison."""
     thresholds, rows = [], []
     lines: list[Part] = []
     for air in airs:
@@ -296,7 +279,6 @@ def line_table(
 
     Parameters
     ----------
-    air : PolarisedPlanet
     cases : sequence of Case, length n
         Lines of sight that were taken.
     whole : int

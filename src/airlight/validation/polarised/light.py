@@ -12,18 +12,7 @@ from airlight.validation.suite import Cancel, Part, Progress, Suite, Threshold
 
 
 def polarisation(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
-    """Compare polarised light with published values and with vector Monte Carlo.
-
-    Parameters
-    ----------
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    Cancelled
-        If ``cancel`` returned True.
-    """
+    """Compare polarised light with published values and with vector Monte Carlo."""
     solve = solver(progress, cancel)
     thresholds: list[Threshold] = []
     parts: list[Part] = []

@@ -209,7 +209,6 @@ def antitwilight(solution: Solution, depression: float) -> tuple[float, float]:
 
     Parameters
     ----------
-    solution : Solution
     depression : float
         Depression of the sun. [deg]
 

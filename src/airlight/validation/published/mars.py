@@ -33,7 +33,6 @@ def daylight(solve: Solve, quality: object = "default") -> PublishedSection:
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     rows = []
     for dust in DUST:

@@ -146,7 +146,6 @@ def rayleigh_sphere(solve: Solve, quality: object = "default") -> PublishedSecti
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     ours, polarised = (
         float(

@@ -29,7 +29,6 @@ def refraction(geometry: RefractedGeometry, seen: float) -> float:
 
     Parameters
     ----------
-    geometry : RefractedGeometry
     seen : float
         Apparent altitude of the star. [deg]
     """
@@ -44,7 +43,6 @@ def flattening(geometry: RefractedGeometry, diameter: float = DIAMETER) -> float
 
     Parameters
     ----------
-    geometry : RefractedGeometry
     diameter : float
         True angular diameter of the star. [deg]
     """

@@ -59,7 +59,6 @@ def full_disc(solve: Solve, quality: object = "preview") -> PublishedSection:
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     ours = geometric_albedo(solve(titan_with_methane(), tuple(ALBEDOS), quality))
     rows = [

@@ -173,7 +173,6 @@ def zenith_light(solution: Solution, altitude: float, observer: float = 0.0) -> 
 
     Parameters
     ----------
-    solution : Solution
     altitude : float
         True altitude of the sun. [deg]
     observer : float
@@ -184,14 +183,7 @@ def zenith_light(solution: Solution, altitude: float, observer: float = 0.0) -> 
 
 
 def ground_light(solution: Solution, altitude: float) -> FloatArray:
-    """Irradiance of the level ground over the sun's, shape (nl,). [1]
-
-    Parameters
-    ----------
-    solution : Solution
-    altitude : float
-        True altitude of the sun. [deg]
-    """
+    """Irradiance of the level ground over the sun's, shape (nl,). [1]"""
     found = solution.irradiance(altitude=0.0, sun_zenith=90.0 - altitude)
     return np.asarray(found["direct"] + found["diffuse"]) / solution.lights[0].irradiance
 
@@ -229,8 +221,6 @@ def v_magnitude(wavelengths: ArrayLike, relative_radiance: ArrayLike) -> float:
 
     Parameters
     ----------
-    wavelengths : array, shape (nl,)
-        Wavelengths, ascending. [nm]
     relative_radiance : array, shape (nl,)
         Radiance over the sun's irradiance at 1 au; positive. [sr⁻¹]
     """

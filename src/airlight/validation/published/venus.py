@@ -95,7 +95,6 @@ def venus(solve: Solve, quality: object = "preview") -> PublishedSection:
     ----------
     solve : callable
         See ``row.Solve``.
-    quality : str or MomentsSettings
     """
     planet = load_planet("venus")
     # One by one: radii that follow the deepest air of many wavelengths suit the others badly.

@@ -84,7 +84,6 @@ def compare(scene: ReferenceScene, got: FloatArray) -> Comparison:
 
     Parameters
     ----------
-    scene : ReferenceScene
     got : array, shape (n, 3)
         Radiance per irradiance of the sun. [sr⁻¹]
     """
@@ -107,15 +106,6 @@ def spherical(
         Folder that holds the files.
     qualities : tuple of str
         Qualities of the moments solver, of those that have thresholds.
-    progress, cancel : callable, optional
-        See ``airlight.kernel.threads``.
-
-    Raises
-    ------
-    FileError
-        If neither file is there, or either cannot be read.
-    Cancelled
-        If ``cancel`` returned True.
     """
     thresholds: list[Threshold] = []
     parts: list[Part] = []

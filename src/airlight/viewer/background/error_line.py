@@ -22,10 +22,6 @@ def one_line(error: Exception) -> str:
     error : Exception
         Exception that was raised.
 
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> one_line(AirlightError("the shell is empty"))

@@ -68,11 +68,6 @@ def web_file(name: str) -> str:
     ----------
     name : str
         Path in the folder ``web``, with ``/``; or one of ``GENERATED``.
-
-    Raises
-    ------
-    FileError
-        If there is no such file.
     """
     if name in GENERATED:
         return GENERATED[name]()
@@ -96,11 +91,6 @@ def join_modules(entry: str, read: Callable[[str], str] = web_file) -> str:
     -------
     str
         Text of the joined module.
-
-    Raises
-    ------
-    FileError
-        If a file has an unsupported form of import or export, or imports form a cycle.
 
     Examples
     --------

@@ -66,11 +66,6 @@ class Viewer(anywidget.AnyWidget):
     status, message : str
         Status of the solution; error in one line, or empty.
 
-    Raises
-    ------
-    FileError, ParameterError
-        If the planet does not exist or is invalid.
-
     Examples
     --------
     >>> from airlight.viewer.browser.notebook import Viewer  # doctest: +SKIP

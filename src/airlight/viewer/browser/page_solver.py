@@ -70,10 +70,6 @@ def solver_data(
         Solution of the unedited planet at three or four wavelengths.
     settings : MomentsSettings, optional
         MomentsSettings for solving edits; by default ``page_settings()``.
-
-    Returns
-    -------
-    dict
     """
     chosen = page_settings() if settings is None else settings
     medium = solution.medium

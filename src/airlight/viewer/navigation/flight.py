@@ -77,10 +77,6 @@ def _numbers(view: View, *names: str) -> tuple[float, ...]:
 class Flight:
     """Controller that turns keys, mouse and wheel of a host into a session's view.
 
-    Parameters
-    ----------
-    session : Session
-
     Notes
     -----
     The host reports key presses and releases and calls ``step`` before each frame; while ``moving``

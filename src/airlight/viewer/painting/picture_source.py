@@ -91,8 +91,6 @@ class Picture:
         Request that the picture answers.
     exposure : float
         Exposure applied, including the automatic one. [EV]
-    finished : bool
-        Whether it is final.
     seconds : float
         Time to compute it. [s]
     by : str
@@ -117,19 +115,12 @@ class PictureSource(Protocol):
 
         Parameters
         ----------
-        request : Request
-            Request to render.
         stale : callable
             ``stale()`` is True once the request is superseded; rendering may then stop.
 
         Yields
         ------
         Picture
-
-        Raises
-        ------
-        AirlightError
-            If the request cannot be rendered.
         """
 
     def close(self) -> None:

@@ -120,19 +120,8 @@ def probe_pixel(solution: Any, scene: Scene, x: float, y: float) -> Probe | None
 
     Parameters
     ----------
-    solution : MomentsSolution
-    scene : Scene
     x, y : float
         Position from the left and top edges; the first pixel's centre is at 0.5. [pixel]
-
-    Returns
-    -------
-    Probe or None
-
-    Raises
-    ------
-    ParameterError
-        If the position is outside the frame, or the solution is not by moments.
     """
     direction = pixel_direction(scene.camera, x, y)
     return None if direction is None else probe(solution, scene, direction)
@@ -143,7 +132,6 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
 
     Parameters
     ----------
-    camera : Camera
     x, y : float
         Position as for ``probe_pixel``. [pixel]
 
@@ -151,11 +139,6 @@ def pixel_direction(camera: Camera, x: float, y: float) -> FloatArray | None:
     -------
     array, shape (3,), or None
         Unit vector in the observer's local frame. [1]
-
-    Raises
-    ------
-    ParameterError
-        If the position is outside the frame.
     """
     for field, value, most in (("x", x, camera.width), ("y", y, camera.height)):
         if not 0.0 <= value <= most:
@@ -177,15 +160,6 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
         Observer and star; its camera only sets the level of detail of the ground map.
     direction : array, shape (3,)
         Unit vector in the observer's local frame.
-
-    Returns
-    -------
-    Probe
-
-    Raises
-    ------
-    ParameterError
-        If the solution is not by moments.
 
     Notes
     -----

@@ -88,11 +88,6 @@ def with_moon(
 def second_lights(view: Mapping[str, Value]) -> tuple[LightPosition, ...]:
     """Secondary lights of a view.
 
-    Parameters
-    ----------
-    view : mapping
-        View values by path.
-
     Examples
     --------
     >>> from airlight.viewer.parameters.view_parameters import DEFAULTS

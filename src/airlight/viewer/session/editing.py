@@ -37,11 +37,6 @@ class Editing:
         Name of a preset, or path of a planet file.
     clock : callable
         Monotonic clock, used to merge edits in quick succession into one undo step. [s]
-
-    Raises
-    ------
-    FileError, ParameterError
-        If the planet does not exist or its file is invalid.
     """
 
     def __init__(
@@ -182,8 +177,6 @@ class Editing:
 
         Parameters
         ----------
-        path : str
-            Path of the parameter.
         value : float, str or bool
             New value. [parameter.unit]
 
@@ -248,21 +241,11 @@ class Editing:
         ----------
         what : str
             Path of a parameter, name of a group, or empty for everything.
-
-        Raises
-        ------
-        ParameterError
-            If there is no such parameter or group.
         """
         self._changed(self._side.reset(what))
 
     def open(self, planet: str | Path) -> None:
         """Replace the current planet, as an undo step.
-
-        Parameters
-        ----------
-        planet : str or Path
-            Name of a preset, or path of a planet file.
 
         Raises
         ------
@@ -279,13 +262,6 @@ class Editing:
 
     def change_view(self, name: str, view: Mapping[str, Value]) -> None:
         """Set several parameters of the view, as one undo step of this name.
-
-        Parameters
-        ----------
-        name : str
-            Name of the step.
-        view : mapping
-            Values by path.
 
         Raises
         ------

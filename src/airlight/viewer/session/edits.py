@@ -38,10 +38,6 @@ def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
     value : float or str
         New value, as returned by ``parameter.checked``. [parameter.unit]
 
-    Returns
-    -------
-    dict
-
     Examples
     --------
     >>> tables = {"shell": {"bottom_radius": "6360 km", "top_radius": "6460 km"}}
@@ -153,10 +149,6 @@ def restored(tables: Tables, base: Tables, path: str) -> Tables:
         Current and original tables; not modified.
     path : str
         Path of the value to restore.
-
-    Returns
-    -------
-    dict
     """
     table, _, last = path.rpartition(".")
     if path == "star.spectrum":

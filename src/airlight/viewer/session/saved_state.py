@@ -26,12 +26,6 @@ _AMOUNT: Final = re.compile(r"air\.amounts\[(\d+)\]")
 def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
     """State of planet and view as JSON values.
 
-    Parameters
-    ----------
-    planet : PlanetState
-    view : mapping
-        View values by path.
-
     Returns
     -------
     dict
@@ -76,13 +70,6 @@ def read_state(
     planet : PlanetState
     view : dict
         View values by path, complete.
-
-    Raises
-    ------
-    ParameterError
-        If an entry is invalid; the message names it.
-    FileError
-        If the planet does not exist.
     """
     if not isinstance(state, Mapping) or not isinstance(state.get("planet"), str):
         raise ParameterError("state", state, "a table with the name of a planet")
@@ -164,11 +151,6 @@ def to_fragment(state: Mapping[str, Any]) -> str:
 
 def from_fragment(fragment: str) -> dict[str, Any]:
     """Decode the state of a URL fragment, with or without the ``#``.
-
-    Raises
-    ------
-    ParameterError
-        If the fragment is not a state.
 
     Examples
     --------

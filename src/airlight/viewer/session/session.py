@@ -76,8 +76,6 @@ class Session(Editing):
 
         Parameters
         ----------
-        group : str
-            Group of the constituent.
         planet : Planet, optional
             Current planet without disabled constituents; by default it is read, which takes
             seconds for particles that are not cached.
@@ -158,13 +156,7 @@ class Session(Editing):
     # --- saving -------------------------------------------------------------------------------
 
     def save_planet(self, path: str | Path) -> None:
-        """Write the planet to a planet file, completely or not at all.
-
-        Raises
-        ------
-        FileError
-            If the file cannot be written.
-        """
+        """Write the planet to a planet file, completely or not at all."""
         state = self.planet
         comments = [f"Made with airlight from {Path(state.source).name}."]
         changes = state.changes

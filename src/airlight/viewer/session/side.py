@@ -41,9 +41,6 @@ class Side:
 
     Parameters
     ----------
-    planet : PlanetState
-    view : mapping
-        View values by path.
     clock : callable
         Monotonic clock, used to merge edits in quick succession into one undo step. [s]
 
@@ -148,8 +145,6 @@ class Side:
         ----------
         name : str
             Name of the step; changes of one name are merged while held or in quick succession.
-        after : Change
-            Change to apply.
         held : bool
             Whether the step lasts until ``end_drag``, regardless of time.
         """
@@ -208,11 +203,6 @@ class Side:
         ----------
         what : str
             Path of a parameter, name of a group, or empty for everything.
-
-        Raises
-        ------
-        ParameterError
-            If there is no such parameter or group.
         """
         if not what or what in {one.group for one in self.parameters}:
             return self.change(what, self._group_reset(what))

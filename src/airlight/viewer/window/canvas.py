@@ -81,13 +81,6 @@ class DesktopCanvas:
     ----------
     size : (int, int)
         Width and height. [logical pixel]
-    title : str
-        Title of the window.
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing, or there is no display.
     """
 
     def __init__(self, size: tuple[int, int], title: str) -> None:
@@ -205,11 +198,6 @@ class OffscreenCanvas:
         Width and height. [logical pixel]
     ratio : float
         Physical pixels per logical pixel; 2 on a high-density display. [1]
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing.
     """
 
     def __init__(self, size: tuple[int, int], ratio: float = 1.0) -> None:

@@ -18,18 +18,7 @@ _STRICT: Final = (
 
 
 class WindowSurface:
-    """ImGui renderer on a canvas.
-
-    Parameters
-    ----------
-    device : wgpu.GPUDevice
-    canvas : rendercanvas canvas
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing, or the device cannot draw on this canvas.
-    """
+    """ImGui renderer on a canvas."""
 
     def __init__(self, device: Any, canvas: Any) -> None:
         try:

@@ -64,11 +64,6 @@ class Window:
         Solver, called on ``SolverThread``; by default on the CPU.
     preparing : Preparing, optional
         Progress until the first picture; it is closed with the window.
-
-    Raises
-    ------
-    WindowError
-        If the packages are missing, or the device cannot draw on the canvas.
     """
 
     def __init__(

@@ -181,8 +181,6 @@ def neighbour(rows: Sequence[Sequence[str]], name: str, step: tuple[int, int]) -
 
     Parameters
     ----------
-    rows : sequence of sequences of str
-        Names in rows.
     name : str
         Name at the start of the step.
     step : (int, int)
