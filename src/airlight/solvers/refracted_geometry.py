@@ -191,6 +191,6 @@ def without_refraction(medium: Medium) -> tuple[Medium, str]:
 
 
 def require_no_refraction(medium: Medium, what: str) -> None:
-    """Error for a refracting medium, in a method without refraction named ``what``."""
+    """Raise an error if the medium refracts; ``what`` names the method without refraction."""
     if medium.refractivity.any():
         raise ParameterError("refraction", "bouguer", f"'none' for {what}")

@@ -122,7 +122,7 @@ class Solution(ABC):
         )
 
     def of(self, planet: Planet) -> Self:
-        """Solution of a planet, whose ground is noted in the report."""
+        """Attach the planet, and note its ground in the report."""
         nm = self.wavelengths
         line = planet.ground.local_line(float(nm[np.argmin(np.abs(nm - GREEN))]))
         self.planet, self.report = planet, replace(self.report, ground=line)
@@ -264,14 +264,14 @@ class Solution(ABC):
         return self._labelled(found, axes.with_axis("stokes", STOKES), "radiance", unit)
 
     def check_polarised(self) -> None:
-        """Error if Stokes parameters are requested of a scalar solution."""
+        """Raise an error if Stokes parameters are requested of a scalar solution."""
         if not self.polarised:
             raise ParameterError(
                 "stokes", True, "a solver of polarised light, with polarisation left on"
             )
 
     def check_order(self, order: int | None) -> None:
-        """Error for an order that is not available separately."""
+        """Raise an error for an order that is not available separately."""
         if order is not None and not (isinstance(order, int) and 1 <= order <= self.highest_order):
             allowed = f"1 to {self.highest_order}" if self.highest_order > 1 else "1"
             raise ParameterError("order", order, f"{allowed}, or nothing for all orders")
@@ -386,7 +386,7 @@ class Solution(ABC):
         view_zenith: FloatArray,
         distance: Measures | None,
     ) -> None:
-        """Columns of the gases replaced by Pickering's air mass times the vertical column."""
+        """Replace columns of the gases by Pickering's air mass times the vertical column."""
         if air_mass != "pickering":
             raise ParameterError("air_mass", air_mass, "'pickering', or none for true columns")
         for name, value, allowed in (

@@ -44,12 +44,8 @@ def flat_texture(device: Device, array: ArrayLike, label: str = "") -> Any:
 
     Parameters
     ----------
-    device : Device
-        Device from ``open_device``.
     array : array, shape (n,) or (n, 4)
         Values, stored as float32: one channel, or four.
-    label : str
-        Label in messages of the device.
 
     Returns
     -------
@@ -105,10 +101,6 @@ def update_flat(device: Device, texture: Any, start: int, array: ArrayLike) -> N
 
     Parameters
     ----------
-    device : Device
-        Device that made the texture.
-    texture : wgpu.GPUTexture
-        Texture from ``flat_texture``.
     start : int
         Index of the first texel; need not begin a row.
     array : array, shape (n,) or (n, 4)

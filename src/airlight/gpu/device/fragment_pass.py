@@ -92,13 +92,7 @@ def _layout(found: re.Match[str], filtered: bool, source: str, label: str) -> di
 
 
 def compiled(device: Device, source: str, label: str) -> Any:
-    """Compile a WGSL source to a module.
-
-    Parameters
-    ----------
-    device : Device
-        Device from ``open_device``.
-    """
+    """Compile a WGSL source to a module."""
     import wgpu
 
     try:
@@ -258,15 +252,7 @@ class FragmentPass:
         begun.end()
 
     def draw(self, resources: Mapping[str, Any], views: Sequence[Any]) -> None:
-        """Bind, run and submit a pass that runs once.
-
-        Parameters
-        ----------
-        resources : mapping
-            Resources as in ``bind``.
-        views : sequence
-            Views as in ``run``.
-        """
+        """Bind, run and submit a pass once."""
         encoder = self.device.device.create_command_encoder(label=self.label)
         self.run(encoder, self.bind(resources), views)
         self.device.device.queue.submit([encoder.finish()])

@@ -41,12 +41,8 @@ def packed_texture(device: Device, texels: NDArray[np.uint8], label: str = "") -
 
     Parameters
     ----------
-    device : Device
-        Device from ``open_device``.
     texels : array of uint8, shape (4·n,)
         Texels of ``airlight.color.texels``, one after another.
-    label : str
-        Label in messages of the device.
 
     Returns
     -------

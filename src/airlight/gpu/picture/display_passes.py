@@ -69,8 +69,6 @@ class DisplayPasses:
 
         Parameters
         ----------
-        uniforms : mapping
-            Uniforms of the display, by name; ``glare`` among them.
         pixel_angle : float
             Pixel angle for glare; 0 disables it. [rad]
         view : wgpu.GPUTextureView

@@ -84,13 +84,7 @@ def _called(
 
 @cache
 def display_shader(fixed: Fixed = (), dialect: ShaderDialect = WGSL) -> Shader:
-    """Shader of displayed values from linear radiance and glare.
-
-    Parameters
-    ----------
-    fixed, dialect :
-        Arguments of ``picture_shader``.
-    """
+    """Shader of displayed values from linear radiance and glare."""
     emitter = Emitter(dialect)
     light = _called(
         emitter, glared_texel, FRAME.struct_value(Lens), ("picture", "coarser"),

@@ -346,7 +346,7 @@ class GpuRenderer:
     ) -> None:
         """Render and display into a texture.
 
-        Linear radiance is cached: a change of display settings alone renders nothing again.
+        Linear radiance is cached: a change of display settings does not render again.
 
         Parameters
         ----------

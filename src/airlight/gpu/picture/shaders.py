@@ -209,8 +209,8 @@ def picture_shader(exact: bool, fixed: Fixed = (), dialect: ShaderDialect = WGSL
     exact : bool
         Whether every pixel is marched.
     fixed : tuple of (str, value)
-        Integer and boolean uniforms bound as constants: a software GPU evaluates both sides of
-        every branch otherwise.
+        Integer and boolean uniforms bound as constants; otherwise a software GPU evaluates both
+        sides of every branch.
     """
     emitter = Emitter(dialect)
     # a shader of rows without an edge has no loop over samples

@@ -131,7 +131,7 @@ class GpuIteration:
         passes : tuple of SolverPass
             Passes in the order in which they run.
         times : PassTimes, optional
-            Timer of each pass on the GPU.
+            Timer of the passes.
         """
         encoder = self.device.device.create_command_encoder()
         for one, texels in self.plan.runs(passes):

@@ -86,7 +86,7 @@ class SolverPlan:
 
     @property
     def thick(self) -> FloatArray:
-        """Weight of optically thick air, shape (4,); see ``WavelengthBatch``. [1]"""
+        """Weight of optically thick media, shape (4,); see ``WavelengthBatch``. [1]"""
         return self.batch.thick[:WAVELENGTHS]
 
     @property

@@ -184,7 +184,7 @@ def mie_nodes(
 
 
 def _checked_work(sizes: ParticleSizes, wavelengths: Sequence[float]) -> float:
-    """Work of some nodes, as in ``kernel.cost``; an error if they need too much memory."""
+    """Work of some nodes, as in ``kernel.cost``; raises an error if they need too much memory."""
     work, largest = 0.0, 0.0
     angles = len(phase_angles(sizes))
     for wavelength in wavelengths:

@@ -131,7 +131,7 @@ def clip_to_first_order(light: Float32Array, least: Float32Array) -> None:
 
 @compiled_loop
 def _replace(light, other, sound):
-    """Replacement of moments (r, s, k, 8) by ``other`` where ``sound`` (r, s, 8) is false."""
+    """Replace moments (r, s, k, 8) by ``other`` where ``sound`` (r, s, 8) is false."""
     for i in range(light.shape[0]):
         for j in range(light.shape[1]):
             for lane in range(light.shape[3]):

@@ -53,7 +53,7 @@ _LEAST: Final = 1e-30
 
 @inlined
 def reset_peaks(tables, work):
-    """Reset of the sums of ``add_peaks``."""
+    """Reset the sums of ``add_peaks``."""
     for at in range(0, tables.lanes, LANES):
         sums = lane_view(work.peaks, at)
         sums[0], sums[1], sums[2] = splat(0.0), splat(0.0), splat(0.0)

@@ -226,7 +226,7 @@ class _Watch:
     done: int  # wavelengths of the batches before
 
     def report(self, iteration: Iteration | None = None) -> None:
-        """Reported progress over all wavelengths."""
+        """Report progress over all wavelengths."""
         if self.progress is None:
             return
         which, wavelengths = self.batch.which, self.batch.setup.medium.wavelengths

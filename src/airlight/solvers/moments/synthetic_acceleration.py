@@ -104,7 +104,7 @@ class SyntheticAcceleration:
         run_blocks(invert, self.order + 1, cancel=cancel)
 
     def set_lateral_scale(self, factor: float) -> None:
-        """Update of the factor of the lateral diffusion length. [1]"""
+        """Set the factor of the lateral diffusion length. [1]"""
         length, grid_diffusion = self.batch.diffusion_length, self.batch.grid_diffusion
         self.spread = lateral_diffusion_matrix(
             self.grid.sun_cosines, factor * length, factor**2 * grid_diffusion

@@ -1,8 +1,7 @@
 """Bundler that joins the viewer's JavaScript into one module, for a page and for a notebook.
 
-The files in ``web/`` and its folders are plain ES modules that import each other by relative names.
-A page opened from disk cannot load neighbouring modules, and a notebook needs a single text, so
-they are joined in the order of their dependencies, each in its own function.
+The files in ``web/`` are ES modules with relative imports. A page opened from disk cannot load
+other modules, so they are joined in the order of their dependencies, each in a function.
 """
 
 from __future__ import annotations

@@ -148,7 +148,7 @@ class Viewer(anywidget.AnyWidget):
         return done
 
     def close(self) -> None:
-        """End the solver thread and close the widget; further calls do not affect the thread."""
+        """End the solver thread and close the widget."""
         ending, self._ending = self._ending, ()
         for end in ending:
             end()

@@ -108,7 +108,7 @@ class Picture:
 
 
 class PictureSource(Protocol):
-    """Progressive renderer of requests; used on one thread other than the window's."""
+    """Progressive renderer of requests, used on a single thread."""
 
     def render(self, request: Request, stale: Callable[[], bool]) -> Iterator[Picture]:
         """Yield pictures of a request, each finer than the last.

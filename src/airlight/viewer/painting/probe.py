@@ -1,7 +1,7 @@
 """Probe of one direction: spectrum, luminance, chromaticity, optical depths, contributions.
 
-Computed on the CPU from the moments of the displayed solution, in some milliseconds per direction.
-Each contribution is integrated separately, not computed by difference.
+Computed on the CPU from the moments of the displayed solution, each contribution separately, in a
+few milliseconds per direction.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Contribution:
     Attributes
     ----------
     name : str
-        ``single scattering by …`` for each constituent, or a name above.
+        ``single scattering by …`` for each constituent, or a constant of this module.
     radiance : tuple of float, length nl
         Spectral radiance. [W m⁻² sr⁻¹ nm⁻¹]
     luminance : float
@@ -163,8 +163,7 @@ def probe(solution: Any, scene: Scene, direction: FloatArray) -> Probe:
 
     Notes
     -----
-    The point on the ground neglects refraction; its error is up to the angle of refraction, half a
-    degree on Earth.
+    The position of the ground point neglects refraction, up to half a degree on Earth.
     """
     if not isinstance(solution, MomentsSolution):
         raise ParameterError("solution", type(solution).__name__, "one of the moments solver")

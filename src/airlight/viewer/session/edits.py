@@ -25,9 +25,9 @@ _SUN_TEMPERATURE: Final = "5772 K"
 def edited(tables: Tables, parameter: Parameter, value: Value) -> Tables:
     """Copy of the tables with a parameter's new value.
 
-    Choosing another kind (of a profile, a phase function, a size distribution) fills in that kind's
-    keys; mole fractions keep their sum; the top of the shell moves with the ground; a tabulated
-    phase function stays normalised.
+    Another kind (of a profile, a phase function, a size distribution) gets typical values; mole
+    fractions keep their sum, the shell its thickness, and a tabulated phase function its
+    normalisation.
 
     Parameters
     ----------

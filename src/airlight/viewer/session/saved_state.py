@@ -1,4 +1,4 @@
-"""Session state as JSON, short enough for a page's URL: only differences are kept."""
+"""Session state as JSON for a page's URL: differences from the defaults."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def state_of(planet: PlanetState, view: Mapping[str, Value]) -> dict[str, Any]:
 
 
 def _short(value: Value) -> Value:
-    """Round to nine digits, which is invisible in a picture."""
+    """Round to nine significant digits."""
     if isinstance(value, bool) or not isinstance(value, float):
         return value
     short = float(f"{value:.9g}")
@@ -67,7 +67,6 @@ def read_state(
 
     Returns
     -------
-    planet : PlanetState
     view : dict
         View values by path, complete.
     """
@@ -99,7 +98,7 @@ def _table(state: Mapping[str, Any], name: str) -> Mapping[str, Any]:
 
 
 def _of_page(air: Mapping[str, Any]) -> dict[str, Any]:
-    """Convert a page's amounts to keys of the planet file."""
+    """Planet-file keys of a page's amounts."""
     found = {}
     for path, value in air.items():
         amount = _AMOUNT.fullmatch(path)

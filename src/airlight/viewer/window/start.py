@@ -188,7 +188,7 @@ def renderer_by(
 
 
 def _photograph(window: Window, canvas: OffscreenCanvas, path: Path) -> None:
-    """Draw until all requests are displayed, and write a screenshot."""
+    """Draw frames until all requests are displayed, and write a screenshot."""
     from airlight.exports.png import write_png
 
     until = time.monotonic() + _PATIENCE

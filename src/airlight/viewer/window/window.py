@@ -1,7 +1,7 @@
 """Main window: picture and parameters of a planet, in a loop that never blocks.
 
-Slow work runs on other threads: ``SolverThread``, ``PictureThread``, ``Probing`` and ``Saving``;
-each wakes the window when it has a result. A frame draws the available results.
+``SolverThread``, ``PictureThread``, ``Probing`` and ``Saving`` wake the window when they have a
+result.
 """
 
 from __future__ import annotations

@@ -51,7 +51,7 @@ class Gallery:
         self.opens = True
 
     def draw(self, shown: str, size: tuple[float, float]) -> str:
-        """Draw the popup if it is open; the chosen preset, or empty.
+        """Draw the popup if it is open; returns the chosen preset, or "".
 
         Parameters
         ----------
