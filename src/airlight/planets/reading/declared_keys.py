@@ -1,4 +1,4 @@
-"""Keys of a planet file's nested tables: the declaration of each, and lists spelled out."""
+"""Declarations of the keys of a planet file's nested tables, and expanded lists."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ def key_at(tables: Tables, path: str) -> Field:
 def spelled_out(tables: Tables, folder: Path | None = None) -> Tables:
     """Copy of the tables with comma-separated lists split, and file names made absolute.
 
-    The meaning is unchanged; every number then has its own path.
+    Every number then has its own path.
 
     Parameters
     ----------
     folder : Path, optional
-        Folder of the files that it names.
+        Folder of named files.
 
     Examples
     --------

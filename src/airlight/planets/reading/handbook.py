@@ -1,4 +1,4 @@
-"""Tables of ``docs/planet-files.md``: every key as it is declared."""
+"""Key tables of ``docs/planet-files.md``, from the declarations."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def filled(page: str, table: Callable[[str], str] | None = None) -> str:
 
 
 def key_table(kind: str) -> str:
-    """Keys of one kind of table, as a table in Markdown.
+    """Markdown table of the keys of one kind of table.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def key_table(kind: str) -> str:
 
 
 def rows_of(keys: Sequence[Field], which: Sequence[str] = ()) -> str:
-    """Table of keys in Markdown: value, default and meaning of each.
+    """Markdown table of keys: value, default and meaning.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def rows_of(keys: Sequence[Field], which: Sequence[str] = ()) -> str:
 
 
 def _of_kinds(kinds: TaggedUnion[Any]) -> Iterator[str]:
-    """Rows of a table of kinds: the word, its keys, and the first line of its class."""
+    """Rows of a table of kinds: keyword, keys, and summary line of the class."""
     yield "| `kind` | keys | |"
     yield "|---|---|---|"
     for one in kinds.classes:

@@ -64,14 +64,14 @@ def get(tables: Tables, path: str) -> Any:
 
 
 def put(tables: Tables, path: str, value: Any) -> Tables:
-    """Copy of the tables with another value at a path, or with the key removed for None.
+    """Copy of the tables with a value at a path, or with the key removed for None.
 
     Only the tables along the path are copied.
 
     Parameters
     ----------
     tables : dict
-        Not changed.
+        Tables, not modified.
     path : str
         Path whose tables exist, up to its last key.
     value : object
