@@ -56,7 +56,7 @@ def residual_curves(residuals: Residuals, title: str = "Residuals") -> ReportPic
 
 
 def _wavelength_edges(residuals: Residuals) -> FloatArray | None:
-    """Edges of bins where there are more wavelengths than a curve can show."""
+    """Edges of wavelength bins, for many wavelengths."""
     nm = np.unique(residuals.wavelength)
     return None if nm.size <= 64 else np.linspace(nm[0], nm[-1] * (1.0 + 1e-9), 49)
 
@@ -147,7 +147,7 @@ def dome_pictures(
 
 
 def _seen(residuals: Residuals, scan: int) -> tuple[FloatArray, ...]:
-    """Places on the dome, measured, fitted and relative difference of a scan's directions."""
+    """Positions on the dome, and measured, fitted and relative difference of a scan."""
     at = residuals.scan == scan
     places = np.stack([residuals.view_zenith[at], residuals.azimuth[at]], axis=-1)
     unique, row = np.unique(places, axis=0, return_inverse=True)

@@ -1,4 +1,4 @@
-"""Settings of the solver by which predictions change smoothly with a planet's parameters."""
+"""Solver settings with which predictions are smooth functions of a planet's parameters."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ def smooth_near(quality: str, planet: Planet, wavelengths: FloatArray) -> Moment
     Parameters
     ----------
     planet : Planet
-        Planet near that which is sought.
+        Planet near the solution of the fit.
     wavelengths : array, shape (nl,)
-        Wavelengths that are solved. [nm]
+        Wavelengths of the solution. [nm]
     """
     if quality == "preview":
         return smooth(quality)

@@ -84,11 +84,7 @@ class LightSource:
 
     @property
     def darkenings(self) -> FloatArray:
-        """Coefficients of the darkening at the wavelengths, shape (nl, 6); even without a law.
-
-        Behind a moon the colour is that of the whole disc, whose mean over what the moon leaves of
-        the light is then not 1 at each wavelength.
-        """
+        """Limb-darkening coefficients at the wavelengths, (nl, 6); uniform without a law. [1]"""
         count = self.wavelengths.size
         law = (
             np.tile(UNIFORM, (count, 1)) if self.darkening is None

@@ -68,7 +68,7 @@ def strong(text: str, wanted: bool) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Text in which nothing is taken for HTML, code, a link or an escape.
+    r"""Text with HTML and Markdown syntax escaped.
 
     Examples
     --------

@@ -1,6 +1,6 @@
 """Validation report as Markdown, with its pictures as files.
 
-Of long tables it has the rows that fail; the HTML report has all of them.
+Long tables contain only rows that fail; the HTML report has all rows.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def _section(suite: Suite, pictures: str) -> list[str]:
 
 
 def _shortened(part: Part) -> Part:
-    """Part with only those rows of a folded table that fail."""
+    """Part with only the failing rows of a folded table."""
     if not isinstance(part, ReportTable) or not part.folded:
         return part
     count = len(part.rows)

@@ -52,12 +52,12 @@ _UNIT: Final = "mW m⁻² sr⁻¹ nm⁻¹"
 def measured(
     data: Path, *, progress: Progress | None = None, cancel: Cancel | None = None
 ) -> Suite:
-    """Compare with measured skies by Bruneton's protocol.
+    """Comparison with measured skies by Bruneton's protocol.
 
     Parameters
     ----------
     data : Path
-        Folder that holds ``kider2013-05-27.npz`` and AERONET's phase function.
+        Folder of ``kider2013-05-27.npz`` and of AERONET's phase function.
     """
     rows = compute(data, progress=progress, cancel=cancel)
     return suite_of(rows)

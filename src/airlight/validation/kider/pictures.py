@@ -1,4 +1,4 @@
-"""Pictures of measured and computed skies: domes, and errors scan by scan, by colour, by angle."""
+"""Pictures of measured and computed skies: domes, and errors by scan, wavelength and angle."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def _dome(
     axes: Axes, scans: Scans, scan: int, values: FloatArray, levels: FloatArray, colors: str,
     beyond: str,
 ) -> TriContourSet:  # fmt: skip
-    """Filled contours of values (nd,) on the dome, the sun's side below."""
+    """Filled contours of values (nd,) on the dome, with the sun's side at the bottom."""
     around = np.radians(scans.azimuth[scan])
     x, y = scans.view_zenith[scan] * np.sin(around), -scans.view_zenith[scan] * np.cos(around)
     filled = axes.tricontourf(x, y, values, levels=levels, cmap=colors, extend=beyond)

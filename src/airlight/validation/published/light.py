@@ -1,4 +1,4 @@
-"""Suite ``published``: published measurements and computations against ours."""
+"""Suite ``published``: published measurements and computations against airlight."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from airlight.validation.suite import Cancel, Progress, Suite
 
 
 def published(*, progress: Progress | None = None, cancel: Cancel | None = None) -> Suite:
-    """Compare with published light."""
+    """Comparison with published values."""
     solve = solver(progress, cancel)
     others = [sunset(), daylight(solve), venus(solve), full_disc(solve), rayleigh_sphere(solve)]
     return suite_of([*earth(solve), *others])

@@ -31,7 +31,7 @@ class ReferenceScene:
     Attributes
     ----------
     name : str
-        Name of the air, as in the file.
+        Name of the atmosphere, as in the file.
     albedo : float
         Albedo of the ground. [1]
     geometry : CaseLines
@@ -48,7 +48,7 @@ class ReferenceScene:
 
     @property
     def planet(self) -> Planet:
-        """Planet that the radiances belong to."""
+        """Planet of the radiances."""
         match self.name:
             case "full-cornette-shanks":
                 return reference_earth(albedo=self.albedo, aerosol="cornette-shanks")

@@ -146,7 +146,7 @@ class Sounding(Profile):
 
     @property
     def air(self) -> HydrostaticLayers | None:
-        """Gas at rest with these temperatures; None if altitudes and pressures are both given."""
+        """Hydrostatic gas with these temperatures; None with both altitudes and pressures."""
         if self.altitudes is not None and self.pressures is not None:
             return None
         warmth = self.temperatures
