@@ -1,4 +1,4 @@
-"""Arrays of NPZ files from others: sizes in their headers are checked before they are unpacked."""
+"""Reader of untrusted NPZ files: sizes are checked before unpacking."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ def read_arrays(path: Path, content: bytes, largest: int) -> dict[str, NDArray[A
     Parameters
     ----------
     path : Path
-        Subject of errors.
+        Path for error messages.
     largest : int
-        Largest size of the arrays together. [byte]
+        Largest total size of the arrays. [byte]
     """
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:

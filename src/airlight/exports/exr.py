@@ -1,4 +1,4 @@
-"""OpenEXR: linear float32, with all digits of the renderer, or halves."""
+"""OpenEXR files: linear float32 or half floats."""
 
 from __future__ import annotations
 
@@ -57,9 +57,10 @@ def write_exr(
     compression : str
         Name from ``COMPRESSIONS``.
     attributes : mapping, optional
-        OpenEXR's own attributes, which replace those that are written otherwise.
+        Standard attributes of OpenEXR, instead of the default ones.
     layers : mapping of str to array, shape (h, w, 3) or (h, w), optional
-        Further channels, float32: ``NAME.R``, ``NAME.G`` and ``NAME.B`` of a colour, else ``NAME``.
+        Further channels, float32: ``NAME.R``, ``NAME.G`` and ``NAME.B`` of a colour, otherwise
+        ``NAME``.
 
     Raises
     ------
@@ -118,7 +119,7 @@ def write_exr(
 def _channels(
     rgb: NDArray[np.float32], layers: Mapping[str, NDArray[np.float32]]
 ) -> dict[str, NDArray[np.float32]]:
-    """Pixels by the names under which they are written; colours of layers channel by channel."""
+    """Pixels by channel name."""
     channels = {"RGB": rgb}
     for name, layer in layers.items():
         if layer.ndim == 2:
@@ -133,7 +134,7 @@ def write_exr_channels(
     channels: Mapping[str, NDArray[Any]],
     metadata: Mapping[str, str] | None = None,
 ) -> None:
-    """Write named channels of numbers that are not colours.
+    """Write named channels of values that are not colours.
 
     Parameters
     ----------
@@ -199,7 +200,7 @@ def read_exr(path: str | Path) -> tuple[NDArray[np.float32], dict[str, str]]:
 
 
 def check_exr(path: str | Path) -> None:
-    """Refuse a file by the sizes in its headers, before any of it is decoded.
+    """Raise an error for a file that is too large by its headers, before decoding.
 
     Raises
     ------
@@ -220,7 +221,7 @@ def check_exr(path: str | Path) -> None:
 
 
 def read_exr_header(path: str | Path) -> dict[str, str]:
-    """String attributes of a file, without its pixels."""
+    """String attributes of a file."""
     import OpenEXR
 
     check_input(path, LARGEST_PICTURE)

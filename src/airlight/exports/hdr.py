@@ -1,7 +1,7 @@
 """Radiance pictures, ``.hdr``: three mantissas of eight bits and a common exponent per pixel.
 
-Rows are written without run lengths, which every reader of the format accepts: a normalised pixel
-is never taken for the beginning of a run, because its largest mantissa is at least 128.
+Rows are written without run-length encoding, which all readers accept: the largest mantissa of a
+normalised pixel, at least 128, excludes confusion with a run.
 
 References
 ----------
@@ -44,13 +44,13 @@ def write_hdr(
     Parameters
     ----------
     rgb : array, shape (h, w, 3)
-        Linear sRGB radiance times the scale, weighted by the colour-matching functions. A channel
-        below 0, of light beyond sRGB, is written as 0; the others are within 0.4 % of the pixel's
+        Linear sRGB radiance times the scale, weighted by the colour-matching functions. Negative
+        channels, outside the gamut, are written as 0; the error of others is 0.4 % of the pixel's
         largest. [W m⁻² sr⁻¹]
     metadata : mapping of str to str, optional
         Texts to add, each name prefixed with ``airlight.``.
     scale : float
-        Factor of the numbers, written as ``EXPOSURE``, by which Radiance divides. [1]
+        Factor of the values, recorded as ``EXPOSURE``, by which readers divide. [1]
 
     Raises
     ------
@@ -74,7 +74,7 @@ def rgbe(rgb: NDArray[Any]) -> NDArray[np.uint8]:
     Parameters
     ----------
     rgb : array, shape (h, w, 3)
-        Numbers; those below 0 become 0.
+        Values; negative ones become 0.
 
     Raises
     ------

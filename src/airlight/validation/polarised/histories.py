@@ -158,7 +158,7 @@ def beside(
     histories: MonteCarloSettings = HISTORIES, *, cases: Sequence[Case] = CASES, level: float = 0.0,
     noise: float = 0.01, progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> Beside:  # fmt: skip
-    """Solve a planet three times: polarised, scalar, and by histories.
+    """Stokes parameters of a planet by the moments solver and by Monte Carlo.
 
     Parameters
     ----------
