@@ -240,6 +240,8 @@ def exposure_with_stars(bright, weight, near, light, lights, black, picture):
 
     Parameters
     ----------
+    bright : array, shape (n,)
+        Luminances above 0, ascending, one at least. [W m⁻² sr⁻¹]
     weight, near : array, shape (n,)
         Solid angles of these pixels, one of the two 0: the second near a star. [sr]
     light : array, shape (n,)

@@ -181,6 +181,8 @@ def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None
     ----------
     wavelengths : array, shape (n,)
         Wavelengths. [nm]
+    irradiance : callable, array or None
+        Spectrum of the star, as in ``rgb_weights``.
 
     Returns
     -------

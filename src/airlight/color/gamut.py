@@ -225,6 +225,10 @@ def within_gamut(primaries, lightness, up, by_long, by_medium, by_short, red, gr
 
     Parameters
     ----------
+    primaries, lightness, up, by_long, by_medium, by_short :
+        Arguments of ``share_at``.
+    red, green, blue : float
+        The colour, in linear light of the display's primaries. [1]
     soft : bool
         Whether colours near the edge make room for those beyond, which else lie on the edge.
 
@@ -300,6 +304,8 @@ def in_gamut(
         Name from ``PRIMARIES``.
     bounded : bool
         Whether 1 is an edge as 0 is: of a display's values, not of light.
+    soft : bool
+        Whether colours near the edge make room for those beyond, which else lie on the edge.
 
     Returns
     -------

@@ -191,6 +191,8 @@ def spread_texel(level, coarser, row, column, share, more):
     ----------
     level, coarser : array, shape (h, w)
         Level, and what the next coarser one and those behind it have spread.
+    row, column : int
+        Place in the level.
     share : float
         Share of the level, ``glare_share``. [1]
     more : bool

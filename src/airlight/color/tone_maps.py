@@ -200,6 +200,11 @@ def hable_inverse(rgb: ArrayLike) -> NDArray[Any]:
 def reinhard(rgb: ArrayLike) -> NDArray[Any]:
     """Map the luminance by L / (1 + L), keeping the ratios of the channels.
 
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB after exposure. [1]
+
     Returns
     -------
     array, shape (..., 3)
@@ -231,6 +236,8 @@ def reinhard_extended(rgb: ArrayLike, white: float = REINHARD_WHITE) -> NDArray[
 
     Parameters
     ----------
+    rgb : array, shape (..., 3)
+        Linear sRGB after exposure. [1]
     white : float
         Smallest luminance that is mapped to 1; above 0. [1]
 

@@ -86,6 +86,10 @@ def rgb_to_xyz(rgb: ArrayLike) -> NDArray[Any]:
 def luminance(rgb: ArrayLike) -> NDArray[Any]:
     """Y of linear sRGB.
 
+    Parameters
+    ----------
+    rgb : array, shape (..., 3)
+
     Returns
     -------
     array, shape (...)
@@ -102,6 +106,10 @@ def luminance(rgb: ArrayLike) -> NDArray[Any]:
 
 def chromaticity(xyz: ArrayLike) -> NDArray[Any]:
     """Chromaticity coordinates x, y: the colour without its magnitude.
+
+    Parameters
+    ----------
+    xyz : array, shape (..., 3)
 
     Returns
     -------

@@ -90,6 +90,8 @@ def moon_at(latitude: float, longitude: float, days: float) -> tuple[float, floa
     ----------
     latitude, longitude : float
         Place, north and east positive. [deg]
+    days : float
+        Days since 2000-01-01 12:00 UTC.
 
     Returns
     -------

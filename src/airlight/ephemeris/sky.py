@@ -37,6 +37,11 @@ class Place:
         Longitude, east positive, -360 to 360. [deg]
     altitude : float
         Altitude above the ground; it moves the moon by parallax. [m]
+
+    Raises
+    ------
+    ParameterError
+        With the field, the value and the allowed range.
     """
 
     body: str = "earth"

@@ -55,6 +55,8 @@ def monotone_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
 
     Parameters
     ----------
+    x : array, shape (n,)
+        Points, strictly ascending, at least two.
     y : array, shape (n,)
 
     Returns
@@ -104,6 +106,8 @@ def spline_slopes(x: FloatArray, y: FloatArray, first: float | None = None) -> F
 
     Parameters
     ----------
+    x : array, shape (n,)
+        Points, strictly ascending, at least two.
     y : array, shape (n, ...)
     first : float, optional
         Slope at the first point, instead of the condition there; at least four points.

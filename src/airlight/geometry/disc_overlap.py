@@ -70,6 +70,8 @@ def free_arc(rho, occluders, starts, ends):
 
     Parameters
     ----------
+    rho : float
+        Radius of the circle. [rad]
     occluders : array, shape (n, 3)
         Separation, position angle and radius of each occluder. [rad]
     starts, ends : array, shape (2 n,)

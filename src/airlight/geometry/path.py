@@ -231,6 +231,8 @@ def place_nodes(r, mu, edges, edge_count, nodes, weights, distance, radius, weig
 
     Parameters
     ----------
+    r, mu : float
+        Start of the ray. [m], [1]
     edges, edge_count : array, int
         Edges from ``place_edges`` and their number. [m]
     nodes, weights : array, shape (n,)

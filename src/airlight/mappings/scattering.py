@@ -119,6 +119,8 @@ def sun_coordinate(mu_s, lowest, bottom_radius, top_radius):
         Cosine of the star's zenith angle. [1]
     lowest : float
         Limit from ``lowest_sun_cosine``. [1]
+    bottom_radius, top_radius : float
+        Radii of the ground and of the top of the shell. [m]
     """
     shortest = top_radius - bottom_radius
     longest = sqrt((top_radius - bottom_radius) * (top_radius + bottom_radius))

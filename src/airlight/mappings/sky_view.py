@@ -59,6 +59,8 @@ def direction_from_row(row, sky, horizon_mu, horizon_sine):
         Coordinate of the row, 0 to 1. [1]
     sky : bool
         Whether the row is in the sky half.
+    horizon_mu, horizon_sine : float
+        Cosine and sine of the horizon's zenith angle. [1]
     """
     highest = acos(horizon_mu)
     angle = row * row * (highest if sky else highest - pi)

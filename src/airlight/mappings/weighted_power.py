@@ -51,6 +51,8 @@ def surface_weight(u, slope, offset):
 
     Parameters
     ----------
+    u : float
+        Altitude coordinate. [1]
     slope, offset : float
         w_S1 and w_S0. [1]
 
@@ -124,6 +126,8 @@ def view_coordinate(
     ----------
     mu, to_ground, horizon, upper_power, lower_power, surface_power
         Arguments of ``view_region``.
+    w_lower, w_surface : float
+        Weights at this altitude. [1]
     """
     region, x = view_region(mu, to_ground, horizon, upper_power, lower_power, surface_power)
     return region_coordinate(region, x, w_lower, w_surface)

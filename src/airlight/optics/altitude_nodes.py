@@ -118,6 +118,8 @@ def altitude_node(radius, bottom_radius, thickness, first):
     ----------
     radius, bottom_radius, thickness : float
         Radii of the point and of the ground, and thickness of the shell. [m]
+    first : array, shape (CELLS + 1,)
+        Array from ``altitude_nodes``. [1]
 
     Returns
     -------
@@ -143,6 +145,8 @@ def node_value(radius, bottom_radius, top_radius, first, values):
     ----------
     radius, bottom_radius, top_radius : float
         Radii of the point, of the ground and of the top. [m]
+    first : array, shape (CELLS + 1,)
+        Array from ``altitude_nodes``. [1]
     values : array, shape (n,)
         Values at the nodes.
     """

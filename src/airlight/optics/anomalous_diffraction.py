@@ -135,6 +135,8 @@ def cross_sections(sizes: SizeNodes, wavelength: float, index: complex) -> tuple
     ----------
     sizes : SizeNodes
         Sizes from ``optics.size_distribution``.
+    wavelength : float
+        Wavelength of the light. [nm]
     index : complex
         Refractive index m + ik. [1]
 

@@ -106,6 +106,8 @@ def mirrored_fraction(cosine, wind):
     ----------
     cosine : float
         Cosine of the beam's zenith angle. [1]
+    wind : float
+        Wind speed. [m s⁻¹]
     """
     y = (sqrt(mean_square_slope(wind)) - 0.22) / 0.14
     x = 2.0 * min(max(cosine, 0.0), 1.0) - 1.0
@@ -123,6 +125,11 @@ def mirrored_fraction(cosine, wind):
 @kernel
 def mean_mirrored(wind):
     """Spherical albedo of the facets, within 0.4 %. [1]
+
+    Parameters
+    ----------
+    wind : float
+        Wind speed. [m s⁻¹]
 
     Examples
     --------
@@ -145,6 +152,8 @@ def mirrored_cosine(cosine, wind):
     ----------
     cosine : float
         Cosine of the zenith angle of the reflected light, towards the observer. [1]
+    wind : float
+        Wind speed. [m s⁻¹]
     """
     y = (sqrt(mean_square_slope(wind)) - 0.22) / 0.14
     x = 2.0 * min(max(cosine, 0.0), 1.0) - 1.0

@@ -312,6 +312,8 @@ def tent(center: float, half_width: float, thickness: float) -> Row:
     ----------
     center, half_width : float
         Altitude of the peak, and distance from it to where the density is 0. [m]
+    thickness : float
+        Thickness of the shell. [m]
     """
     corners = (center - half_width, center, center + half_width)
     edges = np.array([0.0, *(h for h in corners if 0.0 < h < thickness), thickness])
@@ -367,6 +369,8 @@ def layered(layers: Sequence[LayerTerms], thickness: float) -> Row:
     ----------
     layers : sequence of LayerTerms
         Layers from the ground upwards; the last reaches the top.
+    thickness : float
+        Thickness of the shell. [m]
 
     Raises
     ------

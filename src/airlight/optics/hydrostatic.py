@@ -92,8 +92,12 @@ def thickness_between(weight: float, low: float, high: float, pressure_ratio: fl
 
     Parameters
     ----------
+    weight : float
+        Result of ``mass_per_length``. [K m⁻¹]
     low, high : float
         Temperatures at the base and at the top, between which it is linear over altitude. [K]
+    pressure_ratio : float
+        Pressure at the top over that at the base. [1]
 
     Examples
     --------

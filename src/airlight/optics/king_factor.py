@@ -52,6 +52,11 @@ def king_factor_n2_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
 def king_factor_o2_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
     r"""King factor of oxygen, 1.096 + 1.385e-3/λ² + 1.448e-4/λ⁴ with λ in µm.
 
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        Wavelengths. [nm]
+
     Returns
     -------
     array, shape (...)
@@ -77,6 +82,11 @@ def king_factor_air_bates1984(wavelengths: npt.ArrayLike) -> FloatArray:
               F_{O_2} = 1.096 + \frac{1.385\cdot10^{-3}}{\lambda^2}
                         + \frac{1.448\cdot10^{-4}}{\lambda^4}, \quad
               F_{Ar} = 1, \quad F_{CO_2} = 1.15 \quad (\lambda\ \text{in µm})
+
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        Wavelengths. [nm]
 
     Returns
     -------
@@ -108,6 +118,11 @@ def king_factor_co2_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
 
     .. math:: F = 1.1364 + 25.3\cdot10^{-12}\,\tilde\nu^2 \quad (\tilde\nu\ \text{in cm}^{-1})
 
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        Wavelengths. [nm]
+
     Returns
     -------
     array, shape (...)
@@ -133,6 +148,11 @@ def king_factor_n2o_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
     .. math:: F = \frac{3 + 6\rho}{3 - 4\rho}, \quad
               \rho = 0.0577 + 11.8\cdot10^{-12}\,\tilde\nu^2 \quad (\tilde\nu\ \text{in cm}^{-1})
 
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        Wavelengths. [nm]
+
     Returns
     -------
     array, shape (...)
@@ -156,6 +176,11 @@ def king_factor_n2o_alms1975(wavelengths: npt.ArrayLike) -> FloatArray:
 def king_factor_h2_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
     """King factor of hydrogen, from its polarisability parallel and perpendicular to the axis.
 
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        Wavelengths. [nm]
+
     Returns
     -------
     array, shape (...)
@@ -175,6 +200,11 @@ def king_factor_h2_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
 
 def king_factor_nh3_hohm1993(wavelengths: npt.ArrayLike) -> FloatArray:
     """King factor of ammonia, from its polarisability parallel and perpendicular to the axis.
+
+    Parameters
+    ----------
+    wavelengths : array, shape (...)
+        Wavelengths. [nm]
 
     Returns
     -------

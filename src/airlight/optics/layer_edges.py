@@ -107,6 +107,8 @@ def layer_edges(
 
     Parameters
     ----------
+    density : DensitySegments
+        Profiles of the constituents.
     scattering : array, shape (nc,)
         Largest scattering coefficient of each constituent at relative density 1. [m⁻¹]
     faint : float

@@ -77,6 +77,11 @@ def legendre_moments(phase: Callable[[FloatArray], FloatArray], degree: int) -> 
 def phase_integral(phase: Callable[[FloatArray], FloatArray]) -> FloatArray:
     """Integral of a phase function over the sphere; 1 if it is normalised.
 
+    Parameters
+    ----------
+    phase : callable
+        Phase function of an array of cosines, shape (n,) to (..., n). [sr⁻¹]
+
     Returns
     -------
     array, shape (...)

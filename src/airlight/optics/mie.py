@@ -219,7 +219,13 @@ def work(radii: int, size_parameter: float, angles: int) -> float:
 
 
 def memory(size_parameter: float, angles: int) -> float:
-    """Memory of ``scattering``. [byte]"""
+    """Memory of ``scattering``. [byte]
+
+    Parameters
+    ----------
+    size_parameter : float
+        Largest size parameter. [1]
+    """
     # both angular functions, and amplitudes of a block of radii
     return 16.0 * angles * _terms(size_parameter) + 64.0 * _BLOCK * angles
 

@@ -90,6 +90,11 @@ def moon_phase_factor(phase):
 
     Beyond the measured phases, 160 degrees, the surface radiance of the crescent is constant.
 
+    Parameters
+    ----------
+    phase : float
+        Phase angle, 0 to 180. [deg]
+
     Examples
     --------
     >>> f"{moon_phase_factor(90.0):.3f}"
@@ -103,6 +108,11 @@ def lommel_seeliger_phase(phase: ArrayLike) -> FloatArray:
     r"""Phase function of a Lommel-Seeliger sphere. [1]
 
     .. math:: \Phi = 1 - \sin\frac{\alpha}{2} \tan\frac{\alpha}{2} \ln\cot\frac{\alpha}{4}
+
+    Parameters
+    ----------
+    phase : array
+        Phase angle, 0 to 180. [deg]
 
     References
     ----------
@@ -120,6 +130,11 @@ def moon_phase(phase: ArrayLike) -> FloatArray:
     """Measured phase function of the Moon, without the opposition surge at full Moon. [1]
 
     ΔV = 0.026 α + 4e-9 α⁴ magnitudes fainter than full, α in degrees.
+
+    Parameters
+    ----------
+    phase : array
+        Phase angle, 0 to 180. [deg]
 
     References
     ----------
@@ -149,6 +164,13 @@ def moon_albedo(wavelengths: ArrayLike) -> FloatArray:
 def moon_brightness(wavelengths: ArrayLike, phase: float) -> FloatArray:
     """Geometric albedo of the Moon times its phase function ``moon_phase_factor``. [1]
 
+    Parameters
+    ----------
+    wavelengths : array
+        Wavelengths. [nm]
+    phase : float
+        Phase angle, 0 to 180. [deg]
+
     Examples
     --------
     >>> f"{moon_brightness(550.0, 90.0) / moon_brightness(550.0, 0.0):.3f}"
@@ -162,6 +184,11 @@ def moon_surface_factor(phase: ArrayLike) -> FloatArray:
 
     It makes the disc-integrated brightness equal to the measurement, up to 160 degrees; beyond, it
     is constant.
+
+    Parameters
+    ----------
+    phase : array
+        Phase angle, 0 to 180. [deg]
     """
     known = np.minimum(np.asarray(phase, float), _THINNEST)
     return np.asarray(moon_phase(known) / lommel_seeliger_phase(known))

@@ -78,6 +78,8 @@ def cornette_shanks(nu: float, g: float) -> float:
 
     Parameters
     ----------
+    nu : float
+        Cosine of the scattering angle. [1]
     g : float
         Parameter between -1 and 1; positive is forward. [1]
 
@@ -106,6 +108,8 @@ def henyey_greenstein(nu: float, g: float) -> float:
 
     Parameters
     ----------
+    nu : float
+        Cosine of the scattering angle. [1]
     g : float
         Mean cosine, between -1 and 1; positive is forward. [1]
 
@@ -128,6 +132,8 @@ def double_henyey_greenstein(nu: float, g1: float, g2: float, alpha: float) -> f
 
     Parameters
     ----------
+    nu : float
+        Cosine of the scattering angle. [1]
     g1, g2 : float
         Mean cosine of each lobe, between -1 and 1. [1]
     alpha : float

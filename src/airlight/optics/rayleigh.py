@@ -156,6 +156,10 @@ def scale_height(temperature: float, molar_mass: float, gravity: float) -> float
 
     Parameters
     ----------
+    temperature : float
+        Temperature. [K]
+    molar_mass : float
+        Mass of a mole. [kg mol⁻¹]
     gravity : float
         Gravitational acceleration. [m s⁻²]
 

@@ -143,6 +143,8 @@ def diffuse_reflectance(ground, at, mu_r):
 
     Parameters
     ----------
+    at : int
+        Index of the first lane.
     mu_r : float
         Cosine of the zenith angle of the reflected light, towards the observer. [1]
 

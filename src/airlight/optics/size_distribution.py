@@ -139,6 +139,8 @@ def log_normal_density(
 
     Parameters
     ----------
+    radii : array, shape (...)
+        Radii. [m]
     median_radius : float
         Median radius r_m. [m]
     geometric_deviation : float

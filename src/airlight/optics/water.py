@@ -64,6 +64,8 @@ def water_reflectances(wind, mu_s, mu_r, nu):
 
     Parameters
     ----------
+    wind : float
+        Wind speed. [m s⁻¹]
     mu_s, mu_r, nu : float
         Cosines as in ``reflection.direct_reflectance``. [1]
 
@@ -84,6 +86,11 @@ def water_reflectances(wind, mu_s, mu_r, nu):
 @kernel
 def brdf_direct(ground, mu_s, mu_r, nu):
     """Direct reflectance factor: water-leaving light (diffuse), glint and foam (specular).
+
+    Parameters
+    ----------
+    mu_s, mu_r, nu : float
+        Cosines as in ``reflection.direct_reflectance``. [1]
 
     Returns
     -------

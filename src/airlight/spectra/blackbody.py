@@ -75,6 +75,8 @@ def star_irradiance(
 
     Parameters
     ----------
+    wavelengths : array, shape (...)
+        Wavelengths, above 0. [nm]
     temperature : float
         Temperature of the star's surface. [K]
     radius, distance : float
