@@ -1,7 +1,6 @@
-"""Files of the user's as they are read: regular ones alone, and no larger than their kind can be.
+"""Reading of user files: regular files of limited size only.
 
-A device, a pipe or a socket may give bytes without end, or none for ever: it is rejected before its
-first byte.
+Devices, pipes and sockets, which may be endless or block, are rejected before reading.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ LARGEST_PICTURE: Final = 16_000_000_000
 
 
 def check_input(path: str | Path, largest: int) -> None:
-    """Reject what is not a regular file, or a too large one, without reading it.
+    """Raise an error unless a path is a regular file of limited size.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ class WrittenMap:
     beside : tuple of Path
         JSON sidecar, and scene file if any.
     scale : float
-        Ratio of the map's numbers to radiances. [1]
+        Ratio of the map's values to radiances. [1]
     exposure : float or None
         Exposure of a PNG. [EV]
     """
@@ -68,13 +68,13 @@ def check_beside(
     consumer : Consumer
         Target program.
     overwrite : bool
-        Whether files beside it may be replaced that airlight has not written, or that were changed
-        since. The map itself always is.
+        Whether to replace accompanying files that airlight did not write or that were modified; the
+        map is always replaced.
 
     Returns
     -------
     (tuple of Path, tuple of Path)
-        JSON, and the scene if there is one; scenes of the JSON that is there, which are removed.
+        JSON and scene files; and scene files of an existing JSON, which are removed.
     """
     suffix = picture_suffix(path)
     if not is_plain(path.name):
@@ -113,16 +113,14 @@ def write_map(
     precision, compression : str
         Names for ``write_exr``.
     scale : float, optional
-        Factor of the numbers of linear light, above 0. By default 1, and where halves hold them
-        (in the file, which ``dwa`` makes one of halves, or in the program that reads it) the power
-        of two at which they can. [1]
+        Factor of linear values, above 0. Default: 1, or for half floats, in the file or in the
+        target program, a power of two from ``half_scale``. [1]
     metadata : mapping of str to str, optional
         Additional metadata.
     display : mapping, optional
         Arguments of ``write_picture`` for a PNG.
     overwrite : bool
-        Whether a JSON or a scene beside the map may be replaced that airlight has not written, or
-        that was changed since.
+        As for ``check_beside``.
     """
     others, stale = check_beside(path, made.consumer, overwrite=overwrite)
     facts = {"planet": made.planet, **(metadata or {}), **_facts(made)}

@@ -1,4 +1,4 @@
-"""Density profiles of the constituents of a planet's air."""
+"""Density profiles of a planet's constituents."""
 
 from __future__ import annotations
 
@@ -23,8 +23,7 @@ def density(planet: Planet) -> Figure:
     Returns
     -------
     Figure
-        Two panels that share the altitude [km], with one curve per constituent; density 1 is where
-        its coefficients apply.
+        Two panels over altitude [km], with a curve per constituent.
 
     References
     ----------

@@ -37,7 +37,7 @@ class Regions:
     horizon : float
         Cosine of the horizon's zenith angle. [1]
     upper, lower, surface : float
-        Shares w_U, w_L, w_S of the axis; together 1. [1]
+        Fractions w_U, w_L, w_S of the axis. [1]
     texel_zeniths : array, shape (TEXELS,)
         Zenith angles of texels, from straight down to straight up. [deg]
     """
@@ -96,13 +96,13 @@ def mapping_regions(planet: Planet, altitude: float | None = None) -> Figure:
     Parameters
     ----------
     altitude : float, optional
-        Altitude of the second panel; the top of the shell if left out. [m]
+        Altitude of the second panel; default: the top of the shell. [m]
 
     Returns
     -------
     Figure
-        Two half discs: zenith up, nadir down, a line for each of 33 texels, and below them bars
-        with the share of each region on the axis v.
+        Two half discs, zenith up, with a line for each of 33 texels, and bars with the fraction of
+        each region.
 
     References
     ----------

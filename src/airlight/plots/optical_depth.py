@@ -24,7 +24,7 @@ def optical_depth(planet: Planet, wavelengths: tuple[float, ...] | None = None) 
     Parameters
     ----------
     wavelengths : tuple of float, optional
-        Wavelengths to mark; the planet's own if left out. [nm]
+        Wavelengths to mark; default: the planet's. [nm]
 
     Returns
     -------

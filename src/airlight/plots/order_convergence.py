@@ -54,7 +54,7 @@ class Convergence:
 
 
 def convergence(radiance: FloatArray) -> Convergence:
-    """Estimate the orders of scattering that were not computed.
+    """Convergence, with an estimate of the orders that were not computed.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def order_convergence(
     Parameters
     ----------
     solution : Solution
-        Solution by a solver that keeps its orders apart: ``direct`` or ``montecarlo``.
+        Solution by a solver with separate orders: ``direct`` or ``montecarlo``.
     sun_zenith : float
         Solar zenith angle at the observer. [deg]
 

@@ -1,4 +1,4 @@
-"""Transmittance to the top of the air over altitude and direction: a surface and a map."""
+"""Transmittance to the top of the shell over altitude and direction: surface and map."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def transmittance_map(planet: Planet, wavelengths: tuple[float, ...] | None = No
     Parameters
     ----------
     wavelengths : tuple of float, optional
-        Wavelengths of the mean; the planet's own if left out. [nm]
+        Wavelengths of the mean; default: the planet's. [nm]
 
     Returns
     -------
