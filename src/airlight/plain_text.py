@@ -24,7 +24,7 @@ def is_plain(text: str) -> bool:
 
 
 def brief(text: object, most: int = 400, whole: int = 1000) -> str:
-    """Text of a message: of long words, such as paths, and of a long line the middle is left out.
+    """Abbreviated text for a message: long words, such as paths, and long lines.
 
     Parameters
     ----------

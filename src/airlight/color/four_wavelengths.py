@@ -173,7 +173,7 @@ def fitted_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None)
 
 
 def picture_weights(wavelengths: ArrayLike, irradiance: Irradiance | None = None) -> FloatArray:
-    """Weights of a picture: fitted for the wavelengths of ``few_wavelengths``, else integrated.
+    """Weights of a picture: fitted for the wavelengths of ``few_wavelengths``, or integrated.
 
     Parameters
     ----------

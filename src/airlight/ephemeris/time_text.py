@@ -1,4 +1,4 @@
-"""Times as text: with a zone, by a zone's clock or the sun's, or by a word such as sunset."""
+"""Times as text: with a zone, as local or solar time, or as a word such as sunset."""
 
 from __future__ import annotations
 

@@ -6,8 +6,8 @@ The policy of command line, window and saved frames alike:
 * A still frame is rendered once, at full resolution.
 * Live frames of the CPU start coarse and become finer; a newer request interrupts all but the
   first.
-* A live frame of a hardware GPU is rendered once, at full resolution: that takes milliseconds.
-* A software GPU renders from a small sky-view LUT while the view changes; after a short time
+* A live frame of a hardware GPU is rendered once, at full resolution. * A software GPU renders from
+a small sky-view LUT while the view changes; after a short time
   without changes the CPU renders the final frame, which, unlike a long pass, leaves the GPU
   queue free for the window.
 * The CPU also renders while shaders are compiled, which takes seconds, unless its own loops are

@@ -125,7 +125,7 @@ def ground_angles(x, z, sine, angle, observer, tables):
     -------
     mu_s, mu_r, nu : float
         Cosines of the star-zenith angle, of the reflection angle, and of the angle between line of
-        lines and star. [1]
+        sight and star. [1]
     """
     mu_r = ground_cosine(z, sine, observer, tables)
     across, up = first_intersection(min(observer.r * sine, tables.bottom), sine, tables.bottom)

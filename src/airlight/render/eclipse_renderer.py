@@ -49,7 +49,7 @@ class EclipseRenderer(CpuRenderer):
     def fill_sky_view(
         self, *, cancel: Cancel | None = None, progress: Progress | None = None
     ) -> None:
-        """Do nothing: there is no sky-view LUT."""
+        """No effect, as there is no sky-view LUT."""
 
     def render_pixels(
         self, px: FloatArray, py: FloatArray, rgb: Float32Array, element: int | None = None
