@@ -11,7 +11,7 @@ CONVENTIONS: Final = "CF-1.10"
 
 
 def provenance(planet: str | None, solver: str, settings: str) -> dict[str, str]:
-    """Attributes of a result, equal for equal computations: no time, no machine.
+    """Attributes of a result, independent of time and machine.
 
     Parameters
     ----------
