@@ -74,8 +74,9 @@ def test_the_first_radiance_in_a_log_says_that_it_compiles(tmp_path: Path, whole
     words = ["radiance", "earth-atmosphere-plus", "--sun-zenith", "60", "--view-zenith", "0",
              "--quality", "preview"]  # fmt: skip
     line = re.compile(r"airlight: compiling, about [\d.]+ ")
+    environment = {**os.environ, "AIRLIGHT_CACHE": str(tmp_path)}
     with subprocess.Popen(
-        [sys.executable, "-c", command, *words], env={**os.environ, "AIRLIGHT_CACHE": str(tmp_path)},
+        [sys.executable, "-c", command, *words], env=environment,
         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
     ) as process:  # fmt: skip
         assert process.stderr is not None

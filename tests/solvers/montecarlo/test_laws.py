@@ -146,7 +146,7 @@ def test_light_that_grazes_a_cloud_of_many_depths_is_finite(one_air: Callable[..
     # Half a thousand optical depths that absorb nothing: radiance from above lies between 0 and
     # that of a white Lambert ground, and the histories end although nothing absorbs.
     planet = one_air(depth=500.0, profile=Exponential(scale_height=8e3))
-    settings = MonteCarloSettings(relative_error=0.1, most_histories=20_000)
+    settings = MonteCarloSettings(relative_error=0.1, most_histories=2_000)
     data = solve(planet, [550.0], settings, solver="montecarlo").estimate(
         altitude=100e3, sun_zenith=30.0, view_zenith=150.0, azimuth=90.0
     )
