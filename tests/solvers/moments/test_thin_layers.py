@@ -84,7 +84,9 @@ def test_radiances_of_thin_layers_are_those_of_monte_carlo(name: str) -> None:
         assert_array_less(np.abs(got / radiance - 1.0), bound + 4.0 * noise / radiance)
 
 
-@pytest.mark.parametrize("quality", ["preview", pytest.param("default", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "quality", ["preview", pytest.param("default", marks=pytest.mark.validation)]
+)
 def test_a_deep_cloud_sends_back_what_it_does_not_let_through(quality: str) -> None:
     # Conservation: nothing in the air absorbs, so that the Bond albedo, by quadrature of marched
     # radiances, and what the ground keeps are all the light that meets the planet, 0.76 % more
