@@ -34,7 +34,7 @@ EARTH, MARS = "earth-atmosphere-plus", "mars-standard"
 #: there at ``fine`` 110 s: it is for ``scripts/test --validation`` and ``airlight validate``.
 CHECKED = (
     (MARS, (550.0,), 6, "default", SOLVERS[2:]),
-    (EARTH, (440.0,), 3, "default", (("direct", DIRECT), SOLVERS[2])),
+    (EARTH, (440.0,), 6, "default", (("direct", DIRECT), SOLVERS[2])),
 )
 LATER = pytest.mark.validation
 

@@ -55,20 +55,29 @@ def _deleted(file: Path, _: random.Random) -> None:
     file.unlink()
 
 
-def _undisturbed(folder: Path, cache: Path) -> dict[str, dict[str, np.ndarray]]:
-    found = {}
+def undisturbed(folder: Path, cache: Path) -> Path:
+    """Folder with the outputs of the commands, made if it is not there."""
     for name, words in RESUMED:
-        status, err = ended(begin(words, folder, cache))
-        assert status == 0, err
-        found[name] = content(folder / name)
-    return found
+        if not (folder / name).exists():
+            status, err = ended(begin(words, folder, cache))
+            assert status == 0, err
+    return folder
 
 
-def try_damage(count: int, seed: int, folder: Path, cache: Path) -> Tally:
-    """Damage finished outputs; the same command mends them, or a line says that it cannot."""
+def _contents(whole: Path) -> dict[str, dict[str, np.ndarray]]:
+    return {name: content(whole / name) for name, _ in RESUMED}
+
+
+def try_damage(
+    count: int, seed: int, folder: Path, cache: Path, whole: Path | None = None
+) -> Tally:
+    """Damage finished outputs; the same command mends them, or a line says that it cannot.
+
+    ``whole`` is what ``undisturbed`` has returned, of this cache or one that was copied.
+    """
     chance, tally = random.Random(seed), Tally("damaged sweeps and frames")
-    whole = folder / "whole"
-    expected = _undisturbed(whole, cache)
+    whole = whole or undisturbed(folder / "whole", cache)
+    expected = _contents(whole)
     for number in range(count):
         name, words = chance.choice(RESUMED)
         place, damage = folder / f"damaged-{number}", chance.choice((*DAMAGES, _deleted))
@@ -92,10 +101,12 @@ def try_damage(count: int, seed: int, folder: Path, cache: Path) -> Tally:
     return tally
 
 
-def try_writers(count: int, seed: int, folder: Path, cache: Path) -> Tally:
+def try_writers(
+    count: int, seed: int, folder: Path, cache: Path, whole: Path | None = None
+) -> Tally:
     """Two to four commands write one output: each is right or told why not, and it is whole."""
     chance, tally = random.Random(seed), Tally("commands that write one output")
-    expected = _undisturbed(folder / "whole", cache)
+    expected = _contents(whole or undisturbed(folder / "whole", cache))
     for number in range(count):
         name, words = chance.choice(RESUMED)
         place = folder / f"shared-{number}"
@@ -130,10 +141,12 @@ def hostile(folder: Path, names: tuple[str, ...]) -> Path:
     return witness
 
 
-def try_places(count: int, seed: int, folder: Path, cache: Path) -> Tally:
+def try_places(
+    count: int, seed: int, folder: Path, cache: Path, whole: Path | None = None
+) -> Tally:
     """Work in folders with modules of others: none is imported, the result is the same."""
     chance, tally = random.Random(seed), Tally("hostile working directories")
-    expected = _undisturbed(folder / "whole", cache)
+    expected = _contents(whole or undisturbed(folder / "whole", cache))
     for number in range(count):
         name, words = chance.choice(RESUMED)
         place = folder / f"hostile-{number}"
@@ -153,6 +166,6 @@ def try_places(count: int, seed: int, folder: Path, cache: Path) -> Tally:
 
 
 #: Fuzzers by name, as ``scripts/soak`` calls them.
-FUZZERS: dict[str, Callable[[int, int, Path, Path], Tally]] = {
+FUZZERS: dict[str, Callable[..., Tally]] = {
     "damage": try_damage, "writers": try_writers, "places": try_places,
 }  # fmt: skip

@@ -310,9 +310,10 @@ def try_caches(
     count: int, seed: int, folder: Path, cache: Path, whole: References | None = None
 ) -> Tally:
     """Damage the cache, close it or fill its disk: the result is right, or a line says why not."""
-    chance, tally = random.Random(seed), Tally("damaged caches")
+    tally = Tally("damaged caches")
     whole = references(folder, cache) if whole is None else whole
     for number in range(count):
+        chance = random.Random(f"{seed} {number}")  # however many files the last was chosen from
         name, words = chance.choice(COMMANDS)
         damage = chance.choice((*DAMAGES, "full disk", "closed"))
         files = sorted(file for file in cache.rglob("*") if file.is_file())

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from outputs import FUZZERS
+from outputs import FUZZERS, undisturbed
 from processes import COMMANDS, References, references, try_caches, try_kills, try_together
 
 from airlight.kernel import cache_folder
@@ -23,35 +23,35 @@ def begun(tmp_path_factory: pytest.TempPathFactory) -> tuple[References, Path]:
     """Files of the undisturbed commands, and a cache that has what they need."""
     folder = tmp_path_factory.mktemp("undisturbed")
     cache = folder / "cache"
-    shutil.copytree(cache_folder(), cache)
+    kept = shutil.ignore_patterns("maps", "solutions")  # these commands solve, and need no map
+    shutil.copytree(cache_folder(), cache, ignore=kept)
     (folder / "here").mkdir()
     return references(folder / "here", cache), cache
 
 
-@pytest.fixture
-def cache(begun: tuple[References, Path], tmp_path: Path) -> Path:
-    """Copy of that cache, so that damage stays here."""
-    folder = tmp_path / "cache"
-    shutil.copytree(begun[1], folder)
-    return folder
+@pytest.fixture(scope="module")
+def whole(begun: tuple[References, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder with the undisturbed outputs of the commands that go on."""
+    return undisturbed(tmp_path_factory.mktemp("whole"), begun[1])
 
 
 @pytest.mark.parametrize("count", [3, pytest.param(60, marks=pytest.mark.validation)])
 def test_kills_leave_no_half_written_file(
-    count: int, tmp_path: Path, cache: Path, begun: tuple[References, Path]
+    count: int, tmp_path: Path, begun: tuple[References, Path]
 ) -> None:
     (tmp_path / "here").mkdir()
-    tally = try_kills(count, 1, tmp_path / "here", cache, whole=begun[0])
+    tally = try_kills(count, 1, tmp_path / "here", begun[1], whole=begun[0])
     assert tally.broke == []
     assert tally.tried == count
 
 
 @pytest.mark.parametrize("count", [4, pytest.param(60, marks=pytest.mark.validation)])
 def test_damaged_caches_give_the_right_result(
-    count: int, tmp_path: Path, cache: Path, begun: tuple[References, Path]
+    count: int, tmp_path: Path, begun: tuple[References, Path]
 ) -> None:
     (tmp_path / "here").mkdir()
-    tally = try_caches(count, 2, tmp_path / "here", cache, whole=begun[0])
+    damaged = shutil.copytree(begun[1], tmp_path / "cache")
+    tally = try_caches(count, 6, tmp_path / "here", damaged, whole=begun[0])
     assert tally.broke == []
     assert tally.tried == count
 
@@ -68,11 +68,23 @@ def test_the_commands_of_the_fuzzers_are_repeatable(begun: tuple[References, Pat
     assert set(begun[0]) == {name for name, _ in COMMANDS}
 
 
-@pytest.mark.parametrize("fuzzer", FUZZERS)
-@pytest.mark.parametrize("count", [3, pytest.param(30, marks=pytest.mark.validation)])
+@pytest.mark.parametrize(
+    ("fuzzer", "count", "seed"),
+    [
+        ("damage", 3, 3),
+        ("writers", 2, 6),  # three sweeps, then two films
+        # "places" in short: tests/test_child_processes.py
+        *(pytest.param(one, 30, 3, marks=pytest.mark.validation) for one in FUZZERS),
+    ],
+)
 def test_outputs_are_mended_shared_and_apart_from_foreign_modules(
-    count: int, fuzzer: str, tmp_path: Path, cache: Path
+    fuzzer: str,
+    count: int,
+    seed: int,
+    tmp_path: Path,
+    begun: tuple[References, Path],
+    whole: Path,
 ) -> None:
-    tally = FUZZERS[fuzzer](count, 3, tmp_path / "here", cache)
+    tally = FUZZERS[fuzzer](count, seed, tmp_path / "here", begun[1], whole)
     assert tally.broke == []
     assert tally.tried == count

@@ -110,14 +110,14 @@ def test_symmetric_sky_has_no_floor_and_antisymmetric_part_is_all_of_it() -> Non
     assert_allclose(symmetric_part(odd), even.radiance, atol=4e-3 * 3.0)
 
 
-def day(load: AngstromLaw, seed: int = 0) -> Scans:
-    """Made-up day of six scans by the planet of a load, with 1 % of noise."""
-    sun = np.linspace(35.0, 55.0, 6)
+def day(load: AngstromLaw, seed: int = 0, count: int = 6) -> Scans:
+    """Made-up day of some scans by the planet of a load, with 1 % of noise."""
+    sun = np.linspace(35.0, 55.0, count)
     view, azimuth = np.meshgrid([12.0, 40.0, 65.0, 77.0], [20.0, 100.0, -150.0])
     nm = np.array([400.0, 480.0, 560.0, 640.0, 700.0])
     shape = (sun.size, view.size)
     empty = Scans(
-        time=tuple(f"1{k}:00" for k in range(6)), sun_zenith=sun,
+        time=tuple(f"1{k}:00" for k in range(count)), sun_zenith=sun,
         view_zenith=np.broadcast_to(view.ravel(), shape),
         azimuth=np.broadcast_to(azimuth.ravel(), shape), wavelengths=nm,
         radiance=np.ones((*shape, nm.size)), solar_irradiance=np.full(nm.size, 1.8),
@@ -158,7 +158,7 @@ def test_every_day_of_a_folder_has_its_rows_and_pictures(tmp_path: Path) -> None
     # scores, thresholds by the row that was left out.
     pytest.importorskip("matplotlib")
     for k, name in enumerate(("kider2013-05-27.npz", "kider2013-06-01.npz")):
-        scans = day(AERONET_AEROSOL, k)
+        scans = day(AERONET_AEROSOL, k, 3)
         np.savez(
             tmp_path / name, time=np.array([f"{name[5:15]} {one}" for one in scans.time]),
             sun_zenith_deg=scans.sun_zenith, view_zenith_deg=scans.view_zenith,

@@ -18,6 +18,13 @@ from airlight.viewer.browser.page import page_data
 from airlight.viewer.browser.page_text import page_text
 from airlight.viewer.session.session import Session
 
+#: Script before all others: whether the first picture has stood in the viewer, however short.
+WITNESS = """<script>
+new MutationObserver(() => {
+  window.stood ||= document.querySelector(".airlight-view .airlight-first") !== null;
+}).observe(document, { childList: true, subtree: true });
+</script>"""
+
 
 @pytest.fixture(scope="module")
 def text() -> str:
@@ -59,12 +66,12 @@ def test_the_first_picture_takes_its_place(
     text: str, opened: Callable[..., Any], tmp_path: Path
 ) -> None:
     file = tmp_path / "page.html"
-    file.write_text(text, encoding="utf-8")
+    file.write_text(text.replace("<body>", f"<body>{WITNESS}", 1), encoding="utf-8")
     page = opened(file, "?device=webgl2")
-    page.wait_for_selector(".airlight-view .airlight-first", state="attached")
     page.evaluate("airlight.settled()")
     page.wait_for_selector(".airlight-first", state="detached")
     page.wait_for_selector(".airlight-progress", state="detached")
+    assert page.evaluate("window.stood")
 
 
 def test_shaders_are_counted_as_they_are_compiled(modules: Callable[..., Any]) -> None:

@@ -195,7 +195,7 @@ CELLS = "[...document.querySelectorAll('.jp-CodeCell .cm-content')].map((one) =>
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", [40, pytest.param(LONG, marks=pytest.mark.validation)])
+@pytest.mark.parametrize("count", [20, pytest.param(LONG, marks=pytest.mark.validation)])
 def test_random_clicks_leave_the_widget_alive(count: int, notebook: Any) -> None:
     # a key that is pressed in the widget is none of the notebook's, whose letters edit cells
     faults: list[str] = []

@@ -146,7 +146,7 @@ def test_light_that_grazes_a_cloud_of_many_depths_is_finite(one_air: Callable[..
     # Half a thousand optical depths that absorb nothing: radiance from above lies between 0 and
     # that of a white Lambert ground, and the histories end although nothing absorbs.
     planet = one_air(depth=500.0, profile=Exponential(scale_height=8e3))
-    settings = MonteCarloSettings(relative_error=0.1, most_histories=20_000)
+    settings = MonteCarloSettings(relative_error=0.1, most_histories=2_000)
     data = solve(planet, [550.0], settings, solver="montecarlo").estimate(
         altitude=100e3, sun_zenith=30.0, view_zenith=150.0, azimuth=90.0
     )
@@ -169,7 +169,7 @@ def test_light_that_is_scattered_thousands_of_times_is_not_cut_off(
     # Flat conservative air of depth τ that scatters evenly, a star overhead, a black ground: the
     # flux below is u(1)·4/(3(τ + 1.4209)), u(1) = √3/4·H(1) with H(1) = 2.9078 (Chandrasekhar 1960,
     # table XI). Four million histories that ended by 1/20 an event from the hundredth on: 1e-6.
-    depth = 60.0
+    depth = 45.0
     planet = one_air(
         depth=depth, profile=Uniform(), phase=HenyeyGreenstein(asymmetry=0.0), bottom=1e10,
         thickness=8e3,
